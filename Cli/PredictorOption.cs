@@ -12,7 +12,7 @@ static class PredictorOption
         var list = string.Join(", ", Predictors.Names);
         var option = new Option<string>(name)
         {
-            Description = $"Prediction method [{list}; with another history h, for example: linear-h4]",
+            Description = $"Prediction method [{list}; polynomials also with another history h, for example linear-h4]",
             DefaultValueFactory = _ => Predictors.Default,
         };
         option.Validators.Add(result =>

@@ -4,10 +4,10 @@ using Microsoft.AspNetCore.Connections.Features;
 
 namespace Nowpose.Gateway;
 
-/// <summary>Accepts connections for the web server, and continues after any error of the system.</summary>
+/// <summary>Accepts connections for the web server, and continues after an error of the operating system.</summary>
 /// <remarks>
-/// Kestrel closes a port permanently at the first exception of its listener. The last file descriptors are kept free, because Kestrel's
-/// listener uses a whole processor when none are left.
+/// Kestrel closes a port permanently at the first exception of its listener. The listener keeps the last file descriptors free, because
+/// without a free descriptor, Kestrel's own listener occupies a whole processor.
 /// </remarks>
 sealed class ResilientListener(IConnectionListener inner, Action<string> log) : IConnectionListener
 {
@@ -17,7 +17,8 @@ sealed class ResilientListener(IConnectionListener inner, Action<string> log) : 
 
     public EndPoint EndPoint => inner.EndPoint;
 
-    /// <returns>Null if the listener was unbound.</returns>
+    /// <summary>Waits for the next connection.</summary>
+    /// <returns>The connection; null after the listener was unbound.</returns>
     public async ValueTask<ConnectionContext> AcceptAsync(CancellationToken cancellationToken = default)
     {
         while (!_stop.IsCancellationRequested)

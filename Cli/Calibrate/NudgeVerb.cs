@@ -6,7 +6,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate nudge</c>: L_visu by eye, from the offsets at which hologram and robot coincide in two directions.
+/// <c>calibrate nudge</c>: measures L_visu by eye, from the offsets at which hologram and robot coincide in two directions of motion.
 static class NudgeVerb
 {
     static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");
@@ -20,7 +20,7 @@ static class NudgeVerb
 
     public static Command Create()
     {
-        var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot agree in both directions. Without options: print the instructions.")
+        var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot coincide in both directions of motion. Without options: print the instructions.")
         {
             Speed, Configured, Forward, Backward, Earlier, Output, Json,
         };
@@ -51,7 +51,7 @@ static class NudgeVerb
 
     static Option<double[]> Offsets(string name, string direction) => new(name)
     {
-        Description = $"Offset along the motion at which hologram and robot agreed moving {direction}, mm; repeat for several measurements [-1000 to 1000 mm]",
+        Description = $"Offset along the motion at which hologram and robot coincided while moving {direction}, in mm; repeat the option for more measurements [-1000 to 1000 mm]",
         AllowMultipleArgumentsPerToken = true,
         DefaultValueFactory = _ => [],
     };

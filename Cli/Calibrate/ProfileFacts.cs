@@ -5,7 +5,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>A profile as text, for table and page.</summary>
+/// <summary>Formats a profile as text for the table and the page.</summary>
 static class ProfileFacts
 {
     public static IEnumerable<string[]> Of(LatencyProfile profile)

@@ -6,7 +6,7 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate range FILE.csv</c>: the constant-latency range from pairs of render time and L_visu.</summary>
+/// <summary><c>calibrate range FILE.csv</c>: finds the constant-latency range from pairs of render time and L_visu.</summary>
 static class RangeVerb
 {
     public static Command Create()
@@ -37,7 +37,7 @@ static class RangeVerb
         return ExitStatus.Done;
     }
 
-    // Checked where the loads are known: a render time that does not change with the load can neither find a limit nor monitor one.
+    // Requires that the render time changes with the load. Otherwise no limit can be found or monitored. Needs the loads.
     static void RequireSight(IReadOnlyList<MeasuredPicture> pictures, string file, string source)
     {
         const double MinRise = 0.1;

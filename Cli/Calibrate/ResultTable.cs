@@ -5,11 +5,11 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>Prints a calibration's result to stdout and its warnings to stderr.</summary>
 static class ResultTable
 {
-    /// <summary>Maximum length of a list in the table, in characters; the page has all of it.</summary>
+    /// <summary>Maximum length of a list in the table, in characters. The page shows the complete list.</summary>
     const int MaxLength = 400;
 
     /// <param name="profilePath">Path of the profile, or null for none.</param>
-    /// <param name="json">The JSON to print instead of the table, or null for the table.</param>
+    /// <param name="json">JSON to print instead of the table; null prints the table.</param>
     public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
     {
         if (json == null) PrintTable(page);

@@ -6,7 +6,7 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate vlc PICTURES</c>: L_visu from pictures that show the control's and the headset's code at the same time.
+/// <c>calibrate vlc PICTURES</c>: measures L_visu from pictures that show the control's and the headset's code at the same time.
 static class VlcVerb
 {
     /// <summary>Maximum number of rejected pictures that are listed individually.</summary>
@@ -33,7 +33,7 @@ static class VlcVerb
             Pictures, Sweep, Readout, ControlDelay, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The errors of the cell's objects as text; no rows where the cell has none.</summary>
+/// <summary>Formats the errors of the cell's objects as text; has no rows if the cell has no objects.</summary>
 sealed class DemoBodyWords(DemoResult.BodyErrors bodies)
 {
     public IReadOnlyList<(string Label, string Value)> Rows => bodies == null ? [] :

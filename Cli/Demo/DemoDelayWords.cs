@@ -2,15 +2,15 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The text in table and report about frames that this machine could not run in time; empty if there were very few.</summary>
-/// <remarks>A delayed frame shows the pose of its own time. Samples and clock exchanges may be delayed too, which is not measured.</remarks>
+/// <summary>Reports, in table and report, the frames that this machine started late. Has no rows if there were very few.</summary>
+/// <remarks>A late frame shows the pose of its actual time. Samples and sync exchanges can be late, too; this is not measured.</remarks>
 sealed class DemoDelayWords(DemoFrames frames)
 {
-    /// <summary>Minimum delay of a delayed frame: half a frame.</summary>
+    /// <summary>Minimum delay of a frame that counts as late: half a frame interval.</summary>
     static readonly TimeSpan Long = TimeSpan.FromSeconds(0.5 / DemoDisplay.FramesPerSecond);
 
-    /// <summary>Minimum share of delayed frames. Fewer do not change any result.</summary>
-    const double WorthSaying = 0.01;
+    /// <summary>Minimum share of late frames for a report. Fewer do not change the results.</summary>
+    const double MinShare = 0.01;
 
     public IEnumerable<(string Label, string Value)> Rows
     {
@@ -18,7 +18,7 @@ sealed class DemoDelayWords(DemoFrames frames)
         {
             var scored = frames.Rows.Where(row => row.Elapsed >= DemoScore.WarmUp).ToList();
             var delays = scored.Where(row => row.Delay > Long).Select(row => row.Delay.TotalMilliseconds).ToList();
-            if (delays.Count > WorthSaying * scored.Count) yield return ("frames that began late", Text(delays, scored.Count));
+            if (delays.Count > MinShare * scored.Count) yield return ("frames that began late", Text(delays, scored.Count));
         }
     }
 

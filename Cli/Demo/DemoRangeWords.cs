@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The text in table and report about the constant-latency range; empty without a load.</summary>
+/// <summary>Formats the constant-latency range for table and report; has no rows without a load.</summary>
 sealed class DemoRangeWords(DemoSettings settings, DemoResult result, DemoRange range)
 {
     public IEnumerable<(string Label, string Value)> Rows

@@ -15,7 +15,7 @@ static class DemoReport
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100, 200];
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
-    /// <param name="figures">The paper's figures of this run; null without <c>--paper</c>.</param>
+    /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public static string Of(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
         var start = run.Frames.Rows.Count > 0 ? run.Frames.Rows[0].TrueLight : default;
@@ -91,12 +91,12 @@ static class DemoReport
         Compensated = score.Errors.Select(e => Round(e.Mm)),
     };
 
-    // Fig. 18: the error as a point over v and L. The remaining error e is an effective latency e/v.
+    // Fig. 18: each error as a point over v and L. The remaining error e corresponds to an effective latency e/v.
     static object Field(DemoScore score, DemoRun run)
     {
         var speed = new ToolSpeed(run);
         var points = score.Errors.Select(e => (Error: e, Speed: speed.At(run.Frames.Rows[e.Frame].TrueLight))).ToList();
-        // Near standstill, the latency e/v is the quotient of two small numbers.
+        // Excludes frames near standstill, whose latency e/v is the quotient of two small numbers.
         var slowest = SlowestShare * points.Select(p => p.Speed).DefaultIfEmpty().Max();
         var moving = points.Where(p => p.Speed > slowest).ToList();
         if (moving.Count == 0) return null;
@@ -123,7 +123,7 @@ static class DemoReport
         };
     }
 
-    // Fig. 10, with the runtime's range state.
+    // Fig. 10, with the runtime's range state added.
     static object Range(DemoRun run, ControlTime start)
     {
         if (run.Settings.Load == null) return null;

@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The result as text: uncompensated against compensated, then the conditions.</summary>
+/// <summary>Prints the result as text: the errors without and with compensation, then the conditions.</summary>
 static class DemoTable
 {
     public static void Print(DemoRun run, DemoScore score, DemoResult result, DemoOutput output)

@@ -5,19 +5,19 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Fig. 12: the 7-phase profile of Figs 13 and 14, sampled, delayed and predicted.</summary>
+/// <summary>Fig. 12: the 7-phase profile of Figs 13 and 14 as it is sampled, delayed and predicted.</summary>
 sealed class Figure12 : IFigureStudy
 {
     const double MsPerS = 1000;
     const double Velocity = 1000, Acceleration = 5000, Jerk = 50_000;
 
-    /// <summary>Start of the second forward move of the swing, s. By then, all signals have a history.</summary>
+    /// <summary>Start of the second forward move of the swing, s. All signals have a history by then.</summary>
     const double Start = 2.4;
 
-    /// <summary>Plotted instants per second: four per frame, so that steps are drawn vertically.</summary>
+    /// <summary>Number of plotted instants per second: four per frame, so that steps look vertical.</summary>
     const double DrawnRateHz = 240;
 
-    /// <summary>L + T_s, s: the age of the oldest sample that a frame shows.</summary>
+    /// <summary>Maximum age of the sample that a frame shows, L + T_s, s.</summary>
     const double Lag = 0.150;
 
     static readonly string[] Shown = ["quadratic", .. FigureSettings.OurPredictors];
@@ -46,7 +46,7 @@ sealed class Figure12 : IFigureStudy
         };
     }
 
-    /// <param name="lagMm">Distance by which hold is behind at full speed, mm.</param>
+    /// <param name="lagMm">Distances by which hold lags behind at full speed, mm.</param>
     public static IReadOnlyList<Criterion> Criteria(SevenPhaseProfile move, IReadOnlyCollection<double> lagMm)
     {
         double[] ms = [.. Enumerable.Range(0, (int)(move.Duration * MsPerS)).Select(i => (i + 0.5) / MsPerS)];

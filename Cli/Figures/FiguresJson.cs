@@ -5,7 +5,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>The data of figures.html. Its fields are those of <c>Web/src/paper/data.ts</c>.</summary>
+/// <summary>Writes the data of figures.html. The fields are those of <c>Web/src/paper/data.ts</c>.</summary>
 static class FiguresJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
@@ -16,8 +16,8 @@ static class FiguresJson
         + "Schnierle & Röck 2022: the paper's claims beside the results of Nowpose's classes.",
         Conditions(settings), FigureSet.Numbers.Except(figures.Select(f => f.Number)), figures);
 
-    /// <param name="conditions">Names and values.</param>
-    /// <param name="missing">Numbers of the figures that are missing.</param>
+    /// <param name="conditions">Pairs of name and value.</param>
+    /// <param name="missing">Numbers of the figures that were not computed.</param>
     public static string Of(string title, string subtitle, string[][] conditions, IEnumerable<string> missing, IReadOnlyList<Figure> figures) =>
         JsonSerializer.Serialize(new
         {
@@ -47,7 +47,7 @@ static class FiguresJson
 
     static string Ms(double seconds) => (1000 * seconds).ToString("0.###", CultureInfo.InvariantCulture) + " ms";
 
-    /// <summary>Gets one figure; the fields are those of <c>FigureData</c>.</summary>
+    /// <summary>Gets the data of one figure. The fields are those of <c>FigureData</c>.</summary>
     public static object Of(Figure figure) => new
     {
         figure.Number,

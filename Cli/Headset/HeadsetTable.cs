@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>The result as a table for readers.</summary>
+/// <summary>Prints the result as a table.</summary>
 static class HeadsetTable
 {
     public static void Print(HeadsetResult result, IAnsiConsole console)
@@ -32,7 +32,7 @@ static class HeadsetTable
             Row($"outage from {Text(outage.FromS, "0.0", "")} to {Text(outage.ToS ?? result.Seconds, "0.0", " s")}", outage.Pose + (outage.Reason.Length == 0 ? "" : ": " + outage.Reason));
         AddErrors(Row, "", result.ToolErrorMm);
         if (pose.NotCurrentS > 0) Row("tool, not scored", $"frames that were not current: {Text(pose.NotCurrentS, "0.00", " s")}");
-        // A single stretch is the whole run, which is already shown.
+        // A single stretch is the complete run, which is already shown.
         for (var i = 0; i < result.Stretches.Count && result.Stretches.Count > 1; i++) AddStretch(Row, i + 1, result.Stretches[i]);
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
         console.Write(grid);

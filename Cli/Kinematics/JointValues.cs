@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;
 
-/// <summary>The values of <c>--joints</c>, checked against the robot.</summary>
+/// <summary>The values of <c>--joints</c>, validated against the robot.</summary>
 sealed class JointValues
 {
     readonly RobotModel _model;
@@ -20,7 +20,7 @@ sealed class JointValues
         foreach (var entry in list.Split(',', StringSplitOptions.TrimEntries)) Take(entry);
     }
 
-    /// <summary>Gets the positions of all moving joints: 0 for joints without a value; mimic joints follow their masters.</summary>
+    /// <summary>Gets the positions of all moving joints. Joints without a value are at 0; mimic joints follow the joint that they mimic.</summary>
     public double[] Complete()
     {
         var positions = (double[])_positions.Clone();
@@ -28,7 +28,7 @@ sealed class JointValues
         return positions;
     }
 
-    /// <summary>Gets one sentence for each given value that is outside the joint's limits.</summary>
+    /// <summary>Gets one sentence for each value that exceeds the joint's limits.</summary>
     public IEnumerable<string> OutOfLimits()
     {
         for (var i = 0; i < _positions.Length; i++)

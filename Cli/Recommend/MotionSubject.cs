@@ -3,7 +3,7 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>A recorded motion, sampled and delayed as in <c>replay</c>.</summary>
+/// <summary>A recorded motion that is sampled and delayed as in <c>replay</c>.</summary>
 sealed class MotionSubject : ISubject
 {
     const double MsPerSecond = 1000;

@@ -4,7 +4,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The recommendation as a table for readers: every candidate with both halves, then the settings.</summary>
+/// <summary>Prints the recommendation as a table: all candidates with their errors on both halves, then the recommended settings.</summary>
 static class RecommendTable
 {
     public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results)
@@ -36,7 +36,7 @@ static class RecommendTable
         var reduction = Percent(verdict.Recommended.Reduction, "0");
         console.WriteLine($"It removes {reduction} of the error ({Percent(verdict.Recommended.First.Reduction, "0")} and "
             + $"{Percent(verdict.Recommended.Second.Reduction, "0")} in the halves).");
-        // The run was interrupted before the blend was tried.
+        // The run was cancelled before the blend was evaluated.
         if (blend.Share == null) return;
         console.WriteLine(Text($"Use blend {blend.RecommendedMs:0} ms: ")
             + $"{PredictionSettings.DefaultBlendMs} ms cost {Percent(blend.Share)} of RMS error ({Percent(blend.ShareOfHalves[0])} and "

@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>A replay's result as a table for readers: uncompensated and compensated, axis by axis.</summary>
+/// <summary>Prints the result of a replay as a table, with the errors of each axis without and with compensation.</summary>
 static class ReplayTable
 {
     public static void Write(IAnsiConsole console, ReplayResult result)

@@ -2,12 +2,12 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>The fields of one JSON object. A field that is missing or has another type causes an error that names file, line and field.</summary>
+/// <summary>The fields of a JSON object. For a field that is missing or has another type, the error names file, line and field.</summary>
 readonly struct LineFields(string place, JsonElement fields)
 {
     readonly JsonElement _fields = fields;
 
-    /// <summary>File and line, for messages.</summary>
+    /// <summary>File and line, for error messages.</summary>
     public string Place => place;
 
     public bool Has(string name) => _fields.TryGetProperty(name, out var value) && value.ValueKind != JsonValueKind.Null;
@@ -24,7 +24,7 @@ readonly struct LineFields(string place, JsonElement fields)
         return kind is JsonValueKind.True or JsonValueKind.False ? kind == JsonValueKind.True : throw Wrong(name, "is neither true nor false");
     }
 
-    /// <summary>Gets a 64-bit whole number, for example a time in nanoseconds.</summary>
+    /// <summary>Gets a 64-bit integer, for example a time in nanoseconds.</summary>
     public long Whole(string name)
     {
         var value = Required(name);
@@ -43,8 +43,8 @@ readonly struct LineFields(string place, JsonElement fields)
 
     public double NumberOr(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
 
-    /// <param name="count">Required number of elements; null for any number.</param>
-    /// <param name="mayBeAbsent">Whether an element may be null, which is returned as NaN.</param>
+    /// <param name="count">Required number of elements; null to allow any number.</param>
+    /// <param name="mayBeAbsent">Whether elements can be null. A null element is returned as NaN.</param>
     public double[] Numbers(string name, int? count = null, bool mayBeAbsent = false)
     {
         var array = Array(name);

@@ -4,14 +4,14 @@ using Nowpose.Recording;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>Reads a session file line by line, so that files of any size can be read.</summary>
+/// <summary>Reads a session file line by line, so that the size of the file is not limited.</summary>
 sealed class SessionFileReader : IDisposable
 {
     readonly string _path;
     readonly TextReader _text;
     int _line;
 
-    /// <exception cref="InputException">The file cannot be read, is not a session file, or is newer than this program.</exception>
+    /// <exception cref="InputException">The file cannot be read, is not a session file, or has a newer version than this program.</exception>
     public SessionFileReader(string path)
     {
         _path = path;
@@ -29,11 +29,11 @@ sealed class SessionFileReader : IDisposable
 
     public SessionHeader Header { get; }
 
-    /// <summary>Whether the file name has the extension of a session file.</summary>
+    /// <summary>Gets whether the extension of a path is that of a session file.</summary>
     public static bool IsSession(string path) => path != null
         && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
 
-    /// <summary>Gets the lines below the header. Unknown kinds are skipped.</summary>
+    /// <summary>Reads the lines below the header. Skips lines of unknown kinds.</summary>
     /// <exception cref="InputException">A line has another format. The message names file, line and field.</exception>
     public IEnumerable<SessionLine> Lines()
     {
@@ -41,7 +41,7 @@ sealed class SessionFileReader : IDisposable
         {
             if (string.IsNullOrWhiteSpace(text)) continue;
             var line = Parse(text, out var isTorn);
-            // The process ended while it wrote this line. All earlier lines are complete.
+            // The recording process ended while it was writing this line. All earlier lines are complete.
             if (isTorn) yield break;
             if (line != null) yield return line;
         }

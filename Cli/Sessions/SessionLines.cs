@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>Reads the lines of version 1, field by field, as specified in <c>session-file.md</c>.</summary>
+/// <summary>Reads the fields of lines of version 1, as specified in <c>session-file.md</c>.</summary>
 static class SessionLines
 {
     const int NanosecondsPerTick = 100;
@@ -23,7 +23,7 @@ static class SessionLines
         return new SessionHeader(robot.Text("name"), joints, ReadPrediction(line, line.Object("settings")));
     }
 
-    /// <returns>Null for an unused or unknown kind.</returns>
+    /// <returns>The line; null if its kind is unknown or not used.</returns>
     public static SessionLine Read(LineFields line) => line.Text("kind") switch
     {
         "sync" => ReadSync(line),

@@ -5,10 +5,10 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Reads CSV files of whole numbers with a fixed header. Errors name file, line and field.</summary>
+/// <summary>Reads CSV files of integers with a fixed header. Error messages name file, line and field.</summary>
 static class IntegerTable
 {
-    /// <summary>Maximum number of characters of a wrong header that are shown.</summary>
+    /// <summary>Maximum number of characters of a wrong header that a message shows.</summary>
     const int MaxShown = 120;
 
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
@@ -39,7 +39,7 @@ static class IntegerTable
         return rows;
     }
 
-    // The file may be something else, with a very long first line.
+    // Limits the length, because a file of another format can have a very long first line.
     static string Beginning(string header) => header.Length <= MaxShown ? header : header[..MaxShown] + "…";
 
     static long[] Row(CsvParser csv, string path, string[] header)

@@ -3,10 +3,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Reads a log of sync exchanges, and the instants at which the offset is requested.</summary>
+/// <summary>Reads logs of sync exchanges, and the instants for which estimates are requested.</summary>
 static class SyncLog
 {
-    /// <summary>Reads the logged exchanges without checks, each with t4 in ns.</summary>
+    /// <summary>Reads the exchanges of a log without checking them. Each has its t4 in ns.</summary>
     public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
         SessionFileReader.IsSession(path) ? OfSession(path) : OfTable(path);
 

@@ -5,13 +5,13 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Fig. 8 of the paper for a log of sync exchanges, as one HTML page with its data beside it.</summary>
+/// <summary>Writes Fig. 8 of the paper for a log of sync exchanges: an HTML page, and its data as CSV.</summary>
 static class SyncPage
 {
     public const string DefaultPath = "nowpose-sync.html";
 
-    /// <param name="path">Path of the page; the data has the same name with .csv.</param>
-    /// <param name="log">Path of the log.</param>
+    /// <param name="path">Path of the page. The data file has the same name with the extension .csv.</param>
+    /// <param name="log">Path of the log, which the page names.</param>
     /// <exception cref="InputException">The page cannot be written.</exception>
     public static void Write(string path, string log, IReadOnlyList<SyncExchange> exchanges, string estimator)
     {

@@ -4,7 +4,7 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>A folder with the package, and the content of its package.json.</summary>
+/// <summary>The folder of the package, and the content of its package.json.</summary>
 sealed class PackageFolder
 {
     const string Below = "Packages/" + ProjectNeeds.Package;
@@ -17,15 +17,15 @@ sealed class PackageFolder
         Samples = ReadSamples(description);
     }
 
-    /// <summary>Absolute path.</summary>
+    /// <summary>Absolute path of the folder.</summary>
     public string Root { get; }
 
     public string DisplayName { get; }
     public string Version { get; }
     public IReadOnlyList<PackageSample> Samples { get; }
 
-    /// <summary>Finds the package in the clone that contains the program, or the copy next to a published program.</summary>
-    /// <returns>Null if neither exists.</returns>
+    /// <summary>Finds the package in the clone that contains this program, or the copy next to a published program.</summary>
+    /// <returns>The folder; null if neither exists.</returns>
     public static PackageFolder Find()
     {
         for (var at = new DirectoryInfo(AppContext.BaseDirectory); at != null; at = at.Parent)
@@ -33,8 +33,8 @@ sealed class PackageFolder
         return Open(Path.Combine(AppContext.BaseDirectory, "UnityProject", Below));
     }
 
-    /// <returns>Null if the folder does not contain the package.</returns>
-    /// <exception cref="InputException">Its package.json is not valid; the message names the file and the field.</exception>
+    /// <returns>The folder; null if it does not contain the package.</returns>
+    /// <exception cref="InputException">The package.json is not valid. The message names the file and the field.</exception>
     public static PackageFolder Open(string root)
     {
         var file = Path.Combine(root, "package.json");
@@ -79,7 +79,7 @@ sealed class PackageFolder
         }
         catch (InvalidOperationException)
         {
-            // An escape that is half of a surrogate pair.
+            // The string contains an escape sequence for half of a surrogate pair.
         }
         throw new FormatException($"{at}{name} must be a string");
     }

@@ -3,7 +3,7 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Plan of the changes to a project.</summary>
+/// <summary>Plans and applies the changes to a Unity project.</summary>
 sealed class Preparation
 {
     const string InUnity = "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and applies most of them.";
@@ -30,19 +30,19 @@ sealed class Preparation
 
     public UnityProject Project { get; }
 
-    /// <summary>The changes, one line each; empty if there are none.</summary>
+    /// <summary>Descriptions of the changes, one line each; empty if nothing has to be changed.</summary>
     public IReadOnlyList<string> Changes => _changes;
 
     /// <summary>Notes for the user.</summary>
     public IReadOnlyList<string> Notes => _notes;
 
-    /// <summary>The known reason why <see cref="Apply"/> would fail, in one line; null for none.</summary>
+    /// <summary>Reason why <see cref="Apply"/> would fail, in one line; null if none is known.</summary>
     public string Obstacle => _merge.Changes.Count > 0 ? _file.Obstacle : null;
 
-    /// <summary>Steps that the user has to do.</summary>
+    /// <summary>Steps that the user must do after the preparation.</summary>
     public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : _settings.HasMrtk3 ? [.. AfterMrtk3, InUnity] : [InUnity];
 
-    /// <exception cref="InputException">The project cannot be prepared; nothing is changed.</exception>
+    /// <exception cref="InputException">The project cannot be prepared. It is not changed.</exception>
     public static Preparation Plan(UnityProject project, PreparationSettings settings)
     {
         var preparation = new Preparation(project, settings);
@@ -50,12 +50,12 @@ sealed class Preparation
         return preparation;
     }
 
-    /// <returns>Path of the copy of the previous manifest; null if it was not changed.</returns>
-    /// <exception cref="InputException">The manifest is read-only, or a sample cannot be copied; the manifest is not changed.</exception>
+    /// <returns>Path of the backup of the previous manifest; null if the manifest did not change.</returns>
+    /// <exception cref="InputException">The manifest is read-only, or a sample cannot be copied. The manifest is not changed.</exception>
     public string Apply()
     {
         if (Obstacle is { } obstacle) throw new InputException(obstacle);
-        // The manifest is written last, so that it stays unchanged if a sample cannot be copied.
+        // Writes the manifest last, so that it does not change if a sample cannot be copied.
         foreach (var sample in _samples) sample.Apply();
         return _merge.Changes.Count > 0 ? _file.Write(_merge.Text) : null;
     }
@@ -104,7 +104,7 @@ sealed class Preparation
         }
         var address = _settings.Package == null ? PackageAddress.Of(package) : PackageAddress.Read(_settings.Package, package.Version, Project);
         var origin = PackageOrigin.At(ProjectNeeds.Package, address, min: package.Version);
-        // Without --package, an existing folder or commit is sufficient.
+        // Without --package, an entry that names a folder or a commit is kept.
         var present = _merge.VersionOf(ProjectNeeds.Package);
         if (_settings.Package == null && present != null && origin.Serves(present) == null) return;
         _merge.Need(origin, isExact: _settings.Package != null);

@@ -3,7 +3,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Prints the changes that were made to a project, or that are planned.</summary>
+/// <summary>Prints the changes to a project, either made or planned.</summary>
 static class PreparationOutput
 {
     public static string Text(Preparation preparation, bool isCheck, string backup)

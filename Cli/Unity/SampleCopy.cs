@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Copies a sample with its .meta files to the folder that Unity's Package Manager uses.</summary>
+/// <summary>Copies a sample, including its .meta files, to the folder that Unity's Package Manager uses.</summary>
 sealed class SampleCopy
 {
     readonly string _source, _target;
@@ -16,14 +16,14 @@ sealed class SampleCopy
 
     public PackageSample Sample { get; }
 
-    /// <summary>Whether any file has to be copied.</summary>
+    /// <summary>Whether any file must be copied.</summary>
     public bool IsNeeded => _missing.Count > 0;
 
-    /// <summary>Description of the change.</summary>
+    /// <summary>Description of the change in one line.</summary>
     public string Change => FormattableString.Invariant($"sample: {Sample.Name}, {_missing.Count} files to {_target}");
 
     /// <exception cref="InputException">
-    /// The package has no such sample, or the project has changed files, or a file in place of a folder.
+    /// The package has no such sample, a file in the project differs from the sample's, or a file has the name of a needed folder.
     /// </exception>
     public static SampleCopy Plan(UnityProject project, PackageFolder package, string name)
     {
@@ -47,7 +47,7 @@ sealed class SampleCopy
         return new SampleCopy(sample, sample.Folder, target, [.. files.Except(present)]);
     }
 
-    /// <summary>Copies the missing files. A new folder is created as a whole.</summary>
+    /// <summary>Copies the missing files. A new folder appears only when it is complete.</summary>
     /// <exception cref="InputException">A file cannot be copied.</exception>
     public void Apply()
     {
@@ -71,7 +71,7 @@ sealed class SampleCopy
             return;
         }
         var parent = Path.GetDirectoryName(_target);
-        // Unity ignores names that begin with a dot.
+        // Copies to a temporary folder. Unity ignores it because its name begins with a dot.
         var unfinished = Path.Combine(parent, "." + Path.GetFileName(_target));
         if (Directory.Exists(unfinished)) Directory.Delete(unfinished, recursive: true);
         CopyTo(unfinished);

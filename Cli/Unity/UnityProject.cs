@@ -3,7 +3,7 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>A Unity project on disk.</summary>
+/// <summary>A folder with a Unity project.</summary>
 sealed class UnityProject
 {
     UnityProject(string root, UnityVersion version)
@@ -12,10 +12,10 @@ sealed class UnityProject
         Version = version;
     }
 
-    /// <summary>Absolute path of the folder that holds Assets and Packages.</summary>
+    /// <summary>Absolute path of the folder that contains Assets and Packages.</summary>
     public string Root { get; }
 
-    /// <summary>The version that the project was last opened with.</summary>
+    /// <summary>Unity version with which the project was last opened.</summary>
     public UnityVersion Version { get; }
 
     public string ManifestPath => ManifestIn(Root);
@@ -37,14 +37,14 @@ sealed class UnityProject
             $"{VersionIn(root)}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1"));
     }
 
-    /// <summary>Whether a package is embedded in the project, which the manifest cannot override.</summary>
+    /// <summary>Gets whether a package is embedded in the project. The manifest has no effect on an embedded package.</summary>
     public bool Embeds(string package) => File.Exists(Path.Combine(Root, "Packages", package, "package.json"));
 
     static string VersionIn(string root) => Path.Combine(root, "ProjectSettings", "ProjectVersion.txt");
 
     static string ManifestIn(string root) => Path.Combine(root, "Packages", "manifest.json");
 
-    // A user who gives Assets or Packages means the parent folder.
+    // If the user gives the folder Assets or Packages, suggests the parent folder.
     static string Hint(string root)
     {
         var parent = Path.GetDirectoryName(root);

@@ -5,11 +5,12 @@ using Nowpose.Gateway.Sync;
 
 namespace Nowpose.Gateway.Codes;
 
-/// <summary>Limits requests for the time by HTTP: each connection counts as one WebSocket connection, with the rate limit of sync requests.</summary>
-/// <remarks>Connections stay open between requests, because connecting again would count as network latency.</remarks>
+/// <summary>Limits time requests over HTTP. Each connection counts as a WebSocket connection and has the rate limit of sync requests.</summary>
+/// <remarks>Connections stay open between requests, because the time to connect again would be measured as network latency.</remarks>
 sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Action<string> log)
 {
-    /// <summary>Whether this request may be served. If not, it was refused and answered, and its connection ends.</summary>
+    /// <summary>Checks whether a request may be served. Otherwise, answers it with the refusal and ends its connection.</summary>
+    /// <returns>True if the request may be served.</returns>
     public async Task<bool> AdmitAsync(HttpContext context)
     {
         if (PlaceOf(context) is not { } place)
@@ -28,7 +29,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
         return AccessControl.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
     }
 
-    // Requests of one connection are sequential.
+    // Not locked, because the requests of one connection are sequential.
     Place PlaceOf(HttpContext context)
     {
         var items = context.Features.GetRequiredFeature<IConnectionItemsFeature>().Items;

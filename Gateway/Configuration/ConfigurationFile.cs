@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Configuration;
 
 /// <summary>Reads a configuration file: YAML with one mapping from keys to a word or a list of words.</summary>
 /// <remarks>
-/// Reads event by event without a tree, so that deep nesting needs no memory. References, tags and anchors are refused.
+/// Reads YAML event by event and builds no tree, so that deep nesting needs no memory. Refuses references, tags and anchors.
 /// </remarks>
 static class ConfigurationFile
 {
@@ -30,7 +30,7 @@ static class ConfigurationFile
         {
             wrong.Add($"{path}:{broken.Start.Line}: not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
         }
-        // Exceptions of the parser itself, for example for a plain word in an unclosed flow mapping.
+        // YamlDotNet's parser also throws these for some invalid texts, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
             wrong.Add($"{PlaceOf(path, parser.Current)}: not valid YAML, in this line or a later one");
@@ -56,7 +56,7 @@ static class ConfigurationFile
 
     static bool TryReadDocument(Parser parser, string path, List<ConfigurationEntry> entries, List<string> wrong)
     {
-        // All lines are comments, so no option is set.
+        // A file with only comments is one empty scalar. It sets no option.
         if (parser.Accept<Scalar>(out var only) && only.Value.Length == 0)
         {
             parser.Consume<Scalar>();
@@ -93,7 +93,7 @@ static class ConfigurationFile
         else entries.Add(entry);
     }
 
-    // Null for a value that is neither a word nor a list of words.
+    // Returns null for a value that is neither a word nor a list of words.
     static ConfigurationEntry ReadValue(Parser parser, string key, string place)
     {
         if (TryReadWord(parser, out var word)) return new ConfigurationEntry(key, [word], false, place);

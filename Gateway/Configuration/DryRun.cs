@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Checks everything that a gateway would be started with, without leaving any changes.</summary>
+/// <summary>Checks the files, folders and ports that a gateway would use, and leaves no changes.</summary>
 static class DryRun
 {
     /// <param name="path">Path of the certificate. It may be missing; the gateway would create it.</param>
@@ -54,7 +54,7 @@ static class DryRun
         findings.Try(() => findings.Good("websocket", $"{scheme}://{webSocket}/{Remark("--ws-port", webSocket)}"));
     }
 
-    // A port in use is not a configuration error: it may be used by the gateway that this one is to replace.
+    // A port in use is not a configuration error, because the gateway to be replaced may be using it.
     static string Remark(string option, IPEndPoint at)
     {
         try
@@ -84,7 +84,7 @@ static class DryRun
     {
         try
         {
-            // Tested by writing, because permissions are not sufficient on a read-only file system.
+            // Tries to write, because permissions alone do not show that a file system is read-only.
             using var trial = new FileStream(
                 Path.Combine(folder, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
         }

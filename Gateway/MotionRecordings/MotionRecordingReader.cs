@@ -5,12 +5,12 @@ using Nowpose.Frames;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
-/// <summary>Reads one motion recording row by row and reports the place of errors.</summary>
+/// <summary>Reads one motion recording row by row. Errors name the file and the line.</summary>
 sealed class MotionRecordingReader : IDisposable
 {
     const int MaxShownLength = 40;
 
-    /// <summary>Maximum magnitude, so that the difference of any two values is finite.</summary>
+    /// <summary>Maximum magnitude of a value. The difference of any two smaller values is finite.</summary>
     const double MaxMagnitude = 8e307;
 
     readonly string _path;
@@ -79,7 +79,7 @@ sealed class MotionRecordingReader : IDisposable
     {
         do
         {
-            // The row's start: an unclosed quotation mark extends the row to the end of the file.
+            // Stores the first line of the row for messages, because an unclosed quotation mark extends the row to the end of the file.
             _row = _csv.RawRow + 1;
             if (!_csv.Read()) return false;
         }
@@ -94,7 +94,7 @@ sealed class MotionRecordingReader : IDisposable
         var time = Number(0);
         var exact = Exact(time);
         if (_times.Count == 0) (_start, _exactStart) = (time, exact);
-        // A double that holds a date has a resolution of 0.24 µs, so the difference is computed before rounding.
+        // Subtracts before rounding, because a double that holds seconds since 1970 has a resolution of only 0.24 µs.
         var elapsed = (double?)(exact - _exactStart) ?? time - _start;
         if (_times.Count > 0 && !(elapsed > _times[^1]))
             throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not later than the previous row; times must increase");
@@ -111,11 +111,11 @@ sealed class MotionRecordingReader : IDisposable
             $"{length:G6}; allowed: {1 - UnitQuaternion.LengthTolerance:G6} to {1 + UnitQuaternion.LengthTolerance:G6}"));
     }
 
-    /// <summary>Gets the exact time of the row; null if a decimal cannot hold it.</summary>
+    /// <summary>Gets the exact time of the row; null if the type decimal cannot hold it.</summary>
     decimal? Exact(double rounded)
     {
         var isRead = decimal.TryParse(_csv[0], NumberStyles.Float, CultureInfo.InvariantCulture, out var value);
-        // A value too small for a decimal becomes 0 without an error.
+        // Compares with the rounded value, because a value too small for a decimal becomes 0 without an error.
         return isRead && Math.Abs((double)value - rounded) <= 1e-15 * Math.Abs(rounded) ? value : null;
     }
 

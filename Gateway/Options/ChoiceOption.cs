@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Options that take one of several words.</summary>
+/// <summary>Creates options that take one of several words.</summary>
 public static class ChoiceOption
 {
     public static Option<string> Create(string name, string description, string standard, IReadOnlyCollection<string> allowed)

@@ -4,7 +4,7 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Options that take a range of milliseconds, MIN-MAX, or one number for both.</summary>
+/// <summary>Creates options that take a range of milliseconds, MIN-MAX, or a single number as both ends.</summary>
 public static class RangeOption
 {
     public static Option<MillisecondRange> Create(string name, string description, MillisecondRange standard, double limit)
@@ -28,7 +28,7 @@ public static class RangeOption
         return default;
     }
 
-    // Accepts no sign, because "5--3" is not a range.
+    // Does not accept a sign, because the hyphen separates the two ends.
     static bool IsNumber(string text, out double value) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out value);
 }

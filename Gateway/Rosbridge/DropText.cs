@@ -4,7 +4,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Messages to a client about a dropped message: the rule that it broke, and the limit.</summary>
+/// <summary>Texts for clients about a dropped message, with the rule that the message broke and the limit.</summary>
 static class DropText
 {
     public static string Of(DropReason reason) => reason switch

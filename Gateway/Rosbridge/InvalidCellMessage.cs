@@ -14,10 +14,10 @@ static class InvalidCellMessage
     static readonly string[] Axes = ["x", "y", "z"], Components = ["x", "y", "z", "w"];
 
     /// <summary>
-    /// Returns a description such as "the rotation of frame box has the norm 1.02; it must be 1 within 0.001"; null if the reason needs none, or
-    /// nothing is found.
+    /// Describes the first invalid frame or signal of a message, for example "frame box has a rotation with the norm 1.02; it must be 1 within
+    /// 0.001". Returns null if none is found, or if the reason does not concern a single frame or signal.
     /// </summary>
-    /// <param name="utf8">A whole message, dropped for the reason.</param>
+    /// <param name="utf8">The complete message, which was dropped for <paramref name="reason"/>.</param>
     public static string Read(ReadOnlySpan<byte> utf8, DropReason reason)
     {
         if (!IsDescribed(reason)) return null;

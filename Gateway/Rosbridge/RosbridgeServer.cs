@@ -20,12 +20,14 @@ sealed class RosbridgeServer(
 
     public DropCounters Drops { get; } = new();
 
-    /// <summary>Ends every connection.</summary>
+    /// <summary>Closes all connections.</summary>
     public void Stop() => _stop.Cancel();
 
     public void Dispose() => _stop.Dispose();
 
-    /// <summary>Middleware that must run before the WebSocket middleware, which uses the upgrade feature present when it is called.</summary>
+    /// <summary>
+    /// Middleware that counts the fragments of messages. It must run before the WebSocket middleware, which uses the upgrade feature.
+    /// </summary>
     public static Task CountFragmentsAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Features.Get<IHttpUpgradeFeature>() is { } upgrade)
@@ -64,12 +66,12 @@ sealed class RosbridgeServer(
     async Task<Closure> TalkAsync(HttpContext context, Role role)
     {
         var upgrade = (CountingUpgrade)context.Features.Get<IHttpUpgradeFeature>();
-        // Slow readers lose messages; the connection itself detects those that are too slow.
+        // Removes Kestrel's limit: RosbridgeConnection drops messages to slow readers, and disconnects those that are too slow.
         if (context.Features.Get<IHttpMinResponseDataRateFeature>() is { } rate)
             rate.MinDataRate = null;
         using var socket = await context.WebSockets.AcceptWebSocketAsync(new WebSocketAcceptContext
         {
-            // The connection sends its own pings, which also measure how far the client has read.
+            // Disables the pings of .NET, because ReaderProgress sends pings that also measure how much the client has read.
             KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
         PendingPlaces.Release(context);
@@ -102,7 +104,7 @@ sealed class RosbridgeServer(
     static string AddressOf(ConnectionInfo connection)
     {
         if (connection.RemoteIpAddress is not { } address) return null;
-        // Omits the port, which changes with each connection, so that a client that reconnects is the same source in the list of events.
+        // Omits the port, which differs for each connection, so that the list of events shows a client that reconnects as the same source.
         return (address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address).ToString();
     }
 }

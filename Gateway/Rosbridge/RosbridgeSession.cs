@@ -8,7 +8,7 @@ using static Nowpose.Gateway.Rosbridge.RequestText;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Handles the requests of one client, without access to sockets. Called by one thread at a time.</summary>
+/// <summary>Handles the requests of one client, without access to sockets. Not thread-safe.</summary>
 sealed class RosbridgeSession : IDisposable
 {
     readonly MessageHub _hub;
@@ -47,11 +47,11 @@ sealed class RosbridgeSession : IDisposable
         _publisher = new MessagePublisher(_source, clock, _offers);
     }
 
-    /// <summary>Address of the client, for messages about a client without a name.</summary>
+    /// <summary>Sets the client's address, which messages contain if the client has no name.</summary>
     public string Address { set => _source.Address = value; }
 
     /// <summary>
-    /// Removes the state that the client reported of itself, because it closed the connection normally. Call it before <see cref="Dispose"/>.
+    /// Removes the status that the client has reported. Call this method before <see cref="Dispose"/> if the client closed the connection normally.
     /// </summary>
     public void Leave()
     {
@@ -188,7 +188,7 @@ sealed class RosbridgeSession : IDisposable
         DropLeftOut(message);
     }
 
-    // The first name that a client uses is its name. An observer must not use the name of a plant.
+    // Whether a client may use a name. The first name that it uses becomes its name. An observer must not use the name of a plant.
     bool IsOwn(string name)
     {
         if (_role != Role.Source && StatusObjects.IsAdapter(name))
@@ -213,7 +213,7 @@ sealed class RosbridgeSession : IDisposable
         }
     }
 
-    // A name without a slash is relative to the root, where rosbridge's own node is. roslib uses this form for rosapi services.
+    // Returns the name of a service with a slash. As in rosbridge, a name without a slash is relative to the root; roslib uses such names.
     static string Absolute(string name) => name.StartsWith('/') ? name : "/" + name;
 
     DropReason Allowance(RobotTopic topic)
@@ -232,7 +232,7 @@ sealed class RosbridgeSession : IDisposable
         return isNameGood && topics.Count <= ProtocolLimits.TopicsPerClient;
     }
 
-    // The newest type that a client names shows its ROS version; responses of services name none.
+    // Derives the client's ROS version from the newest type name that it has sent, for responses of services, whose requests contain no type.
     void Remember(string type)
     {
         if (string.IsNullOrEmpty(type)) return;
@@ -240,7 +240,7 @@ sealed class RosbridgeSession : IDisposable
         _isRos2 = _form == RosTimeForm.Sec;
     }
 
-    // The request is served, but without an unsupported option.
+    // Warns of an unsupported option. The request is served without the option.
     void Warn(RosbridgeMessage message)
     {
         if (Unsupported.In(_text) is { } unsupported) Warn(message, unsupported);
@@ -257,7 +257,7 @@ sealed class RosbridgeSession : IDisposable
         Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropText.Of(refusal.Reason)}{owner}");
     }
 
-    // Each transform or signal is counted; the client gets one message per reason.
+    // Counts each transform or signal that was left out. The client gets one status message per reason.
     void DropLeftOut(RosbridgeMessage message)
     {
         foreach (var same in _publisher.LeftOut.GroupBy(one => one.Reason))
@@ -280,10 +280,10 @@ sealed class RosbridgeSession : IDisposable
         var text = reason == DropReason.UnknownOp
             ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {KnownOperations}"
             : $"{Subject(message)}dropped: {rule} ({reason})";
-        // The joint board handles joints of other sources itself.
+        // Excludes joints of other sources, which the hub reports itself.
         if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
             ReportDropped(topic.Robot, message.JointState, rule, reason);
-        // Last, so that a client that has the answer finds the drop in the state of the gateway.
+        // Replies last, so that a client that has received the reply finds the drop in the gateway's status.
         if (_level != "none")
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
     }

@@ -2,14 +2,16 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Logs three events, each once: a certificate will expire soon, has expired, or was renewed.</summary>
+/// <summary>Logs once when a certificate will expire soon, when it has expired, and when it was renewed.</summary>
 sealed class ExpiryNotice(Action<string> log)
 {
     static readonly TimeSpan Ahead = TimeSpan.FromDays(30);
 
     bool _isClose, _isOver;
 
-    /// <param name="expires">Expiry of the certificate; null if there is none.</param>
+    /// <summary>Checks the certificate. Called periodically.</summary>
+    /// <param name="expires">Expiry of the certificate, local time; null without a certificate.</param>
+    /// <param name="now">The local time.</param>
     public void Look(DateTime? expires, DateTime now)
     {
         if (expires is not { } end) return;

@@ -6,7 +6,9 @@ static class Precautions
     const UnixFileMode Group = UnixFileMode.GroupRead | UnixFileMode.GroupWrite;
     const UnixFileMode Others = UnixFileMode.OtherRead | UnixFileMode.OtherWrite;
 
-    /// <param name="credentials">The protected folder in which a service manager passes secrets; null for none.</param>
+    /// <summary>Gets the warnings.</summary>
+    /// <param name="options">Options of the gateway.</param>
+    /// <param name="credentials">Protected folder in which the service manager passes secrets; null for none.</param>
     public static IEnumerable<string> Of(GatewayOptions options, string credentials)
     {
         if (Environment.IsPrivilegedProcess)
@@ -20,7 +22,7 @@ static class Precautions
         foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
         {
             var mode = File.GetUnixFileMode(path);
-            // A file owned by root that only the gateway's own group may read is as safe as a file of its own.
+            // A file of another user, such as root, that only the gateway's group can read is as safe as a file of the gateway's user.
             var shared = (mode & Group) == UnixFileMode.GroupRead && FileOwner.IsOthersForOwnGroup(path) ? Others : Others | Group;
             if ((mode & shared) != 0)
                 yield return $"security: {path} can be read by users other than its owner (mode {Convert.ToString((int)mode, 8)}); chmod 600 {path}";

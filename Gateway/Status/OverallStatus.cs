@@ -6,12 +6,16 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The state of the gateway and its plants in one line.</summary>
+/// <summary>The state of the gateway and its plants as one line.</summary>
 /// <param name="Level">ok, warning or error.</param>
 sealed record OverallStatus(string Level, string Text)
 {
-    /// <param name="conditions">Present conditions, the worst first.</param>
-    /// <param name="hasRobot">Whether a robot is described, whose joints must arrive.</param>
+    /// <summary>Summarises the state.</summary>
+    /// <param name="conditions">Current conditions, the worst first.</param>
+    /// <param name="joints">States of all joints.</param>
+    /// <param name="frames">States of all frames.</param>
+    /// <param name="signals">States of all signals.</param>
+    /// <param name="hasRobot">Whether a robot is described, so that joint positions must arrive.</param>
     /// <param name="headsets">Number of headsets that report.</param>
     public static OverallStatus Of(
         IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals,
@@ -22,7 +26,7 @@ sealed record OverallStatus(string Level, string Text)
         return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].TextWithSince + more);
     }
 
-    // A cell without a robot has objects or signals instead. Stationary objects show nothing of the plant's state.
+    // Uses objects and signals for a cell without a robot. Stationary objects do not count, because they do not show that the plant sends data.
     static OverallStatus WithoutConditions(
         IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals, bool hasRobot, string headsets)
     {

@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>cell: creates the code of a robot's marker for printing.</summary>
+/// <summary>The verb "cell", which creates the code of a robot's marker for printing.</summary>
 static class CellVerb
 {
     const int PixelsPerModule = 20;

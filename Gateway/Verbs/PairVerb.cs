@@ -10,7 +10,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>pair: shows the current pairing code of a gateway on this machine on a terminal.</summary>
+/// <summary>The verb "pair", which shows the pairing code of a gateway on this machine in the terminal.</summary>
 static class PairVerb
 {
     static readonly TimeSpan RequestTimeout = TimeSpan.FromSeconds(10);
@@ -38,7 +38,7 @@ static class PairVerb
             using var drawn = new QrCode(code.Text);
             Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
             Console.Out.WriteLine("code " + code.Text);
-            // In the same form as in the headset's prompt.
+            // Prints the key as the headset shows it.
             if (code.Pin != null) Console.Out.WriteLine("key " + code.Pin.Beginning);
             Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"valid_s {left:0}"));
         });
@@ -49,7 +49,7 @@ static class PairVerb
     {
         string refusal = null;
         var trust = new ServerTrust(pin);
-#pragma warning disable CA5399, CA5400 // The pin is the trust; there is no list a self-signed certificate could be revoked on.
+#pragma warning disable CA5399, CA5400 // The pin replaces the check for revocation, which does not exist for a self-signed certificate.
         using var http = new HttpClient(new SocketsHttpHandler
         {
             UseProxy = false,

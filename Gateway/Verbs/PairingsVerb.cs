@@ -4,7 +4,7 @@ using Nowpose.Gateway.Pairing;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>pairings: lists the paired headsets and revokes their tokens.</summary>
+/// <summary>The verb "pairings", which lists the paired headsets and revokes their tokens.</summary>
 static class PairingsVerb
 {
     public static Command Create()

@@ -7,7 +7,7 @@ using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>serve: a gateway to which the sources connect.</summary>
+/// <summary>The verb "serve", which starts a gateway for sources that connect to it.</summary>
 static class ServeVerb
 {
     const string Monotonic = "monotonic", System = "system";
@@ -96,7 +96,7 @@ static class ServeVerb
         {
             var read = await AdapterProcesses.CheckAsync(plants, options, stop);
             foreach (var good in read) findings.Good("plant", good.Summary);
-            // No error: another client may publish them.
+            // Not an error, because another client may publish the missing joints.
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", Missing(missing));
         }
         catch (InputException wrong)
@@ -117,7 +117,7 @@ static class ServeVerb
             result.AddError($"--clock: '{name}' names no clock; allowed: own, and 1 to 32 of a-z, 0-9, _ and -.");
     }
 
-    // Parsed, too, so that a file that no headset could use is refused here.
+    // Reads the URDF and also parses it, so that an invalid file is refused at the start.
     static string Describe(string robot)
     {
         RobotFiles.Load(robot, out var urdf);

@@ -254,10 +254,10 @@ sealed partial class StructuredText
 
     void Expect(string token)
     {
-        if (!TryTake(token)) throw new FormatException($"'{token}' expected, there is '{Next}' behind '{_tokens[_at - 1]}'");
+        if (!TryTake(token)) throw new FormatException($"'{token}' expected, but found '{Next}' after '{_tokens[_at - 1]}'");
     }
 
-    FormatException Unknown() => new($"'{_tokens[_at - 1]} {Next}': not of the Structured Text that is run here");
+    FormatException Unknown() => new($"'{_tokens[_at - 1]} {Next}': this Structured Text is not supported");
 
     static ulong Mask(int bits) => ulong.MaxValue >> (64 - bits);
 

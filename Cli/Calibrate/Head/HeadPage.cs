@@ -5,16 +5,16 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>The page of the latency for head motion: the offset of both codes over the speed.</summary>
+/// <summary>Creates the page of the latency for head motion, with the distance between both codes over the speed.</summary>
 static class HeadPage
 {
-    /// <summary>Maximum difference between L_visu of a moving and of a still headset.</summary>
+    /// <summary>Maximum difference between the L_visu of a moving headset and the L_visu of a still one.</summary>
     const double MaxVisuDifferenceMs = 3;
 
-    /// <summary>Above this uncertainty, the result does not show whether the display corrects for head motion.</summary>
+    /// <summary>Maximum uncertainty. Above it, the result does not show whether the display corrects for head motion.</summary>
     const double MaxUncertaintyMs = 5;
 
-    /// <param name="profile">The profile with the latency, or null if it is not stored.</param>
+    /// <param name="profile">The profile with the latency, or null if no profile is stored.</param>
     /// <param name="conditions">Conditions of the measurement.</param>
     public static CalibrationPageData Of(HeadResult result, LatencyProfile profile, DisplayConditions conditions) => new(
         "Latency for head motion", Sentence(result),

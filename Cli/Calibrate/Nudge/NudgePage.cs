@@ -5,7 +5,7 @@ using Nowpose.Latency.Calibration;
 
 namespace Nowpose.Cli.Calibrate.Nudge;
 
-/// <summary>The page of marks set by eye. The offset over the velocity is a straight line whose slope is the error of L_visu.</summary>
+/// <summary>Creates the page for marks set by eye. The slope of the offset over the velocity is the error of L_visu.</summary>
 static class NudgePage
 {
     public static CalibrationPageData Of(NudgeMarks marks, NudgeResult result, LatencyProfile profile)

@@ -12,7 +12,7 @@ static class PairTable
     const string Render = "render_ms", Visu = "visu_ms", Vertices = "vertices", File = "file";
     const int MaxVertices = 1_000_000_000;
 
-    /// <summary>Maximum number of rows. A recording of a day at 60 Hz has five million.</summary>
+    /// <summary>Maximum number of rows. A one-day recording at 60 Hz has five million.</summary>
     const int MaxRows = 10_000_000;
 
     /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>

@@ -2,10 +2,10 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>The sections with the paper's Figs 10 and 11 for a set of pictures.</summary>
+/// <summary>Creates the page sections with Figs 10 and 11 of the paper for a set of pictures.</summary>
 static class RangePage
 {
-    /// <param name="fit">The fit, or null if none was found.</param>
+    /// <param name="fit">The fit, or null if there is none.</param>
     public static IEnumerable<CalibrationSection> Sections(IReadOnlyList<MeasuredPicture> pictures, RangeFitResult fit)
     {
         var measured = pictures.Where(each => each.RenderMs.HasValue).ToArray();

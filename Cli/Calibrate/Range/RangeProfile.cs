@@ -5,7 +5,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Turns pictures at several loads into a profile for the headset and a page for readers.</summary>
+/// <summary>Creates a profile and a page from pictures at several loads.</summary>
 static class RangeProfile
 {
     public static LatencyProfile Of(
@@ -13,8 +13,8 @@ static class RangeProfile
         fit.VisuMs, fit.SpreadMs, conditions, DateTime.UtcNow, CalibrationMethod.VisibleLight, fit.Used,
         fit.LimitRenderMs, source, fit.ValidToRenderMs, head);
 
-    /// <param name="more">Facts about the measuring method.</param>
-    /// <param name="warnings">Warnings beyond those of the fit, or null for none.</param>
+    /// <param name="more">Additional facts about the measuring method.</param>
+    /// <param name="warnings">Additional warnings, or null for none.</param>
     public static CalibrationPageData Page(
         string title, LatencyProfile profile, RangeFitResult fit, IReadOnlyList<MeasuredPicture> pictures, IEnumerable<string[]> more,
         IEnumerable<string> warnings = null) =>

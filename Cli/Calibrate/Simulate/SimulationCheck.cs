@@ -4,15 +4,15 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Measures how well pictures with known truth are read.</summary>
+/// <summary>Reads pictures with known true values and measures the error.</summary>
 sealed class SimulationCheck
 {
-    /// <summary>A picture that was read with a larger error than this counts as misread, ms. Half of it comes from whole milliseconds.</summary>
+    /// <summary>Minimum error of a misread picture, ms. The 1 ms resolution of the codes causes half of this value.</summary>
     public const double MisreadMs = 2.5;
 
     readonly SortedDictionary<int, Checked> _pictures = [];
 
-    /// <summary>Creates all pictures in memory and reads them.</summary>
+    /// <summary>Creates the pictures in memory and reads them.</summary>
     public static SimulationCheck Run(SimulationSettings settings, CancellationToken cancellation)
     {
         var check = new SimulationCheck();
@@ -49,7 +49,7 @@ sealed class SimulationCheck
     /// <summary>95th percentile of the absolute error, ms.</summary>
     public double ErrorP95Ms => Read == 0 ? double.NaN : Quantile.Of(Errors().Select(Math.Abs), 0.95);
 
-    /// <summary>Gets the result as text, one line each.</summary>
+    /// <summary>Gets the result as lines of text.</summary>
     public IEnumerable<string> Lines()
     {
         yield return Text($"{Pictures} pictures, {Read} read ({100 * ReadOfGood:0.0} % of those without a defect), {Misread} misread by more than {MisreadMs} ms");

@@ -5,7 +5,7 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>A folder of pictures with the sweep's log and the truth, to test the whole evaluation without hardware.</summary>
+/// <summary>Writes a folder with pictures, the sweep's log and the true values, to test the complete evaluation without hardware.</summary>
 static class SimulationOutput
 {
     const string TruthFile = "truth.csv";
@@ -50,7 +50,7 @@ static class SimulationOutput
         return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
     }
 
-    // Only pictures with a truth file are simulated; others may come from a camera and are not removed.
+    // Removes pictures only if the folder has a truth file. Without this file, they may come from a real camera.
     static void RemoveEarlier(string folder, string pictures)
     {
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");

@@ -4,7 +4,7 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Options that take a part of a picture: X,Y,WIDTH,HEIGHT in pixels.</summary>
+/// <summary>Creates options whose value is a rectangle in a picture: X,Y,WIDTH,HEIGHT in pixels.</summary>
 static class BoxOption
 {
     const int MinSide = 8, MaxValue = 10_000;

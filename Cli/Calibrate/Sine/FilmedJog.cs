@@ -3,10 +3,10 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>A jog in a video. The patches of the robot and the hologram are tracked from picture to picture.</summary>
+/// <summary>Measures a jog in a video. Tracks one patch of the robot and one of the hologram from picture to picture.</summary>
 static class FilmedJog
 {
-    /// <summary>Below this score, the patch is not the one that was marked.</summary>
+    /// <summary>Minimum match score. Below it, the patch is lost.</summary>
     const double MinScore = 0.5;
 
     /// <exception cref="InputException">A box is missing or outside the picture, a patch is lost, or the video cannot be read.</exception>
@@ -52,7 +52,7 @@ static class FilmedJog
                     + "mark a patch with more contrast, or film a shorter motion");
     }
 
-    /// <summary>Gets the direction in which the robot moves most, as a unit vector.</summary>
+    /// <summary>Gets the direction of the robot's largest motion, as a unit vector.</summary>
     static (double X, double Y) Direction(TrackedPlace[] places)
     {
         double meanX = places.Average(each => each.X), meanY = places.Average(each => each.Y), xx = 0, xy = 0, yy = 0;

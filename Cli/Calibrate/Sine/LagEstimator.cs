@@ -1,11 +1,11 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Estimates the lag of one signal behind another by cross-correlation, finer than their sampling interval.</summary>
+/// <summary>Estimates the lag of one signal behind another by cross-correlation, more precisely than their sampling interval.</summary>
 /// <remarks>
-/// Pearson's correlation of shown(t) with robot(t − lag) at lags of whole instants finds the maximum to an instant. Near it, shown is
-/// a + b·robot − b·δ·robot′ for a shift δ. A least-squares fit of δ gives the maximum between instants. The speed robot′ is taken from
-/// instants further apart, which reduces the effect of the camera's noise. The same instants of the hologram are compared at every lag,
-/// so periods that are cut off at the ends do not bias the result.
+/// Pearson's correlation of shown(t) and robot(t − lag) is computed at lags of whole sampling intervals. Near its maximum, the model is
+/// shown = a + b·robot − b·δ·robot′, and least squares give the remaining shift δ. The speed robot′ is a difference over several
+/// intervals, which reduces the effect of the camera's noise. Every lag is evaluated at the same instants of the hologram, so
+/// incomplete periods at the ends do not bias the result.
 /// </remarks>
 static class LagEstimator
 {
@@ -14,10 +14,12 @@ static class LagEstimator
     /// <summary>Minimum correlation. Below it, the hologram does not follow the robot.</summary>
     const double MinCorrelation = 0.9;
 
-    /// <summary>The result is ambiguous if another maximum reaches this share of the largest one.</summary>
+    /// <summary>Relative height of a second maximum from which the result is ambiguous.</summary>
     const double Ambiguous = 0.98;
 
-    /// <summary>Number of instants to either side for the speed. With fewer, the camera's noise would look like motion.</summary>
+    /// <summary>
+    /// Number of instants before and after from which the speed is computed. With fewer, the camera's noise would look like motion.
+    /// </summary>
     const int SpeedSpan = 5;
 
     const int MaxSteps = 5;

@@ -2,17 +2,17 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>The positions of robot and hologram over time on one clock, resampled to one regular grid.</summary>
-/// <param name="Start">Time of the first instant as given in the file, s.</param>
+/// <summary>Positions of robot and hologram, resampled to the same regular time grid on one clock.</summary>
+/// <param name="Start">Time of the first instant, as in the file, s.</param>
 /// <param name="Interval">The camera's interval, s.</param>
-/// <param name="Robot">Position of the robot; any unit.</param>
-/// <param name="Shown">Position of the hologram; any unit.</param>
+/// <param name="Robot">Position of the robot, in any unit.</param>
+/// <param name="Shown">Position of the hologram, in any unit.</param>
 sealed record SineTracks(double Start, double Interval, double[] Robot, double[] Shown)
 {
     const int MinInstants = 60;
 
-    /// <summary>Reads both from one recording.</summary>
-    /// <param name="columns">Names of the two columns, or null if there are exactly two, the robot's first.</param>
+    /// <summary>Reads both tracks from one recording.</summary>
+    /// <param name="columns">Names of the two columns. If null, the file must have exactly two, the robot's first.</param>
     public static SineTracks Of(string path, string columns)
     {
         var recording = MotionRecording.Read(path);
@@ -21,7 +21,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     }
 
     /// <summary>Reads the hologram from a camera's file and the robot from a control's file. Both files use the same clock.</summary>
-    /// <param name="joint">The control file's column, or null if there is exactly one.</param>
+    /// <param name="joint">Column of the control's file. If null, the file must have exactly one.</param>
     public static SineTracks Of(string path, string columns, string controlPath, string joint)
     {
         var camera = MotionRecording.Read(path);
@@ -51,7 +51,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         throw new InputException($"{option}: {path} has no column '{name}'; it has {string.Join(", ", recording.Names)}");
     }
 
-    /// <summary>Creates the tracks from positions at the same instants, s, in order.</summary>
+    /// <summary>Creates the tracks from positions at the same times in increasing order, s.</summary>
     public static SineTracks Of(double[] times, double[] robot, double[] shown, string path)
     {
         Func<double, double> At(double[] places) => time => Between(times, places, time);

@@ -1,12 +1,12 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Determines which part of the lag is L_visu.</summary>
-/// <param name="KnownMs">Known part of the lag, ms; negative if the headset has already compensated for it. Null if L_visu was not requested.</param>
-/// <param name="Words">Explains how the known part is composed.</param>
-/// <param name="HeldMs">Time for which each position of the hologram is held, T_s; null if it is not held.</param>
+/// <summary>Determines how much of the measured lag is L_visu.</summary>
+/// <param name="KnownMs">Known part of the lag, ms. Negative if the headset already compensates for it; null if L_visu was not requested.</param>
+/// <param name="Words">Explanation of the known part.</param>
+/// <param name="HeldMs">Time for which the hologram stays at each position, T_s, ms; null if it moves continuously.</param>
 sealed record SineWay(double? KnownMs, string Words, double? HeldMs = null)
 {
-    /// <exception cref="InputException">Options of both ways were given.</exception>
+    /// <exception cref="InputException">The options of both cases, with and without compensation, were given.</exception>
     public static SineWay Of(double? applicationMs, double samplingMs, double? configuredMs)
     {
         if (applicationMs.HasValue && configuredMs.HasValue)

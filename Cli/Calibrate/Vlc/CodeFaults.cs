@@ -3,13 +3,13 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Names what prevents a picture from having exactly one whole code of each kind.</summary>
+/// <summary>Finds the reason why a picture does not contain exactly one complete code of each kind.</summary>
 static class CodeFaults
 {
-    /// <summary>Minimum part of a code outside the picture, as a share of its side: half a cell.</summary>
+    /// <summary>Minimum length by which a code is outside the picture to be rejected, as a share of its side: half a cell.</summary>
     const double MinOutside = 0.5 / TimestampCode.Side;
 
-    /// <returns>Null if there is exactly one code of each kind, both inside the picture.</returns>
+    /// <returns>The reason; null if there is exactly one code of each kind, both inside the picture.</returns>
     public static string Of(SeenPicture seen)
     {
         if (seen.IsMirrored) return "mirrored: switch off mirroring in the camera's settings";

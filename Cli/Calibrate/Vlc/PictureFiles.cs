@@ -1,17 +1,19 @@
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>The pictures given as arguments: files, and the files of folders sorted by name.</summary>
+/// <summary>Lists the pictures that the arguments name: files, and the files of folders in the order of their names.</summary>
 static class PictureFiles
 {
     static readonly string[] Pictures = [".png", ".jpg", ".jpeg"];
 
-    /// <summary>Formats of cameras that are not read. They are rejected one by one, with the reason.</summary>
+    /// <summary>Picture formats that cannot be read. Such files are reported individually with the reason.</summary>
     static readonly string[] OtherPictures = [".heic", ".heif", ".avif", ".webp", ".tif", ".tiff", ".bmp", ".dng", ".cr2", ".cr3", ".nef", ".arw"];
     static readonly string[] Videos = [".mp4", ".mov", ".mkv", ".avi", ".webm", ".m4v"];
 
     public static bool IsVideo(string path) => Has(path, Videos);
 
-    /// <exception cref="InputException">A file or folder is missing, a folder has no pictures, or a file is neither a picture nor a video.</exception>
+    /// <exception cref="InputException">
+    /// A file or folder is missing, a folder has no pictures, or a file is neither a picture nor a video.
+    /// </exception>
     public static IReadOnlyList<string> Of(IReadOnlyList<string> arguments)
     {
         var files = arguments.SelectMany(Of).ToList();

@@ -7,7 +7,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads texts that <see cref="SweepLog"/> wrote. Errors are one line with file, line and field.</summary>
+/// <summary>Reads the text that <see cref="SweepLog"/> writes. An error message is one line with file, line and field.</summary>
 static class SweepLogReader
 {
     const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", Source = "source", DisplayHz = "display_hz";
@@ -15,8 +15,8 @@ static class SweepLogReader
     static readonly int Columns = SweepLog.Header.Split(',').Length;
 
     /// <param name="name">Name of the text in messages.</param>
-    /// <param name="conditions">Conditions above the header, without device and display rate, which are in the rows.</param>
-    /// <exception cref="InputException">The text has another format or no rows.</exception>
+    /// <param name="conditions">Conditions from the lines above the header. Device and display rate are in the rows instead.</param>
+    /// <exception cref="InputException">The text has another format or contains no rows.</exception>
     public static IReadOnlyList<SweepRow> Read(TextReader text, string name, out DisplayConditions conditions)
     {
         var above = 1;
@@ -36,7 +36,7 @@ static class SweepLogReader
 
     static bool IsComment(string line) => line != null && line.StartsWith(SweepLog.ConditionPrefix, StringComparison.Ordinal);
 
-    // Unknown fields, which newer versions may add, are ignored.
+    // Reads one condition. Ignores unknown fields, which a newer version may have added.
     static void TakeCondition(string line, string[] values)
     {
         var end = line.IndexOf(SweepLog.ConditionSeparator, StringComparison.Ordinal);
@@ -57,7 +57,7 @@ static class SweepLogReader
         }
     }
 
-    /// <param name="device">Device of the previous row; reused when it is equal, so that the string is stored once.</param>
+    /// <param name="device">Device of the previous row. An equal device reuses this string to save memory.</param>
     static SweepRow RowOf(string[] fields, string place, ref string device)
     {
         if (fields.Length != Columns) throw new InputException($"{place}: {fields.Length} fields; it must have {Columns}");

@@ -5,7 +5,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads a load sweep's log, plain or compressed, of one headset with one display rate.</summary>
+/// <summary>Reads the log of a load sweep, plain or compressed. All rows must come from one headset with one display rate.</summary>
 static class SweepTable
 {
     /// <param name="conditions">Conditions of the whole sweep.</param>
@@ -25,10 +25,10 @@ static class SweepTable
         }
     }
 
-    /// <summary>Gets the headset's model; empty if no row has it.</summary>
+    /// <summary>Gets the headset's model; empty if no row contains it.</summary>
     public static string Device(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.Device).FirstOrDefault(device => device.Length > 0) ?? "";
 
-    /// <summary>Gets the display rate, or 0 if no row has it. A display reports its rate some frames after the scene has begun.</summary>
+    /// <summary>Gets the display rate; 0 if no row contains it. A display reports its rate only some frames after the scene has started.</summary>
     public static double DisplayHz(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.DisplayHz).FirstOrDefault(rate => !double.IsNaN(rate));
 
     static IReadOnlyList<SweepRow> OfOneHeadset(IReadOnlyList<SweepRow> rows, string path)

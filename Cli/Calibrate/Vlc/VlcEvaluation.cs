@@ -6,19 +6,19 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Computes a profile and a page from the L_visu of the pictures. With a sweep, the profile also has a render time limit.</summary>
+/// <summary>Computes a profile and a page from the L_visu of the pictures. If there is a sweep, also determines a render time limit.</summary>
 sealed class VlcEvaluation
 {
-    /// <summary>Minimum share of pictures found in the sweep. By chance, some codes match the log of another recording.</summary>
+    /// <summary>Minimum share of pictures found in the sweep. Some codes match the log of another recording by chance.</summary>
     const double MinShareJoined = 0.2;
 
-    /// <summary>The same if the order of the pictures is unknown but needed. Without the right order, most pictures of a period do not match.</summary>
+    /// <summary>Minimum share if the order of the pictures is needed but unknown. In a wrong order, most pictures do not match.</summary>
     const double MinShareJoinedInUnknownOrder = 0.9;
 
     /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
     const double MinShareNear = 0.9;
 
-    /// <summary>Fewer pictures do not show how much L_visu scatters, and therefore not how accurate its mean is.</summary>
+    /// <summary>Number of pictures below which the page warns. Fewer do not show how much L_visu scatters and how accurate its mean is.</summary>
     const int FewPictures = 10;
 
     readonly VlcResult _result;
@@ -30,7 +30,7 @@ sealed class VlcEvaluation
     public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
-        // Without a picture, the sweep has no use.
+        // Without a picture that was read, the sweep is not evaluated.
         if (result.Read.Count == 0) sweep = null;
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
@@ -41,7 +41,7 @@ sealed class VlcEvaluation
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
-    /// <summary>The pictures joined with the sweep; empty if there is none.</summary>
+    /// <summary>The pictures with the values of their frames in the sweep; empty if there is no sweep.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
 
     /// <summary>The profile, or null if there are too few pictures.</summary>
@@ -70,7 +70,7 @@ sealed class VlcEvaluation
             + "they were taken: name the files so that they sort in that order"
         : "use the log of the sweep that the pictures show";
 
-    // Null if no range can be determined; the reason is added to the warnings.
+    // Returns null if no range can be determined. Adds the reason to the warnings.
     RangeFitResult FitOf(LoadSensitivity sensitivity)
     {
         if (sensitivity.Sight != LoadSight.Seen)
@@ -90,7 +90,7 @@ sealed class VlcEvaluation
         }
     }
 
-    // Null if there are too few pictures; the reason is added to the warnings.
+    // Returns null if there are too few pictures. Adds the reason to the warnings.
     LatencyProfile WithoutRange(bool hasSweep, EarlierProfile earlier)
     {
         if (_result.Read.Count == 0)

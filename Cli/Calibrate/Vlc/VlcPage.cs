@@ -2,7 +2,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>The page with L_visu picture by picture, for measurements without a known load.</summary>
+/// <summary>Creates the page section with L_visu of each picture, for measurements without a known load.</summary>
 static class VlcPage
 {
     public static CalibrationSection OverPictures(VlcResult result)

@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures.Clocks;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The claims of the paper's Figs 8, 16, 17 and 18, and their judgement. The measured numbers are results of the run.</summary>
+/// <summary>Judges the paper's claims of Figs 8, 16, 17 and 18 with the values measured in the runs.</summary>
 static class PaperClaims
 {
     const string Ms = "ms", Share = "share";
@@ -32,7 +32,7 @@ static class PaperClaims
             swings => swings.LatencyRatio, ratio => ratio < 1 / 3.0),
     ];
 
-    /// <param name="repeats">At least one repeat. A claim is judged by the mean over those that could measure its number.</param>
+    /// <param name="repeats">One repeat or more. A claim is judged by the mean over the repeats that measured its value.</param>
     public static IReadOnlyList<PaperClaim> Of(IReadOnlyList<PaperMeasures> repeats) => [.. Rules.Select(rule => Judge(rule, repeats))];
 
     static PaperClaim Judge(PaperRule rule, IReadOnlyList<PaperMeasures> repeats)

@@ -5,7 +5,7 @@ using Nowpose.Cli.Figures.Swing;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The paper's Figs 8, 16, 17 and 18 with the data of the first repeat that has them. The claims include all repeats.</summary>
+/// <summary>Creates the paper's Figs 8, 16, 17 and 18 from the first repeat with sufficient data. The claims include all repeats.</summary>
 static class PaperFigures
 {
     const string FirstSwing = "The plots show the first whole swing after 10 s; the numbers include all whole swings of all repeats.";

@@ -2,7 +2,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The paper's claims as text: the paper's number against ours.</summary>
+/// <summary>Prints the paper's claims as text, with the paper's value and the measured one.</summary>
 static class PaperTable
 {
     public static void Print(IReadOnlyList<PaperClaim> claims)

@@ -3,7 +3,7 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Fig. 8: the clock parameters converge over the exchanges.</summary>
+/// <summary>Fig. 8: convergence of the clock parameters over the sync exchanges.</summary>
 static class Figure08
 {
     const double PaperBoundUs = 1000;
@@ -45,7 +45,7 @@ static class Figure08
             2 * trips.ShortUs < trips.LongUs, $"{Text(trips.ShortUs / 1000)} ms against {Text(trips.LongUs / 1000)} ms"),
     ];
 
-    // The paper's quantities by its estimator after each exchange, and beside them the truth and the errors of all estimators.
+    // The paper's values after each exchange, then the true values and the errors of all estimators.
     static FigureTable TableOfFirstRun(ClockRuns runs)
     {
         var table = new FigureTable([.. SyncFigure.Columns, new FigureColumn("true skew", "ppm"),

@@ -3,7 +3,7 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>The claims of Fig. 8 for exchanges whose true offset is unknown: errors are relative to the fit.</summary>
+/// <summary>Judges the claims of Fig. 8 for exchanges whose true offset is unknown. Errors are relative to the fit.</summary>
 static class SyncClaims
 {
     /// <summary>Minimum number of exchanges after the clock has settled.</summary>
@@ -29,8 +29,8 @@ static class SyncClaims
         return new(FitErrors.Claim, share >= FitErrors.MinShare, $"{Percent(share)}; median {Text(1000 * Quantile.Of(errors, 0.5))} µs");
     }
 
-    // A skew that keeps changing at the same rate varies little in the last quarter, compared with its distance from the first values.
-    // But from quarter to quarter it changes by more than a quarter of that distance, for every length of the log.
+    // The second condition detects a skew that still changes at a constant rate. Such a skew varies little within the last quarter, but its
+    // mean changes from the third to the last quarter by more than a quarter of its distance from the early values.
     static Criterion SkewOf(SyncStep[] known)
     {
         var end = known[^1].Seconds;

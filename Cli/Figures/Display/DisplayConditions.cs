@@ -2,13 +2,13 @@ using Nowpose.Cli.Calibrate.Simulate;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>The conditions of Figs 10 and 11.</summary>
+/// <summary>Conditions of Figs 10 and 11.</summary>
 static class DisplayConditions
 {
     /// <summary>Refresh interval of the simulated display, ms.</summary>
     public const double RefreshMs = SimulatedSweep.RefreshMs;
 
-    /// <summary>Render time limit of the simulated display: a refresh interval minus the latch, ms.</summary>
+    /// <summary>Render time limit of the simulated display, ms: one refresh interval minus the latch time.</summary>
     public const double TrueLimitMs = RefreshMs - 1.5;
 
     public const string Words = "A simulated display of 59.94 Hz: render time 4 ms and 8.5 ms per million vertices, ± 3 %, one frame in a hundred "

@@ -8,14 +8,14 @@ namespace Nowpose.Cli.Figures.Display;
 /// <summary>Fig. 10: render time and L_visu at a normal and at a high load.</summary>
 static class Figure10
 {
-    /// <summary>Maximum standard deviation of a constant L_visu as read by a camera, ms.</summary>
+    /// <summary>Maximum standard deviation, as measured with a camera, at which L_visu counts as constant, ms.</summary>
     const double Constant = 2;
 
     public static Figure Of(List<MeasuredPicture> normal, List<MeasuredPicture> high)
     {
         var table = new FigureTable(RangePlots.Picture, new("render time at 300000", "ms"), new("L_visu at 300000", "ms"),
             new("render time at 1500000", "ms"), new("L_visu at 1500000", "ms"));
-        // The loads of a sweep have nearly the same number of pictures.
+        // One row per picture. The loads of a sweep have nearly the same number of pictures.
         for (var i = 0; i < Math.Max(normal.Count, high.Count); i++) table.Add([i + 1, .. ValuesOf(normal, i), .. ValuesOf(high, i)]);
         return new Figure("10", "Render time and L_visu at two loads")
         {

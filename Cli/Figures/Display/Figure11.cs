@@ -6,16 +6,16 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Fig. 11: the constant-latency range, over the load and over the render time.</summary>
+/// <summary>Fig. 11: the constant-latency range over the load and over the render time.</summary>
 static class Figure11
 {
-    /// <summary>Maximum difference of two limits: each is found within −6 and +2 % of the true one.</summary>
+    /// <summary>Maximum relative difference between two limits. Each of them is found within −6 and +2 % of the true limit.</summary>
     const double LimitShare = 0.08;
 
-    /// <summary>Maximum difference from the stored L_visu, ms.</summary>
+    /// <summary>Maximum difference between a picture's L_visu and the stored one, ms.</summary>
     const double Sufficient = 3;
 
-    /// <summary>Minimum number of pictures for a spread. Only slow frames have the longest render times.</summary>
+    /// <summary>Minimum number of pictures for computing a spread. Few frames have the longest render times.</summary>
     const int MinPictures = 30;
 
     const string Beyond = "Between the limit and a refresh interval, most frames of this display are exactly one refresh late, and few are in time. "
@@ -35,7 +35,7 @@ static class Figure11
         };
     }
 
-    /// <param name="other">The range of a scene whose vertices take twice as long.</param>
+    /// <param name="other">The range of another scene, whose vertices take twice as long to render.</param>
     public static Figure OverRenderTime(List<MeasuredPicture> sweep, RangeFitResult fit, RangeFitResult other)
     {
         var table = new FigureTable(RangePlots.Load, RangePlots.Render, RangePlots.Visu);
@@ -69,8 +69,8 @@ static class Figure11
         ];
     }
 
-    /// <param name="limitMs">The limit found; null if none.</param>
-    /// <param name="otherLimitMs">The limit found in the other scene; null if none.</param>
+    /// <param name="limitMs">The measured limit; null if there is none.</param>
+    /// <param name="otherLimitMs">The measured limit in the other scene; null if there is none.</param>
     public static IReadOnlyList<Criterion> RangeCriteria(
         IReadOnlyCollection<MeasuredPicture> sweep, double storedMs, double? limitMs, double? otherLimitMs)
     {
@@ -88,7 +88,7 @@ static class Figure11
         ];
     }
 
-    // Of normally distributed values, all but 2 % are within two deviations.
+    // Of normally distributed values, 98 % are below the median plus two standard deviations.
     static bool IsInside(IEnumerable<MeasuredPicture> load)
     {
         var (median, deviation) = Middle.Of(load.Select(each => each.RenderMs.Value));

@@ -3,20 +3,20 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>The criteria by which L_visu scatters beyond the constant-latency range.</summary>
+/// <summary>Creates the criteria for the scatter of L_visu beyond the constant-latency range.</summary>
 static class SpreadCriteria
 {
-    /// <summary>Minimum ratio of the standard deviations, beyond to inside.</summary>
+    /// <summary>Minimum ratio of the standard deviation beyond the range to the standard deviation inside it.</summary>
     const double Factor = 3;
 
-    /// <summary>Minimum range beyond, as a share of the refresh interval.</summary>
+    /// <summary>Minimum spread beyond the range, as a share of the refresh interval.</summary>
     const double RefreshShare = 0.75;
 
-    /// <param name="where">Where L_visu scatters, at the beginning of a sentence, for example "At 1 500 000 vertices,".</param>
+    /// <param name="where">The place where L_visu scatters, as the beginning of a sentence, for example "At 1 500 000 vertices,".</param>
     /// <param name="inside">L_visu of all pictures inside the range, ms.</param>
     /// <param name="beyond">
-    /// The groups beyond the range; none if there is none. They are judged together, each relative to its mean: a latency that
-    /// is only larger beyond the range does not scatter. The result also names the groups that do not meet the criterion alone.
+    /// The groups beyond the range; can be empty. They are judged together, each relative to its mean, because a latency that is only larger
+    /// beyond the range does not scatter. The result also names the groups that alone do not meet the criterion.
     /// </param>
     public static IReadOnlyList<Criterion> Of(string where, IEnumerable<double> inside, IReadOnlyCollection<SpreadGroup> beyond)
     {

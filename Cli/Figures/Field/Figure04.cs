@@ -4,7 +4,7 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Field;
 
-/// <summary>Fig. 4: the error of an object that moves at constant velocity and is shown late.</summary>
+/// <summary>Fig. 4: the error of an object that moves at constant velocity and is displayed late.</summary>
 static class Figure04
 {
     const double Tolerance = 0.02;
@@ -59,7 +59,7 @@ static class Figure04
         return table;
     }
 
-    // A point is drawn at the latency e/v that corresponds to its error.
+    // Draws each point at the latency e/v that corresponds to its error e.
     static FigurePlot Plot(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
     {
         PlotTrace At(string label, string look, Func<FieldPoint, double> errorMm) =>

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>A figure's data, row by row.</summary>
+/// <summary>The data of a figure as rows of numbers.</summary>
 sealed class FigureTable(params FigureColumn[] columns)
 {
     readonly List<double?[]> _rows = [];
@@ -11,7 +11,7 @@ sealed class FigureTable(params FigureColumn[] columns)
 
     public IReadOnlyList<IReadOnlyList<double?>> Rows => _rows;
 
-    /// <param name="values">One value per column; null for a missing value, never NaN.</param>
+    /// <param name="values">One value per column. A missing value is null, not NaN.</param>
     public void Add(params double?[] values)
     {
         if (values.Length != Columns.Count) throw new ArgumentException($"{values.Length} values for {Columns.Count} columns", nameof(values));
@@ -20,7 +20,7 @@ sealed class FigureTable(params FigureColumn[] columns)
         _rows.Add(values);
     }
 
-    /// <summary>Gets two of the columns as a line of a plot. Rows without x are skipped.</summary>
+    /// <summary>Gets two columns as a trace of a plot. Skips rows without a value for x.</summary>
     public PlotTrace Trace(string label, string look, int x, int y)
     {
         var rows = _rows.Where(row => row[x] != null).ToArray();

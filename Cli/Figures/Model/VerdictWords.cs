@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>Verdicts as text for readers.</summary>
+/// <summary>Gets verdicts as text.</summary>
 static class VerdictWords
 {
     public static string Words(this Verdict verdict) => verdict switch

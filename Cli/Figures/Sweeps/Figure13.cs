@@ -3,10 +3,10 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>Fig. 13: polynomials through the newest samples, h = n.</summary>
+/// <summary>Fig. 13: polynomials through the newest samples (h = n).</summary>
 static class Figure13
 {
-    /// <summary>The paper's settings: the middle of its ranges.</summary>
+    /// <summary>Sampling interval of the paper: the middle of its range, ms.</summary>
     const double UsualSampling = 50;
 
     static readonly string[] Polynomials = ["linear", "quadratic", "cubic"];

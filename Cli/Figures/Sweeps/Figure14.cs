@@ -3,7 +3,7 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>Fig. 14: quadratics fitted to more samples than the minimum, h = 3 and h = 4, compared with h = 2.</summary>
+/// <summary>Fig. 14: quadratics fitted to more than the minimum number of samples (h = 3 and h = 4), compared with h = 2.</summary>
 static class Figure14
 {
     static readonly string[] ByHistory = ["quadratic", "quadratic-h3", "quadratic-h4"];

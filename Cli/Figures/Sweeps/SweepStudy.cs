@@ -3,10 +3,10 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>A sweep of one condition, with the paper's figures that show it.</summary>
+/// <summary>A sweep of one condition, and the figures of the paper that show it.</summary>
 sealed class SweepStudy : IFigureStudy
 {
-    /// <summary>Seed of the random moves, which never repeat.</summary>
+    /// <summary>Seed of the random moves, none of which repeats.</summary>
     const int RandomMovesSeed = 1301;
 
     static readonly string[] OfThePaper = ["linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4"];

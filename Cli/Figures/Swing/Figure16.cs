@@ -3,12 +3,12 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Fig. 16: the path of the end effector on its circle: true, delayed and compensated.</summary>
+/// <summary>Fig. 16: the end effector on its circular path: true, uncompensated and compensated.</summary>
 static class Figure16
 {
     const double MsPerS = 1000;
 
-    /// <summary>Time shown after the first move, s, in which the signals come to rest.</summary>
+    /// <summary>Time shown after the end of the first move, in which the signals come to rest, s.</summary>
     const double Shown = 0.5;
 
     public static Figure Of(SwingSet runs)
@@ -49,8 +49,8 @@ static class Figure16
             $"{Mm(curvedMm)} against {Mm(steadyMm)}"),
     ];
 
-    /// <summary>Gets the RMS errors of hold and of each predictor for each scenario.</summary>
-    /// <param name="when">Selects the scored frames by their time.</param>
+    /// <summary>Gets a table with the RMS errors of hold and all predictors for each scenario.</summary>
+    /// <param name="when">Selects frames by their time.</param>
     public static FigureSummary Reductions(SwingSet runs, Func<double, bool> when, string caption)
     {
         var rows = runs.All.Select(f => (Frames: f, Held: f.HoldRmsMm(when), Predicted: f.RmsMm(when)));

@@ -31,7 +31,7 @@ static class Figure17
         };
     }
 
-    /// <param name="ratio">Gap with compensation divided by that without.</param>
+    /// <param name="ratio">Gap with compensation divided by the gap without it.</param>
     public static Criterion Criterion(string moment, double ratio) => new(
         $"At {moment} the gap with compensation is less than half of the gap without (RMS over all runs).", ratio < 0.5, $"{Percent(ratio)} of it");
 

@@ -4,13 +4,13 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Fig. 18: the operating points of the swing in the field of Fig. 4, without and with compensation.</summary>
+/// <summary>Fig. 18: operating points of the swing in the diagram of Fig. 4, without and with compensation.</summary>
 static class Figure18
 {
-    /// <summary>Length as in the paper, s.</summary>
+    /// <summary>Duration that the paper shows, s.</summary>
     const double Length = 1.5;
 
-    /// <summary>Below this share of the maximum speed, the latency e/v is the quotient of two small numbers.</summary>
+    /// <summary>Minimum speed as a share of the maximum. At lower speeds, the latency e/v is the quotient of two small numbers.</summary>
     const double SlowestShare = 0.05;
 
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100];
@@ -34,7 +34,7 @@ static class Figure18
         };
     }
 
-    /// <param name="ratio">RMS error with compensation divided by that without.</param>
+    /// <param name="ratio">RMS error with compensation divided by the RMS error without it.</param>
     /// <param name="heldMs">Median effective latency without compensation, ms.</param>
     /// <param name="predictedMs">Median effective latency with compensation, ms.</param>
     public static IReadOnlyList<Criterion> Criteria(double ratio, double heldMs, double predictedMs) =>
@@ -65,10 +65,10 @@ static class Figure18
         return table;
     }
 
-    /// <summary>Whether a time since the swing's start is in the part that the paper shows.</summary>
+    /// <summary>Gets whether a time since the start of the swing is in the part that the paper shows.</summary>
     public static bool IsWithin(double t) => t >= 0 && t < Length;
 
-    /// <summary>Whether a time since the swing's start has an operating point.</summary>
+    /// <summary>Gets whether the figure shows an operating point for a time since the start of the swing.</summary>
     public static bool IsShown(YoubotSwing swing, double t) => IsWithin(t) && swing.ToolSpeedAt(t) >= SlowestShare * swing.FullSpeed;
 
     static FigurePlot PlotOf(FigureTable table, SwingSet runs) => new("Operating points", new FigureColumn("latency", "ms"), table.Columns[1],

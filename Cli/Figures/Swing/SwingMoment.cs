@@ -2,11 +2,11 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>An instant of the first move that Figs 16 and 17 name.</summary>
+/// <summary>An instant of the first move that is named in Figs 16 and 17.</summary>
 /// <param name="Index">Index of the frame in <see cref="SwingFrames.Shown"/>.</param>
 sealed record SwingMoment(string Name, string Words, int Index)
 {
-    /// <summary>Gets the instants: A at the start of full speed, B half-way, C where the speed has dropped to half.</summary>
+    /// <summary>Gets the three instants: A when full speed is reached, B half-way, C when the speed has dropped to half.</summary>
     public static IReadOnlyList<SwingMoment> Of(YoubotSwing swing, IReadOnlyList<StudyFrame> frames)
     {
         var full = swing.FullSpeed;

@@ -2,7 +2,7 @@ using Nowpose.Gateway.Clock;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Records each step of the control clock. Called by one thread at a time.</summary>
+/// <summary>Adds an event for each step of the control clock. Not thread-safe.</summary>
 sealed class ClockSteps(PlantClocks plant, EventList events)
 {
     (string Source, int Steps)? _last;

@@ -15,7 +15,7 @@ sealed class Conditions(
     GatewayOptions options, ServedClock clock, DiagnosticsBoard diagnostics, RecentRefusals refusals, CellReports cell, LimitAlarm limits,
     Recorder recorder)
 {
-    /// <summary>Timeout of the reports of adapters and headsets, which come once per second.</summary>
+    /// <summary>Time without a report after which an adapter or headset is silent. Both report once per second.</summary>
     static readonly TimeSpan Silence = TimeSpan.FromSeconds(3);
 
     /// <summary>Remaining validity below which a certificate is reported.</summary>
@@ -23,7 +23,7 @@ sealed class Conditions(
 
     const string DoesNotReport = "does not report";
 
-    /// <summary>Separator before an adapter's own remedy in its reason why a rest is uncertain.</summary>
+    /// <summary>Text by which an adapter's reason for an uncertain rest contains a remedy.</summary>
     const string OwnRemedy = "; set ";
 
     static readonly string[] CurrentPoses = ["current", "coarse"];
@@ -59,7 +59,7 @@ sealed class Conditions(
             IsNormalAtStart = row.State == JointDataState.Missing || IsClockAwaited(row),
         };
 
-    // The first samples of an adapter come before its clock is measured.
+    // Whether samples are refused only because the adapter's clock is not measured yet, as for its first samples.
     static bool IsClockAwaited(JointStatus row) => row.State == JointDataState.Refused
         && row.Reason.Contains(DropText.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
 
@@ -70,7 +70,7 @@ sealed class Conditions(
                 ? "." : "; if it is, set its max_deceleration in the plant's configuration."),
         });
 
-    // Objects and signals do not decide whether the robot can be shown.
+    // These conditions do not block, because the robot can be shown without objects and signals.
     IEnumerable<Condition> OfCell(string kind, string prefix) => cell.Troubled(prefix).Select(
         one => new Condition(
             kind, $"{one.Name} ({one.Adapter})", $"is {(one.Report.State == JointDataState.Fault ? "in fault" : JointDataStates.Of(one.Report.State))}", one.Report.Reason,
@@ -89,7 +89,7 @@ sealed class Conditions(
             {
                 Headline = $"{ClockName} is not served to headsets",
                 Remedy = clock.Source == PlantClocks.Own ? "" : "Check the adapter that reads this clock.",
-                // A clock that was synchronised before is in holdover.
+                // Not normal in holdover, which means that the clock was synchronised before.
                 IsNormalAtStart = clock.State is ClockState.Unsynchronised or ClockState.Converging,
             };
         var stamps = clock.Stamps;
@@ -128,7 +128,7 @@ sealed class Conditions(
         ];
     }
 
-    // Adapters whose reports stop later are found by the missing reports.
+    // Finds adapters that have not reported since their start. SilentAdapter covers adapters whose reports stop later.
     IEnumerable<Condition> OfAdapters(IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>>)> reports) =>
         from state in Adapters.Select(adapter => adapter())
         let isReporting = reports.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)
@@ -156,7 +156,7 @@ sealed class Conditions(
             yield return new(kind, name, "is not connected", Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
             {
                 Headline = $"adapter {name} is not connected to its plant",
-                // An adapter that has published samples was connected before.
+                // Normal only before the first samples; later, it means that the connection was lost.
                 IsNormalAtStart = Value("samples") is null or "0",
             };
         if (NowposeVersion.MismatchOf(Value("version"), "it", "this gateway") is { } mismatch)

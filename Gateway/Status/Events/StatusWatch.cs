@@ -3,7 +3,7 @@ using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Checks for faults several times per second, for the list of events and for headsets.</summary>
+/// <summary>Checks for faults five times per second, and updates the list of events and the joint status for headsets.</summary>
 sealed class StatusWatch : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.2);

@@ -21,7 +21,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
 
     protected XROrigin origin { get; private set; }
 
-    /// <summary>The manager of its kind that was enabled last.</summary>
+    /// <summary>The manager of this type that was enabled last.</summary>
     internal static ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProvider, TSessionRelativeData, TTrackable> Latest { get; private set; }
 
     protected virtual void Awake() => origin = GetComponent<XROrigin>();
@@ -43,7 +43,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
         subsystem.Removed.Clear();
     }
 
-    /// <summary>Turns a component added by a script into a trackable of the device.</summary>
+    /// <summary>Registers a component that a script has added as a trackable of the device.</summary>
     internal void Adopt(TTrackable trackable, TSessionRelativeData data)
     {
         m_Trackables.Add(data.trackableId, trackable);

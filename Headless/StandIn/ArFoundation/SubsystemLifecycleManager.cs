@@ -10,7 +10,7 @@ public class SubsystemLifecycleManager<TSubsystem, TSubsystemDescriptor, TProvid
 {
     public TSubsystem subsystem { get; private set; }
 
-    // Like Unity, it searches for a subsystem only here.
+    // As in Unity, this is the only place where the manager searches for its subsystem.
     protected virtual void OnEnable()
     {
         subsystem = ArDevice.Current?.Find<TSubsystem>();

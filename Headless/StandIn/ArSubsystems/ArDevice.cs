@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.XR.ARSubsystems;
 
-/// <summary>The simulated device of a test, with the subsystems that its runtime offers. At most one exists at a time.</summary>
+/// <summary>A simulated device with the subsystems that its runtime provides. At most one device exists at a time.</summary>
 sealed class ArDevice : IDisposable
 {
     readonly List<object> _subsystems = new();
@@ -12,10 +12,10 @@ sealed class ArDevice : IDisposable
 
     internal static ArDevice Current { get; private set; }
 
-    /// <summary>The value of <c>ARSession.state</c> as a number; 0 is None, 7 is SessionTracking.</summary>
+    /// <summary>Value of <c>ARSession.state</c> as a number, for example 0 for None and 7 for SessionTracking.</summary>
     internal int SessionState { get; set; } = 7;
 
-    /// <summary>Makes the runtime offer a subsystem to managers that are enabled from now on.</summary>
+    /// <summary>Adds a subsystem to the runtime. Managers that are enabled later find it.</summary>
     internal T Offer<T>() where T : class, new()
     {
         var subsystem = new T();

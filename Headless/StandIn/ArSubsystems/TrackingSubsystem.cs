@@ -10,7 +10,7 @@ public abstract class TrackingSubsystem<TTrackable, TSubsystem, TSubsystemDescri
     where TSubsystemDescriptor : SubsystemDescriptorWithProvider
     where TProvider : SubsystemProvider<TSubsystem>
 {
-    /// <summary>Changes of the device since the last query.</summary>
+    /// <summary>Trackables that the device has added or changed since the last query.</summary>
     internal List<TTrackable> Changed { get; } = new();
 
     internal List<TrackableId> Removed { get; } = new();

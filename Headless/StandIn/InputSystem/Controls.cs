@@ -2,15 +2,15 @@ using System.Collections.Generic;
 
 namespace UnityEngine.InputSystem;
 
-/// <summary>Values of the connected devices by their bound paths, set by a test.</summary>
+/// <summary>Values of the controls of connected devices, by their binding paths. Tests set them.</summary>
 static class Controls
 {
     static readonly Dictionary<string, (object Value, int Frame)> Values = new Dictionary<string, (object Value, int Frame)>();
 
-    /// <summary>Sets a value from the next frame on; for a button, whether it is pressed.</summary>
+    /// <summary>Sets the value of a control from the next frame on. The value of a button is whether it is pressed.</summary>
     internal static void Set(string path, object value) => Values[path] = (value, Time.frameCount + 1);
 
-    /// <summary>Disconnects everything.</summary>
+    /// <summary>Disconnects all devices.</summary>
     internal static void Clear() => Values.Clear();
 
     internal static bool TryGet(string path, out object value, out int since)

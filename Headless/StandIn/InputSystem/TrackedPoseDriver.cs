@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine.InputSystem.XR;
 
-/// <summary>Moves its transform to the device's pose in the parent's axes; keeps its pose without a device.</summary>
+/// <summary>Moves the transform to the pose of a device, relative to the parent. Without a device, the transform does not move.</summary>
 [Serializable]
 public class TrackedPoseDriver : MonoBehaviour
 {

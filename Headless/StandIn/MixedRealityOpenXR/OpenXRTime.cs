@@ -10,13 +10,13 @@ public class OpenXRTime
 
     public static OpenXRTime Current { get; } = new();
 
-    /// <summary>The simulated runtime of a test; null for the behaviour in the Editor.</summary>
+    /// <summary>Function of the simulated runtime that predicts display times; null simulates the Editor, which has no runtime.</summary>
     internal static Func<FrameTime, long> PredictedXrTime { get; set; }
 
-    /// <summary>OpenXR time at the counter's zero: nanoseconds since its own epoch.</summary>
+    /// <summary>OpenXR time, in nanoseconds, at the count 0 of the performance counter.</summary>
     internal static long XrTimeAtCountZero { get; set; }
 
-    /// <summary>Counts of the performance counter per second.</summary>
+    /// <summary>Frequency of the performance counter in Hz.</summary>
     internal static long CountsPerSecond { get; set; } = 10_000_000;
 
     public long GetPredictedDisplayTimeInXrTime(FrameTime frameTime) => PredictedXrTime?.Invoke(frameTime) ?? 0;

@@ -6,14 +6,14 @@ public class ViewConfiguration
 {
     internal ViewConfiguration(params ReprojectionMode[] supported) => SupportedReprojectionModes = supported;
 
-    /// <summary>Null before the runtime's session has begun, and without the plugin's feature.</summary>
+    /// <summary>The primary view; null before the start of the runtime's session, and if the plugin's feature is not enabled.</summary>
     public static ViewConfiguration Primary { get; internal set; }
 
     public bool IsActive { get; internal set; } = true;
 
     public IReadOnlyList<ReprojectionMode> SupportedReprojectionModes { get; }
 
-    /// <summary>Settings of the calls in order, each valid for one frame.</summary>
+    /// <summary>Arguments of all calls of <see cref="SetReprojectionSettings"/> in order. Each is valid for one frame.</summary>
     internal List<ReprojectionSettings> Set { get; } = new();
 
     public void SetReprojectionSettings(ReprojectionSettings settings) => Set.Add(settings);

@@ -15,7 +15,7 @@ public class XRAnchorStore
     {
     }
 
-    /// <summary>The runtime's function to load the store; null for no store.</summary>
+    /// <summary>Function with which the simulated runtime loads the store. It returns null if the runtime has no store.</summary>
     internal static Func<XRAnchorSubsystem, Task<XRAnchorStore>> Loading { get; set; } = _ => Task.FromResult<XRAnchorStore>(null);
 
     public IReadOnlyList<string> PersistedAnchorNames => Fault == null ? _names : throw Fault;
@@ -23,10 +23,10 @@ public class XRAnchorStore
     /// <summary>Whether the store accepts anchors.</summary>
     internal bool Accepts { get; set; } = true;
 
-    /// <summary>The exception thrown by each call; null for none.</summary>
+    /// <summary>Exception that each call throws; null if calls succeed.</summary>
     internal Exception Fault { get; set; }
 
-    /// <summary>Adds an anchor of an earlier run.</summary>
+    /// <summary>Adds an anchor, as if an earlier run of the application had saved it.</summary>
     internal void Put(string name, TrackableId id)
     {
         _kept[name] = id;

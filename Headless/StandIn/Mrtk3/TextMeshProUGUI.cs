@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace TMPro;
 
-/// <summary>Text on a canvas; only its content is modelled.</summary>
+/// <summary>Text on a canvas. The stand-in has only its content.</summary>
 public class TextMeshProUGUI : MonoBehaviour
 {
     [SerializeField] internal string m_text = "";

@@ -4,7 +4,9 @@ using System.Threading;
 
 namespace NativeWebSocket
 {
-    /// <summary>Raises events like the package: on the synchronisation context of the socket's creation, otherwise on request.</summary>
+    /// <summary>
+    /// Raises events as the package does: in the synchronisation context in which the socket was created; without a context, on request.
+    /// </summary>
     sealed class EventPump
     {
         readonly SynchronizationContext _context = SynchronizationContext.Current;

@@ -10,9 +10,10 @@ using SystemState = System.Net.WebSockets.WebSocketState;
 namespace NativeWebSocket
 {
     /// <summary>
-    /// Behaves like the package. The constructor stores the synchronisation context, and events are posted there; without one they wait
-    /// for <see cref="DispatchMessageQueue"/>. <see cref="Connect"/> ends with the connection and never throws. Text and binary messages are
-    /// not distinguished, arrive whole and have no size limit. Messages sent while the socket is not open are lost without an error.
+    /// Behaves like the package. The constructor stores the current synchronisation context and posts events to it; without a context, events
+    /// wait for <see cref="DispatchMessageQueue"/>. The task of <see cref="Connect"/> completes when the connection ends, and never fails. Text and
+    /// binary messages are not distinguished, arrive as a whole and have no size limit. A message that is sent while the socket is not open is
+    /// lost without an error.
     /// </summary>
     public class WebSocket : IWebSocket
     {
@@ -81,7 +82,7 @@ namespace NativeWebSocket
             }
         }
 
-        /// <summary>Receives until the connection ends. A failure does not throw; it is an abnormal end.</summary>
+        /// <summary>Receives until the connection ends. A failure is not thrown, but reported as an abnormal end.</summary>
         public async Task Receive()
         {
             var code = WebSocketCloseCode.Abnormal;
@@ -118,7 +119,7 @@ namespace NativeWebSocket
                 await _client.CloseAsync((WebSocketCloseStatus)(int)code, reason ?? "", CancellationToken.None).ConfigureAwait(false);
         }
 
-        // Returns null when the other side closes.
+        // Returns the next message; null if the other side has closed the connection.
         async Task<byte[]> NextAsync()
         {
             var chunk = new ArraySegment<byte>(new byte[65536]);

@@ -1,6 +1,6 @@
 namespace NativeWebSocket
 {
-    /// <summary>The codes of RFC 6455, section 7.4.1.</summary>
+    /// <summary>Close codes as in RFC 6455, section 7.4.1.</summary>
     public enum WebSocketCloseCode
     {
         NotSet = 0,

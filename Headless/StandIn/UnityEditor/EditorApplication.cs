@@ -9,7 +9,7 @@ public sealed class EditorApplication
 
     public static double timeSinceStartup => Now;
 
-    /// <summary>The time since startup, set by tests.</summary>
+    /// <summary>Time since the start of the editor in s. Tests set it.</summary>
     internal static double Now { get; set; }
 
     internal static List<string> MenuItems { get; } = new List<string>();
@@ -20,7 +20,7 @@ public sealed class EditorApplication
         return true;
     }
 
-    /// <summary>Runs the delayed calls, as the editor does after updating all windows.</summary>
+    /// <summary>Runs the delayed calls. The editor does this after it has updated all windows.</summary>
     internal static void RunDelayed()
     {
         var due = delayCall;

@@ -7,8 +7,8 @@ using System.Reflection;
 namespace UnityEditor;
 
 /// <summary>
-/// The assemblies that use the editor's API. Loads them explicitly, because the editor loads all assemblies of a project, but .NET loads an
-/// assembly only at its first use.
+/// Finds the types of all assemblies that use the editor's API. Loads these assemblies explicitly: the editor loads all assemblies of a
+/// project, but .NET loads an assembly only at its first use.
 /// </summary>
 static class EditorAssemblies
 {

@@ -5,12 +5,12 @@ namespace UnityEditor;
 
 public class EditorUtility
 {
-    /// <summary>The user's choice in the next dialog; empty to cancel it.</summary>
+    /// <summary>Path that the simulated user chooses in the next dialog; empty to cancel the dialog.</summary>
     internal static string Chosen { get; set; } = "";
 
     public static string OpenFilePanel(string title, string directory, string extension) => Chosen;
 
-    /// <summary>Whether the object is stored in a file; for an object in a hierarchy, whether it is not in a scene.</summary>
+    /// <summary>Returns whether an object is stored in a file. In the stand-in, a GameObject that is not in a scene counts as stored.</summary>
     public static bool IsPersistent(Object target)
     {
         var gameObject = target is Component component ? component.gameObject : target as GameObject;

@@ -47,6 +47,6 @@ public class SerializedObject : IDisposable
     internal IEnumerable<SerializedProperty> All() =>
         SerializedFields.Of(targetObject.GetType()).Select(f => FindProperty(f.Name));
 
-    /// <summary>Records a change that takes place when the object is applied.</summary>
+    /// <summary>Stores a change until <see cref="ApplyModifiedProperties"/> executes it.</summary>
     internal void Change(Action change) => _changes.Add(change);
 }

@@ -25,7 +25,7 @@ public class SerializedProperty : IDisposable
 
     public bool hasMultipleDifferentValues => serializedObject.targetObjects.Any(o => !Equals(_get(o), Value));
 
-    /// <summary>The drawer used instead of the plain field; null for none.</summary>
+    /// <summary>Drawer that draws the property; null if the editor draws it as a plain field.</summary>
     internal PropertyDrawer Drawer { get; set; }
 
     public int arraySize

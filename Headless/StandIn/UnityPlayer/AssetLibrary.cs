@@ -10,25 +10,27 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>The assets of a Unity project, found by their .meta files and loaded from Unity's text format.</summary>
+/// <summary>Loads the assets of a Unity project from Unity's text format. Finds assets by their .meta files.</summary>
 /// <remarks>
-/// Stricter than the editor: a reference to a missing object, an unknown field, a missing script and similar faults are errors. Scripts and
-/// assembly definitions need only their .meta files. Assets are loaded once for each player. Not thread-safe.
+/// The library is stricter than the editor: a reference to a missing object, an unknown field and a missing script, for example, are errors. Of
+/// scripts and assembly definitions, only the .meta files are needed. Each player loads an asset once. Not thread-safe.
 /// </remarks>
 public sealed class AssetLibrary
 {
     readonly AssetFiles _files;
     readonly ConditionalWeakTable<World, LoadedAssets> _loaded = new ConditionalWeakTable<World, LoadedAssets>();
 
-    /// <param name="projectRoot">The folder that contains Assets/ and Packages/. Samples inside packages are found, too.</param>
-    /// <exception cref="AssetException">A .meta file has no GUID, or two have the same.</exception>
+    /// <summary>Constructs a library for a project.</summary>
+    /// <param name="projectRoot">Folder that contains Assets/ and Packages/. The samples in packages are included.</param>
+    /// <exception cref="AssetException">A .meta file has no GUID, or two files have the same GUID.</exception>
     public AssetLibrary(string projectRoot)
         : this(AssetIndex.FoldersOf(projectRoot))
     {
     }
 
-    /// <param name="folders">Folders; each name is the first part of its paths.</param>
-    /// <exception cref="AssetException">A .meta file has no GUID, or two have the same.</exception>
+    /// <summary>Constructs a library for given folders.</summary>
+    /// <param name="folders">Folders with assets. The path of an asset starts with the name of its folder.</param>
+    /// <exception cref="AssetException">A .meta file has no GUID, or two files have the same GUID.</exception>
     public AssetLibrary(IEnumerable<string> folders)
         : this(folders.Select(f => (Path.GetFileName(f.TrimEnd('/', '\\')), f)))
     {
@@ -38,8 +40,8 @@ public sealed class AssetLibrary
 
     internal LoadedAssets Loaded => _loaded.GetValue(World.Current, _ => new LoadedAssets(_files));
 
-    /// <summary>Loads the main object of an asset for the current player; for a prefab, its root.</summary>
-    /// <param name="path">Path in Unity's form, or a full path.</param>
+    /// <summary>Loads the main object of an asset for the current player. The main object of a prefab is its root.</summary>
+    /// <param name="path">Path within the project, as in Unity, or an absolute path.</param>
     /// <exception cref="AssetException">The asset does not exist, is invalid, or has another type.</exception>
     public T Load<T>(string path)
         where T : Object
@@ -49,10 +51,10 @@ public sealed class AssetLibrary
     }
 
     /// <summary>
-    /// Creates a copy of a prefab that stays linked to it, as the editor does when a prefab is dragged into a scene. It is saved as an instance
-    /// with its changes. It is not in a scene yet.
+    /// Creates an instance of a prefab, as the editor does when the user drags a prefab into a scene. <see cref="AssetWriter"/> writes it as a prefab
+    /// instance with its changes. The instance is not in a scene yet.
     /// </summary>
-    /// <param name="prefab">The prefab from <see cref="Load{T}"/>.</param>
+    /// <param name="prefab">A prefab returned by <see cref="Load{T}"/>.</param>
     /// <exception cref="AssetException">The object is not a prefab of this library.</exception>
     public GameObject InstantiatePrefab(GameObject prefab) => Loaded.InstantiatePrefab(prefab);
 

@@ -11,40 +11,43 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer;
 
 /// <summary>
-/// Writes objects in the editor's format. The same objects give the same text on every machine. Files loaded by <see cref="AssetLibrary"/>
-/// are written unchanged.
+/// Writes objects in Unity's text format. The same objects give the same text on every machine. The objects of a file loaded by
+/// <see cref="AssetLibrary"/> give the text of the file again.
 /// </summary>
 public sealed class AssetWriter
 {
     readonly AssetLibrary _library;
 
-    /// <param name="library">The library with the referenced assets and scripts.</param>
+    /// <param name="library">Library with the assets and scripts to which the objects refer.</param>
     public AssetWriter(AssetLibrary library) => _library = library;
 
-    /// <param name="root">The root object; its descendants are included.</param>
-    /// <exception cref="AssetException">An object refers to another one that is neither below the root nor an asset of the library.</exception>
+    /// <summary>Writes a prefab.</summary>
+    /// <param name="root">Root object of the prefab. Its descendants are included.</param>
+    /// <exception cref="AssetException">An object refers to an object that is neither below the root nor an asset of the library.</exception>
     public string Prefab(GameObject root)
     {
         return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name));
     }
 
-    /// <summary>Writes a stand-in for another party's prefab, with the fileIDs of that prefab.</summary>
-    /// <param name="root">The root object; its descendants are included.</param>
-    /// <param name="fileIds">FileIDs of the relevant objects; the others get generated ones.</param>
+    /// <summary>Writes a stand-in for a prefab of another package, with the fileIDs of the original.</summary>
+    /// <param name="root">Root object of the prefab. Its descendants are included.</param>
+    /// <param name="fileIds">FileIDs of the original for some of the objects. The writer generates the fileIDs of the other objects.</param>
     internal string Prefab(GameObject root, IReadOnlyDictionary<Object, long> fileIds)
     {
         return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name, fileIds));
     }
 
     /// <summary>Writes a scene with the settings of a new scene.</summary>
-    /// <param name="roots">The root objects in order.</param>
-    /// <exception cref="AssetException">An object refers to another one that is neither below the roots nor an asset of the library.</exception>
+    /// <param name="roots">Root objects of the scene in order.</param>
+    /// <exception cref="AssetException">An object refers to an object that is neither below the roots nor an asset of the library.</exception>
     public string Scene(IReadOnlyList<GameObject> roots) => Scene(roots, SceneSettings.Default);
 
-    /// <exception cref="AssetException">The object refers to another one that is not an asset of the library.</exception>
+    /// <summary>Writes a ScriptableObject as an asset.</summary>
+    /// <exception cref="AssetException">The object refers to an object that is not an asset of the library.</exception>
     public string Asset(ScriptableObject asset) => Alone(asset, ScriptClass.Of(asset.GetType()), ScriptClass.AssetFileId);
 
-    /// <exception cref="AssetException">Its shader is not an asset of the library.</exception>
+    /// <summary>Writes a material as an asset.</summary>
+    /// <exception cref="AssetException">The shader of the material is not an asset of the library.</exception>
     public string Asset(Material material) => Alone(material, MaterialClass.Class, MaterialClass.FileId);
 
     internal string Scene(IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>The order of events in a frame, and between frames.</summary>
+/// <summary>Runs frames and the events between them in Unity's order.</summary>
 sealed class FrameLoop
 {
     readonly World _world;
@@ -13,7 +13,7 @@ sealed class FrameLoop
 
     internal FrameLoop(World world) => _world = world;
 
-    /// <summary>Replaces the loaded scene.</summary>
+    /// <summary>Loads a scene and unloads all others.</summary>
     internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
     {
         var before = new List<SceneContent>(_world.Scenes.Loaded);
@@ -30,7 +30,7 @@ sealed class FrameLoop
         _world.Scripts.Start();
         _world.Scripts.Update();
         _world.Coroutines.Update();
-        // Start of scripts that were added during the updates: before their first LateUpdate, in the same frame.
+        // Scripts that were added during the updates receive Start in the same frame, before their first LateUpdate.
         _world.Scripts.Start();
         _world.Scripts.LateUpdate();
         _world.Destruction.Flush();
@@ -68,7 +68,7 @@ sealed class FrameLoop
         _world.Scenes.Forget(scene);
     }
 
-    // As in Unity's first frame, after all objects woke and before any Start.
+    // As in Unity, this happens in the first frame, after Awake of all scripts and before the first Start.
     void TellTheStart()
     {
         if (_started) return;
@@ -82,7 +82,7 @@ sealed class FrameLoop
 
     void TellFocus() => Tell((script, value) => script.Script.Focus(script, value), _world.Host.Focused);
 
-    // Disabled scripts receive these, too, as long as their object is active.
+    // Disabled scripts on active objects receive these messages, too.
     void Tell(Action<MonoBehaviour, bool> call, bool value)
     {
         foreach (var gameObject in _world.Scenes.GameObjects())

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>Plays scenes like a built player, frame by frame and with the caller's time.</summary>
+/// <summary>Plays scenes like a built application, frame by frame, at times that the caller gives.</summary>
 /// <remarks>
-/// While a player exists, Unity's static members (Time, Application, Object.Instantiate, …) refer to the one that was created or stepped
-/// last. Objects belong to the player in which they were created. Main thread only, except for <see cref="Debug"/>.
+/// Unity's static members (Time, Application, Object.Instantiate, …) refer to the player that was created or stepped last. An object belongs to
+/// the player in which it was created. Only <see cref="Debug"/> may be used from other threads.
 /// </remarks>
 public sealed class Player : IDisposable
 {
@@ -19,7 +19,7 @@ public sealed class Player : IDisposable
     bool _disposed;
 
     /// <summary>Creates a player with an empty scene.</summary>
-    /// <param name="assets">Source of the scenes.</param>
+    /// <param name="assets">Library from which the player loads scenes.</param>
     public Player(AssetLibrary assets)
         : this()
     {
@@ -34,21 +34,26 @@ public sealed class Player : IDisposable
         _loop = new FrameLoop(_world);
     }
 
-    /// <summary>The entries of the console so far, oldest first.</summary>
+    /// <summary>All entries of the console, oldest first.</summary>
     public IReadOnlyList<PlayerLogEntry> Logs => _log.Entries;
 
-    /// <summary>Number of objects that are not destroyed: of scenes, and created by scripts (meshes, materials, …), without assets.</summary>
+    /// <summary>
+    /// Number of objects that are not destroyed: objects of scenes, and objects that scripts have created (meshes, materials, …). Assets do not
+    /// count.
+    /// </summary>
     public int ObjectCount => _world.ObjectCount;
 
-    /// <summary>Number of delegates subscribed to the engine's events (Application, Camera, …), to find missing unsubscriptions.</summary>
+    /// <summary>
+    /// Number of delegates that are subscribed to Unity's events (of Application, Camera, …). Tests use it to find missing unsubscriptions.
+    /// </summary>
     public int SubscriberCount => _world.SubscriberCount;
 
     internal World World => _world;
 
-    /// <summary>Loads a scene and makes it the active one. Its active objects wake.</summary>
-    /// <param name="path">Path in Unity's form (<c>Assets/Scenes/Demo.unity</c>), or a full path.</param>
-    /// <param name="prepare">Changes the scene's root objects before anything in them wakes; null for no changes.</param>
-    /// <exception cref="AssetException">The scene does not exist, or is invalid.</exception>
+    /// <summary>Loads a scene, makes it the active scene, and activates its objects.</summary>
+    /// <param name="path">Path within the project (<c>Assets/Scenes/Demo.unity</c>) or an absolute path.</param>
+    /// <param name="prepare">Called with the root objects of the scene before their activation, to change them; may be null.</param>
+    /// <exception cref="AssetException">The scene does not exist or is invalid.</exception>
     public void LoadScene(string path, Action<IReadOnlyList<GameObject>> prepare = null)
     {
         if (_assets == null) throw new InvalidOperationException("this player was made without assets");
@@ -59,14 +64,14 @@ public sealed class Player : IDisposable
         _loop.LoadScene(scene.Name, scene.Path, scene.Roots);
     }
 
-    /// <summary>Loads objects that belong to no scene as a scene with this name, and wakes its active objects.</summary>
+    /// <summary>Loads objects that are not in a scene as a new scene, and activates them.</summary>
     internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
     {
         using var scope = _world.Enter();
         _loop.LoadScene(name, path, roots);
     }
 
-    /// <summary>Runs one frame at the given time, in seconds since the start. The time must not decrease.</summary>
+    /// <summary>Runs one frame at a time, given in seconds since the start. The time must not decrease.</summary>
     public void Step(double timeSeconds)
     {
         if (_disposed) throw new ObjectDisposedException(nameof(Player));
@@ -75,7 +80,7 @@ public sealed class Player : IDisposable
         _loop.Run(timeSeconds);
     }
 
-    /// <summary>Starts a headset's display, if necessary, and sets the GPU time that its runtime reports for the newest finished frame.</summary>
+    /// <summary>Sets the GPU time that the runtime of the headset's display reports for the last frame. Starts the display if necessary.</summary>
     public void ReportGpuTime(TimeSpan length)
     {
         _world.Gpu.ConnectDisplay();
@@ -96,14 +101,14 @@ public sealed class Player : IDisposable
         _loop.Focus(focused);
     }
 
-    /// <summary>Gets the first active object of a type in the scenes; null if there is none.</summary>
+    /// <summary>Returns the first active object of a type in the scenes; null if there is none.</summary>
     public T Find<T>() where T : UnityEngine.Object
     {
         using var scope = _world.Enter();
         return UnityEngine.Object.FindObjectOfType<T>();
     }
 
-    /// <summary>Quits: calls OnApplicationQuit, then disables and destroys all objects.</summary>
+    /// <summary>Ends the application: calls OnApplicationQuit, then disables and destroys all objects.</summary>
     public void Dispose()
     {
         if (_disposed) return;

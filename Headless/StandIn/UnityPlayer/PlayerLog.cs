@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>The console of a player. Lines may come from any thread; the first thousand need no allocation.</summary>
+/// <summary>Console of a player. Any thread may add entries. The first 1000 entries do not allocate.</summary>
 sealed class PlayerLog
 {
     readonly List<LogEntry> _lines = new(1000);

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 
-/// <summary>One line of a player's console.</summary>
+/// <summary>One entry of the console of a player.</summary>
 public sealed class PlayerLogEntry
 {
     internal PlayerLogEntry(LogType type, string message, Exception exception, UnityEngine.Object context)
@@ -17,10 +17,10 @@ public sealed class PlayerLogEntry
     public LogType Type { get; }
     public string Message { get; }
 
-    /// <summary>The exception that a script threw or logged; null for none.</summary>
+    /// <summary>The exception that a script has thrown or logged; null if the entry is a message.</summary>
     public Exception Exception { get; }
 
-    /// <summary>The object that the entry refers to; null for none.</summary>
+    /// <summary>The object to which the entry refers; null if there is none.</summary>
     public UnityEngine.Object Context { get; }
 
     public override string ToString() => $"{Type}: {Message}{(Exception == null ? "" : "\n" + Exception)}";

@@ -5,10 +5,10 @@ namespace UnityEngine.XR.OpenXR;
 
 public static class OpenXRRuntime
 {
-    /// <summary>Extensions enabled by the simulated runtime; null for no runtime.</summary>
+    /// <summary>Extensions that the simulated runtime has enabled; null if there is no runtime.</summary>
     internal static HashSet<string> Extensions { get; set; }
 
-    /// <summary>The exception thrown by each call; null for none.</summary>
+    /// <summary>Exception that each call throws; null if calls succeed.</summary>
     internal static Exception Fault { get; set; }
 
     public static string name => Fault != null ? throw Fault : Extensions == null ? "" : "played";

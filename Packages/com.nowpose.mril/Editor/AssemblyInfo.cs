@@ -1,11 +1,11 @@
 using System.Runtime.CompilerServices;
 
-// Decisions are in plain classes, so that their tests run without an open editor.
+// Tests the plain classes of this assembly without a Unity editor.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]
 
-// These assemblies exist only in this package's repository: tests of windows, inspectors and imports on a stub of the editor.
+// These test assemblies exist only in the repository. They test windows, inspectors and imports with a stand-in for the Unity editor.
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
-// The repository's command line prepares projects with the same requirements and the same merge.
+// The command line tool prepares projects with the same requirements and the same merge of manifests.
 [assembly: InternalsVisibleTo("Nowpose.Cli")]

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
 using UnityEditor;
@@ -8,17 +9,17 @@ using UnityEngine;
 namespace Nowpose.Editor
 {
     /// <summary>
-    /// The menu GameObject > Nowpose, which puts the package's prefabs, and objects with its components, into the scene. The set-up window
-    /// offers the same entries.
+    /// The menu GameObject > Nowpose. Its entries add prefabs of the package, or objects with components of the package, to the scene. The
+    /// set-up window has the same entries.
     /// </summary>
     static class CellMenu
     {
         const string Folder = "GameObject/Nowpose/";
 
-        // Places the entries between Create Empty and the first of Unity's own groups.
+        // With this priority, the entries are between Create Empty and the first group of Unity.
         const int Priority = 10;
 
-        /// <summary>The entries of the menu with their names.</summary>
+        /// <summary>Names and actions of the menu's entries.</summary>
         internal static readonly (string Name, Action<MenuCommand> Create)[] Entries =
         {
             ("Robot Cell", RobotCell), ("Robot Cell UR5", RobotCellUr5), ("Virtual Gripper", VirtualGripper), ("Another Robot", AnotherRobot),
@@ -49,7 +50,7 @@ namespace Nowpose.Editor
         [MenuItem(Folder + "Another Robot", false, Priority)]
         static void AnotherRobot(MenuCommand command) => CreateOnce<RobotRig>("Robot", command);
 
-        // Unity calls a menu item of the Hierarchy once for each selected object; only one of the calls places the prefab.
+        // Unity calls a menu item of the Hierarchy once for each selected object. Only the call for the active object adds the prefab.
         static void PlaceOnce(PackageAsset prefab, MenuCommand command)
         {
             if (IsOnce(command)) Place(prefab, command);
@@ -63,14 +64,14 @@ namespace Nowpose.Editor
 
         static bool IsOnce(MenuCommand command) => command.context == null || command.context == Selection.activeObject;
 
-        /// <returns>The new instance, or null if the prefab is missing.</returns>
+        /// <summary>Adds an instance of a prefab to the scene.</summary>
+        /// <returns>The new instance; null if the prefab is missing.</returns>
         internal static GameObject Place(PackageAsset prefab, MenuCommand command)
         {
             var asset = prefab.Load<GameObject>();
             if (asset == null)
             {
-                ConsoleLog.Fail(null, "The prefab '" + prefab.Name + "' (GUID " + prefab.Guid
-                    + ") is not in this project; reinstall the package com.nowpose.mril.");
+                ConsoleLog.Fail(null, SetupTexts.PrefabMissing(prefab.Name, prefab.Guid));
                 return null;
             }
             return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command);

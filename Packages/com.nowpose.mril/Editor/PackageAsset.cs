@@ -3,7 +3,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor
 {
-    /// <summary>An asset of the package, identified by the GUID in its .meta; its path depends on how the package is installed.</summary>
+    /// <summary>An asset of the package, identified by the GUID in its .meta file. Its path depends on how the package is installed.</summary>
     sealed class PackageAsset
     {
         PackageAsset(string name, string guid)

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using UnityEditor;
 using UnityEngine;
@@ -6,18 +7,18 @@ using UnityEngine;
 namespace Nowpose.Editor
 {
     /// <summary>
-    /// Lists what a project for a headset needs, what is missing and why it matters, and fixes it at a click. Puts the parts of a cell into the
-    /// scene.
+    /// Lists the requirements of a project for a headset with their state and purpose. A click on a button changes the project to meet a
+    /// requirement. Other buttons add the parts of a cell to the scene.
     /// </summary>
     public sealed class SetupWindow : EditorWindow
     {
         const float ButtonWidth = 260;
 
-        /// <summary>Number of buttons in a row of the parts of a cell.</summary>
+        /// <summary>Number of buttons per row for the parts of a cell.</summary>
         const int PartsInRow = 4;
 
         static readonly HeadsetPlatform[] Platforms = { HeadsetPlatform.HoloLens2, HeadsetPlatform.AndroidHeadset };
-        static readonly string[] PlatformNames = { "HoloLens 2", "Android headset (Quest, Magic Leap 2)" };
+        static readonly string[] PlatformNames = { "HoloLens 2", SetupTexts.AndroidHeadset };
         static readonly string[] Signs = { "✓ ", "○ ", "✗ ", "? " };
         static readonly string[] Words = { "", "advised: ", "missing: ", "unknown: " };
 
@@ -65,25 +66,26 @@ namespace Nowpose.Editor
             var again = GUILayout.Button("Check again");
             var part = DrawParts();
 
-            // Delayed, because the controls must stay the same between a layout and its event, and a fix may recompile all scripts.
+            // Executes the action after this event: the number of controls must not change within an event, and a fix may recompile all scripts.
             if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
             else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
             else if (again) EditorApplication.delayCall += Refresh;
             else if (part >= 0) EditorApplication.delayCall += () => CellMenu.Entries[part].Create(new MenuCommand(SelectedInScene()));
         }
 
-        // Assets can be selected, too, but cannot be parents.
+        // Returns null if an asset is selected, because an asset cannot be the parent of a new object.
         static GameObject SelectedInScene()
         {
             var selected = Selection.activeObject as GameObject;
             return selected != null && !EditorUtility.IsPersistent(selected) ? selected : null;
         }
 
-        /// <returns>Index of the clicked entry of the menu; −1 for none.</returns>
+        /// <summary>Draws the buttons for the parts of a cell.</summary>
+        /// <returns>Index of the clicked entry in <see cref="CellMenu.Entries"/>; −1 if no button was clicked.</returns>
         static int DrawParts()
         {
             var clicked = -1;
-            EditorGUILayout.LabelField("Add to the scene, below the selected object", EditorStyles.boldLabel);
+            EditorGUILayout.LabelField(SetupTexts.AddToScene, EditorStyles.boldLabel);
             for (var first = 0; first < CellMenu.Entries.Length; first += PartsInRow)
                 using (new EditorGUILayout.HorizontalScope())
                     for (var i = first; i < Math.Min(first + PartsInRow, CellMenu.Entries.Length); i++)
@@ -120,7 +122,7 @@ namespace Nowpose.Editor
         }
 
         static string Summary(int missing, HeadsetPlatform platform) => missing == 0
-            ? "Nothing is missing for " + platform.Headset + "."
+            ? SetupTexts.Complete(platform.Headset)
             : missing + (missing == 1 ? " point is" : " points are") + " missing for " + platform.Headset + ".";
 
         bool Draw(int index)

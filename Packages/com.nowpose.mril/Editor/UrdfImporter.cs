@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Nowpose.Editor.Import;
+using Nowpose.Editor.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using Nowpose.Unity.Robot;
@@ -10,15 +11,17 @@ using UnityEngine;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Makes a prefab from a .urdf file: its links with their visuals, a Robot Rig at the root, and the description as an asset.</summary>
+    /// <summary>
+    /// Imports a .urdf file as a prefab with the links, their visuals, and a Robot Rig at the root. Adds the robot description as a sub-asset.
+    /// </summary>
     [ScriptedImporter(Version, "urdf", AfterModels)]
     public sealed class UrdfImporter : ScriptedImporter
     {
-        // Increase it when the same file imports to a different result.
+        // Increase this number when the import of an unchanged file gives another result, so that Unity imports all files again.
         const int Version = 1;
 
-        // After the assets that it refers to (textures, shaders, models), so that one import is enough; before prefabs (1500), which may
-        // refer to it.
+        // Position in Unity's import order: after textures, shaders and models, to which a URDF refers, and before prefabs (1500), which may refer
+        // to a URDF.
         const int AfterModels = 1100;
 
         const long MaxFileBytes = 16L << 20;
@@ -59,11 +62,11 @@ namespace Nowpose.Editor
             var path = ProjectFiles.FullPath(assetPath);
             var length = new FileInfo(path).Length;
             if (length > MaxFileBytes)
-                throw new InputException(Path.GetFileName(assetPath) + ": " + length + " bytes; the maximum is " + MaxFileBytes);
+                throw new InputException(MeshMessages.UrdfTooLong(Path.GetFileName(assetPath), length, MaxFileBytes));
             return File.ReadAllText(path);
         }
 
-        // Unity calls this method by name before any import, to import the dependencies first. OnImportAsset reports the errors.
+        // Unity calls this method by its name before an import, and imports the returned files first. OnImportAsset reports the errors.
         internal static string[] GatherDependenciesFromSourceFile(string path)
         {
             try

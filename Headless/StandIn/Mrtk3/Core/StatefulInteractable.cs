@@ -4,7 +4,7 @@ using UnityEngine.XR.Interaction.Toolkit;
 
 namespace MixedReality.Toolkit;
 
-/// <summary>Raises a click on release, and toggles if its mode is set to toggle.</summary>
+/// <summary>Raises its click event when it is released, and toggles if its mode is Toggle.</summary>
 public class StatefulInteractable : MRTKBaseInteractable
 {
     [SerializeField] bool allowSelectByVoice = true;

@@ -10,6 +10,6 @@ public static class XRSubsystemHelpers
     /// <summary>The running subsystem; null if none is running.</summary>
     public static IKeywordRecognitionSubsystem KeywordRecognitionSubsystem => _recognition?.running == true ? _recognition : null;
 
-    /// <summary>Sets the recognition that a test simulates; null for none.</summary>
+    /// <summary>Sets the simulated keyword recognition; null removes it.</summary>
     internal static void Provide(IKeywordRecognitionSubsystem recognition) => _recognition = recognition;
 }

@@ -1,6 +1,6 @@
 namespace UnityEngine.XR.Interaction.Toolkit;
 
-/// <summary>An object that interactors can hold. Here, tests call <see cref="Enter"/> and <see cref="Exit"/> for any hand, pinch or ray.</summary>
+/// <summary>An object that interactors can hold. There are no interactors: tests call <see cref="Enter"/> and <see cref="Exit"/>.</summary>
 public abstract class XRBaseInteractable : MonoBehaviour
 {
     int _selecting;
@@ -12,7 +12,7 @@ public abstract class XRBaseInteractable : MonoBehaviour
 
     protected virtual void Awake() { }
 
-    /// <summary>Does nothing for an inactive object, which is not registered with the manager.</summary>
+    /// <summary>Simulates that an interactor takes hold of the object. Does nothing if the object is inactive, as in Unity.</summary>
     internal void Enter()
     {
         if (isActiveAndEnabled && _selecting++ == 0) firstSelectEntered.Invoke(new SelectEnterEventArgs());

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace MixedReality.Toolkit.SpatialManipulation;
 
-/// <summary>Moves its object while it is held; here, tests move it.</summary>
+/// <summary>Lets an interactor move its object. In the stand-in, tests move the object.</summary>
 [RequireComponent(typeof(ConstraintManager))]
 public class ObjectManipulator : StatefulInteractable
 {

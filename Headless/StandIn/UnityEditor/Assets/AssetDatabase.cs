@@ -16,7 +16,7 @@ public sealed class AssetDatabase
 
     public static T LoadAssetAtPath<T>(string assetPath) where T : Object => Project.Load(assetPath).OfType<T>().FirstOrDefault();
 
-    /// <param name="filter">Only t:TYPE is supported.</param>
+    /// <param name="filter">Search filter. The stand-in supports only the form t:TYPE.</param>
     public static string[] FindAssets(string filter) => Project.OfType(filter.StartsWith("t:", StringComparison.Ordinal)
         ? filter.Substring(2)
         : throw new NotSupportedException("only t:TYPE is supported, not " + filter)).ToArray();

@@ -20,10 +20,10 @@ public class AssetImportContext
 
     internal List<string> Warnings { get; } = new List<string>();
 
-    /// <summary>Paths of assets whose import this one uses.</summary>
+    /// <summary>Paths of assets whose imported result this import uses.</summary>
     internal List<string> ArtifactDependencies { get; } = new List<string>();
 
-    /// <summary>Paths of files that this import reads, or would read if they existed.</summary>
+    /// <summary>Paths of files that this import reads or, if they do not exist yet, would read.</summary>
     internal List<string> SourceDependencies { get; } = new List<string>();
 
     internal IReadOnlyCollection<string> Identifiers => _identifiers;
@@ -52,7 +52,7 @@ public class AssetImportContext
     public void LogImportError(string msg, Object obj = null) => Errors.Add(msg);
     public void LogImportWarning(string msg, Object obj = null) => Warnings.Add(msg);
 
-    // Identifiers of objects in a hierarchy consist of the names on their path.
+    // Unity identifies an object in a hierarchy by the names on its path, so these paths must be unique.
     internal void CheckPaths()
     {
         foreach (var made in _objects)

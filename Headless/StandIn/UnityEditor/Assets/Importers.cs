@@ -9,10 +9,10 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>Finds scripted importers by the extension they declare, and runs them as Unity does.</summary>
+/// <summary>Finds scripted importers by the file extension that they declare, and runs them as Unity does.</summary>
 static class Importers
 {
-    /// <summary>Gets the importer type of a file; null if no loaded assembly has one.</summary>
+    /// <summary>Returns the type of the importer for a file; null if no loaded assembly has one.</summary>
     internal static Type For(string path)
     {
         var extension = Path.GetExtension(path).TrimStart('.');
@@ -22,6 +22,7 @@ static class Importers
 
     internal static Imported Import(Type type, string path) => Import((ScriptedImporter)Activator.CreateInstance(type), path);
 
+    /// <summary>Imports a file.</summary>
     /// <param name="importer">The importer with its import settings.</param>
     internal static Imported Import(ScriptedImporter importer, string path)
     {
@@ -36,7 +37,7 @@ static class Importers
         return new Imported(context);
     }
 
-    /// <summary>The result of an import. A prefab is not in a scene.</summary>
+    /// <summary>Result of an import. Its objects are not in a scene.</summary>
     internal sealed class Imported
     {
         internal Imported(AssetImportContext context)

@@ -8,10 +8,12 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>The project whose assets the editor uses: the one that contains the running code, unless a test opens another.</summary>
+/// <summary>
+/// The project whose assets the editor uses. By default, this is the project that contains the running code; tests may open another.
+/// </summary>
 static class Project
 {
-    // Assets that Unity stores as text and that the library can read.
+    // File extensions of assets in Unity's text format that the library can read.
     static readonly string[] NativeAssets = { ".prefab", ".asset", ".mat", ".shader" };
 
     static readonly Dictionary<string, Object[]> Loaded = new Dictionary<string, Object[]>();
@@ -19,11 +21,11 @@ static class Project
     static string _root;
     static AssetLibrary _library;
 
-    /// <summary>Absolute path of the folder that holds Assets and Packages.</summary>
+    /// <summary>Absolute path of the folder that contains Assets and Packages.</summary>
     internal static string Root => _root ?? Open(Above(AppContext.BaseDirectory));
 
     /// <summary>Discards the loaded assets and opens another project.</summary>
-    /// <param name="root">The project's folder; null for the one that contains the running code.</param>
+    /// <param name="root">Folder of the project; null for the project that contains the running code.</param>
     internal static string Open(string root)
     {
         Loaded.Clear();
@@ -32,10 +34,10 @@ static class Project
         return _root = root ?? Above(AppContext.BaseDirectory);
     }
 
-    /// <summary>Adds objects like an importer that has no stand-in; the first is the main object.</summary>
+    /// <summary>Adds an asset with the given objects, in place of an importer that has no stand-in. The first object is the main object.</summary>
     internal static void Put(string path, params Object[] objects) => Loaded[path] = objects;
 
-    /// <summary>Adds objects for an asset that is found by its GUID.</summary>
+    /// <summary>Adds an asset with the given objects, which can also be found by its GUID.</summary>
     internal static void PutAs(string guid, string path, params Object[] objects)
     {
         PathOf(guid);
@@ -43,7 +45,7 @@ static class Project
         Put(path, objects);
     }
 
-    /// <summary>Gets the objects of an asset, the main one first; empty if there is no such asset.</summary>
+    /// <summary>Returns the objects of an asset, the main object first; empty if there is no such asset.</summary>
     internal static IReadOnlyList<Object> Load(string path)
     {
         if (string.IsNullOrEmpty(path)) return Array.Empty<Object>();
@@ -52,7 +54,7 @@ static class Project
         return Loaded[path] = File.Exists(FullPath(path)) ? Read(path) : Array.Empty<Object>();
     }
 
-    /// <summary>Gets the GUIDs of the assets of a type, among those that were added or loaded.</summary>
+    /// <summary>Returns the GUIDs of the assets of a type. Finds only assets that were added or loaded.</summary>
     internal static IEnumerable<string> OfType(string type) =>
         Loaded.Where(asset => asset.Value.Length > 0 && asset.Value[0].GetType().Name == type).Select(asset => GuidOf(asset.Key));
 
@@ -62,7 +64,7 @@ static class Project
         return Paths.TryGetValue(guid, out var path) ? path : Loaded.Keys.FirstOrDefault(p => GuidOf(p) == guid);
     }
 
-    /// <summary>Gets the GUID of the .meta file. An asset added by a test gets one from its path.</summary>
+    /// <summary>Returns the GUID of an asset from its .meta file. The GUID of an asset added by a test is derived from its path.</summary>
     internal static string GuidOf(string path)
     {
         var meta = FullPath(path) + ".meta";
@@ -72,7 +74,7 @@ static class Project
 
     internal static string FullPath(string path) => Path.Combine(Root, path);
 
-    /// <summary>Runs an action in the project's folder, because editor code uses relative paths and Unity's working folder is the project.</summary>
+    /// <summary>Runs an action with the project as the working folder, as in Unity. Editor code uses paths relative to it.</summary>
     internal static T InRoot<T>(Func<T> action)
     {
         var before = Directory.GetCurrentDirectory();

@@ -10,7 +10,7 @@ public class EditorUserBuildSettings : Object
     public static BuildTarget activeBuildTarget { get; private set; } = BuildTarget.StandaloneWindows64;
     public static string wsaArchitecture { get; set; } = "x64";
 
-    /// <summary>Whether the editor was installed with the UWP module.</summary>
+    /// <summary>Whether the UWP module of the editor is installed.</summary>
     internal static bool HasUwp { get; set; } = true;
 
     public static bool SwitchActiveBuildTarget(NamedBuildTarget namedBuildTarget, BuildTarget target)
@@ -20,7 +20,7 @@ public class EditorUserBuildSettings : Object
         return true;
     }
 
-    /// <summary>Resets the settings to those of a new project.</summary>
+    /// <summary>Resets all settings to the values in a new project.</summary>
     internal static void Reset()
     {
         activeBuildTarget = BuildTarget.StandaloneWindows64;

@@ -29,7 +29,7 @@ public sealed class PlayerSettings : Object
 
     public static void SetApiCompatibilityLevel(NamedBuildTarget buildTarget, ApiCompatibilityLevel value) => ApiLevels[buildTarget.TargetName] = value;
 
-    /// <summary>Returns the default of Unity 6 unless the project chose others.</summary>
+    /// <summary>Returns the graphics APIs that the project has set; otherwise the default of Unity 6.</summary>
     public static GraphicsDeviceType[] GetGraphicsAPIs(BuildTarget platform) =>
         GraphicsApis.TryGetValue(platform, out var apis) ? apis : new[] { GraphicsDeviceType.Direct3D12, GraphicsDeviceType.Direct3D11 };
 
@@ -46,7 +46,7 @@ public sealed class PlayerSettings : Object
         else GraphicsApis[platform] = GetGraphicsAPIs(platform);
     }
 
-    /// <summary>Resets the settings to those of a project with default settings.</summary>
+    /// <summary>Resets all settings to their defaults.</summary>
     internal static void Reset()
     {
         Backends.Clear();

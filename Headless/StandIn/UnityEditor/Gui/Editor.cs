@@ -30,7 +30,7 @@ public class Editor : ScriptableObject, IPreviewable, IToolModeOwner
         Pending = null;
     }
 
-    // Set before construction, because OnEnable of a derived class already reads its targets.
+    // The targets of the next instance. They are set before its construction, because OnEnable of a derived class already reads them.
     static Object[] Pending { get; set; }
 
     public bool DrawDefaultInspector()

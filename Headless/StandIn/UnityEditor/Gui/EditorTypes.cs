@@ -4,10 +4,13 @@ using System.Reflection;
 
 namespace UnityEditor;
 
-/// <summary>Finds the inspector that is declared for a component.</summary>
+/// <summary>Finds the custom inspector that is declared for a component.</summary>
 static class EditorTypes
 {
-    /// <summary>Gets the inspector's type; the default inspector if none is declared, or if it does not support several objects.</summary>
+    /// <summary>
+    /// Returns the type of the inspector. This is the default inspector if none is declared, or if several objects are inspected and the declared
+    /// inspector does not support this.
+    /// </summary>
     internal static Type For(Type inspected, bool several)
     {
         var type = EditorAssemblies.Types

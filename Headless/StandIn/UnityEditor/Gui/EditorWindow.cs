@@ -7,7 +7,7 @@ public class EditorWindow : ScriptableObject
 {
     public Vector2 minSize { get; set; }
 
-    /// <summary>Calls of <see cref="Repaint"/>.</summary>
+    /// <summary>Number of calls of <see cref="Repaint"/>.</summary>
     internal int Repaints { get; private set; }
 
     internal string Title { get; private set; }

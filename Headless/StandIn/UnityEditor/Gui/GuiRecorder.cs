@@ -3,28 +3,28 @@ using UnityEngine;
 
 namespace UnityEditor;
 
-/// <summary>Records what editor code draws, for tests, and simulates clicks.</summary>
+/// <summary>Records the controls that editor code draws, and simulates clicks, for tests.</summary>
 static class GuiRecorder
 {
-    /// <summary>Labels, boxes and buttons, in the order they were drawn.</summary>
+    /// <summary>Texts of the labels, boxes and buttons in the order in which they were drawn.</summary>
     internal static List<string> Texts { get; } = new List<string>();
 
-    /// <summary>Texts of the buttons that could be clicked.</summary>
+    /// <summary>Texts of the drawn buttons.</summary>
     internal static List<string> Buttons { get; } = new List<string>();
 
-    /// <summary>The points of each line.</summary>
+    /// <summary>Points of each drawn line.</summary>
     internal static List<Vector3[]> Lines { get; } = new List<Vector3[]>();
 
-    /// <summary>Names of the serialised fields that were drawn.</summary>
+    /// <summary>Names of the drawn serialised fields.</summary>
     internal static List<string> Properties { get; } = new List<string>();
 
-    /// <summary>Text of the button whose next drawing reports a click.</summary>
+    /// <summary>Text of the button to click: the next time it is drawn, it reports a click.</summary>
     internal static string Click { get; set; }
 
-    /// <summary>The entries of each drop-down.</summary>
+    /// <summary>Entries of each drawn drop-down list.</summary>
     internal static List<string[]> Choices { get; } = new List<string[]>();
 
-    /// <summary>The entry selected in the next drop-down that contains it.</summary>
+    /// <summary>Entry to select in the next drop-down list that contains it.</summary>
     internal static string Choose { get; set; }
 
     internal static void Clear()

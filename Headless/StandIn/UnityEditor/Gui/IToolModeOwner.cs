@@ -1,6 +1,6 @@
 namespace UnityEditor;
 
-/// <summary>Used only as a base of <see cref="Editor"/>.</summary>
+/// <summary>Base interface of <see cref="Editor"/>, as in Unity. The stand-in does not use it.</summary>
 interface IToolModeOwner
 {
 }

@@ -13,7 +13,7 @@ public abstract class PropertyDrawer : GUIDrawer
 
     public virtual void OnGUI(Rect position, SerializedProperty property, GUIContent label) { }
 
-    /// <summary>The drawer that is declared for one of the field's attributes; null for none.</summary>
+    /// <summary>Creates the drawer that is declared for an attribute of a field; returns null if there is none.</summary>
     internal static PropertyDrawer For(FieldInfo field)
     {
         foreach (var attribute in field.GetCustomAttributes<PropertyAttribute>())

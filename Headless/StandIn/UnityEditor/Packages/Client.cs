@@ -5,10 +5,10 @@ namespace UnityEditor.PackageManager;
 
 public static class Client
 {
-    /// <summary>The requested packages, oldest first.</summary>
+    /// <summary>Identifiers of the requested packages, oldest first.</summary>
     internal static List<string> Asked { get; } = new List<string>();
 
-    /// <summary>Calls of <see cref="Resolve"/>.</summary>
+    /// <summary>Number of calls of <see cref="Resolve"/>.</summary>
     internal static int Resolved { get; set; }
 
     internal static AddRequest Newest { get; private set; }

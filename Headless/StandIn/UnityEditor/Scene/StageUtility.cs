@@ -4,6 +4,6 @@ namespace UnityEditor.SceneManagement;
 
 public static class StageUtility
 {
-    /// <summary>Does nothing: there is only the main stage, which contains everything.</summary>
+    /// <summary>Does nothing, because the stand-in has only the main stage, which contains all objects.</summary>
     public static void PlaceGameObjectInCurrentStage(GameObject gameObject) { }
 }

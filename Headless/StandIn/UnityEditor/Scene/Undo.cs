@@ -6,10 +6,10 @@ namespace UnityEditor;
 
 public class Undo
 {
-    /// <summary>Names of the steps, oldest first.</summary>
+    /// <summary>Names of the undo steps, oldest first.</summary>
     internal static List<string> Steps { get; } = new List<string>();
 
-    /// <summary>Objects that the steps made.</summary>
+    /// <summary>Objects that were created in undo steps.</summary>
     internal static List<Object> Created { get; } = new List<Object>();
 
     public static void RecordObject(Object objectToUndo, string name) => Steps.Add(name);

@@ -3,7 +3,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
 
-/// <summary>The argument of a call kept in a file.</summary>
+/// <summary>Serialised argument of a call of an event.</summary>
 [Serializable]
 sealed class PersistentArguments
 {
@@ -16,7 +16,7 @@ sealed class PersistentArguments
 
     internal static PersistentArguments Of(PersistentListenerMode mode, object value)
     {
-        // The editor writes the type also where no object is passed.
+        // The editor writes this type even if the argument is not an object.
         var made = new PersistentArguments { _objectType = "UnityEngine.Object, UnityEngine" };
         if (mode == PersistentListenerMode.Bool) made._bool = (bool)value;
         else if (mode == PersistentListenerMode.Float) made._float = (float)value;

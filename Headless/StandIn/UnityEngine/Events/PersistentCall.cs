@@ -5,7 +5,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
 
-/// <summary>A serialised call of an event: an object, a method and an argument.</summary>
+/// <summary>Serialised call of an event: an object, a method and an argument.</summary>
 [Serializable]
 sealed class PersistentCall
 {
@@ -24,7 +24,7 @@ sealed class PersistentCall
     internal PersistentListenerMode Mode => _mode;
 
     /// <summary>Creates a call as the editor does.</summary>
-    /// <param name="argument">Argument of the mode's type; null for none.</param>
+    /// <param name="argument">Argument with the type that the mode requires; null if there is none.</param>
     internal static PersistentCall Of(Object target, string method, PersistentListenerMode mode, object argument)
     {
         var type = target.GetType();
@@ -39,7 +39,7 @@ sealed class PersistentCall
         };
     }
 
-    /// <summary>Invokes the method with the serialised argument or with the event's.</summary>
+    /// <summary>Invokes the method with the serialised argument or, depending on the mode, with the argument of the event.</summary>
     /// <param name="eventType">Type of the event's argument; null if it has none.</param>
     internal void Invoke(Type eventType = null, object eventArgument = null)
     {
@@ -60,7 +60,7 @@ sealed class PersistentCall
         }
         catch (TargetInvocationException e)
         {
-            // The caller of Invoke gets the listener's exception, as with a delegate.
+            // Throws the exception of the listener itself, as a delegate does.
             ExceptionDispatchInfo.Capture(e.InnerException).Throw();
         }
     }
@@ -73,7 +73,7 @@ sealed class PersistentCall
         return KeepsArgument ? _arguments.TypeFor(_mode) : null;
     }
 
-    /// <summary>Gets the method; null if there is none with this name and argument.</summary>
+    /// <summary>Returns the method; null if the target has no method with this name and argument.</summary>
     /// <param name="eventType">Type of the event's argument; null if it has none.</param>
     internal MethodInfo Method(Type eventType = null)
     {

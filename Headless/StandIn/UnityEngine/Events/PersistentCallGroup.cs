@@ -4,7 +4,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
 
-/// <summary>The calls that an event keeps in its file.</summary>
+/// <summary>Serialised calls of an event.</summary>
 [Serializable]
 sealed class PersistentCallGroup
 {

@@ -1,6 +1,6 @@
 namespace UnityEngine.Events;
 
-/// <summary>The kind of argument of a serialised call.</summary>
+/// <summary>Kind of argument of a serialised call.</summary>
 enum PersistentListenerMode
 {
     EventDefined,

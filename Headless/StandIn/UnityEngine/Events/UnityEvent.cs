@@ -11,10 +11,10 @@ public class UnityEvent : UnityEventBase
 
     public void RemoveListener(UnityAction call) => _listeners -= call;
 
-    /// <summary>Invokes the serialised listeners first, then those added by code.</summary>
+    /// <summary>Invokes the serialised listeners first, then the listeners added by code.</summary>
     public void Invoke()
     {
-        // By index, because a listener may change the list.
+        // Iterates by index, because a listener may change the list.
         for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke();
         _listeners?.Invoke();
     }

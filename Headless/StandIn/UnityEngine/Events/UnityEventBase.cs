@@ -10,7 +10,7 @@ public abstract class UnityEventBase : ISerializationCallbackReceiver
 
     internal PersistentCallGroup Persistent => _persistent;
 
-    /// <summary>Type of the event's argument; null for none.</summary>
+    /// <summary>Type of the event's argument; null if the event has none.</summary>
     internal virtual Type ArgumentType => null;
 
     public int GetPersistentEventCount() => _persistent.Calls.Count;

@@ -11,10 +11,12 @@ public class UnityEvent<T0> : UnityEventBase
 
     public void RemoveListener(UnityAction<T0> call) => _listeners -= call;
 
-    /// <summary>Invokes the serialised listeners first, then those added by code. A serialised call has its own argument or gets this one.</summary>
+    /// <summary>
+    /// Invokes the serialised listeners first, then the listeners added by code. A serialised call uses its own argument or this argument.
+    /// </summary>
     public void Invoke(T0 arg0)
     {
-        // By index, because a listener may change the list.
+        // Iterates by index, because a listener may change the list.
         for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke(typeof(T0), arg0);
         _listeners?.Invoke(arg0);
     }

@@ -5,13 +5,13 @@ namespace UnityEngine;
 /// <summary>Converts rotations to Euler angles in the order z, x, y.</summary>
 static class EulerAngles
 {
-    // Beyond it (89.97 degrees), heading and roll have the same axis; the whole angle is assigned to the heading.
+    // Sine of the angle about x (89.97 degrees) beyond which heading and roll have the same axis. The heading then gets the whole angle.
     const float GimbalLock = 0.9999999f;
 
     internal static Vector3 Of(Quaternion rotation)
     {
         var q = Quaternion.Normalize(rotation);
-        // The third column of the matrix is the image of forward. Its height is minus the sine of the angle about x.
+        // The third column of the rotation matrix is the rotated forward vector. Its y component is minus the sine of the angle about x.
         var sine = 2 * (q.w * q.x - q.y * q.z);
         if (MathF.Abs(sine) > GimbalLock)
         {

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>Rows and columns as in mathematics, m[row, column]; vectors are columns.</summary>
+/// <summary>A 4x4 matrix with elements m[row, column]. It is multiplied with column vectors.</summary>
 public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
 {
     public float m00;

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>A rotation in left-handed axes: a positive angle turns clockwise for someone who looks along the axis from its tip.</summary>
+/// <summary>A rotation in left-handed axes. A positive angle turns clockwise as seen from the tip of the axis towards its origin.</summary>
 public struct Quaternion : IEquatable<Quaternion>, IFormattable
 {
     public const float kEpsilon = 1E-06f;
@@ -35,7 +35,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         }
     }
 
-    /// <summary>Angles in degrees, each in 0..360; applied about z first, then x, then y.</summary>
+    /// <summary>Euler angles in degrees, each from 0 to 360. The rotation about z comes first, then x, then y.</summary>
     public Vector3 eulerAngles
     {
         readonly get => EulerAngles.Of(this);
@@ -82,7 +82,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
 
         var z = forward / forward.magnitude;
         var x = Vector3.Cross(upwards, z);
-        // With the view along "up", the result is not unique; the shortest rotation from forward is used.
+        // If the forward direction is parallel to "up", the result is not unique. Returns the shortest rotation from forward.
         if (x.sqrMagnitude < Vector3.EqualitySquared) return FromToRotation(Vector3.forward, z);
 
         x /= x.magnitude;
@@ -102,7 +102,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
             return Normalize(new Quaternion(axis.x, axis.y, axis.z, 1 + cosine));
         }
 
-        // Half a turn about any perpendicular axis.
+        // The directions are opposite: returns half a turn about any perpendicular axis.
         var across = Vector3.Cross(from, MathF.Abs(from.x) < 0.9f ? Vector3.right : Vector3.up).normalized;
         return new Quaternion(across.x, across.y, across.z, 0);
     }
@@ -121,7 +121,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         var sign = dot < 0 ? -1f : 1f;
         var angle = MathF.Acos(MathF.Min(dot * sign, 1));
         var sine = MathF.Sin(angle);
-        // Too close for the division; linear interpolation gives the same result.
+        // For nearly equal rotations, the sine is too small to divide by. Linear interpolation gives the same result.
         return sine < 1e-4f
             ? Normalize(Sum(a, 1 - t, b, sign * t))
             : Sum(a, MathF.Sin((1 - t) * angle) / sine, b, sign * MathF.Sin(t * angle) / sine);

@@ -2,13 +2,13 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>Rotations as the images of right, up and forward.</summary>
+/// <summary>Rotations given by the rotated vectors right, up and forward.</summary>
 static class RotationMatrix
 {
-    /// <summary>Converts to a quaternion. The three vectors must be orthonormal, in Unity's order.</summary>
+    /// <summary>Converts a rotation to a quaternion. The three vectors must be orthonormal and form Unity's left-handed axes.</summary>
     internal static Quaternion ToQuaternion(Vector3 right, Vector3 up, Vector3 forward)
     {
-        // Divides by the largest component, to keep the precision near half a turn.
+        // Divides by the largest component of the quaternion, because the precision would be low near half a turn otherwise.
         var trace = right.x + up.y + forward.z;
         if (trace > 0)
         {

@@ -8,7 +8,7 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public const float kEpsilon = 1E-05f;
     public const float kEpsilonNormalSqrt = 1E-15f;
 
-    // Two vectors are the same to == when they are closer than kEpsilon.
+    // Square of the distance below which == regards two vectors as equal.
     internal const float EqualitySquared = kEpsilon * kEpsilon;
 
     public float x;

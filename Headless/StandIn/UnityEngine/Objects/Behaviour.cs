@@ -25,14 +25,14 @@ public class Behaviour : Component
 
     public bool isActiveAndEnabled => !Destroyed && _enabled && Owner is { activeInHierarchy: true };
 
-    /// <summary>Whether it is enabled, on an active object, and has received OnEnable.</summary>
+    /// <summary>Whether the behaviour is enabled on an active object and has received OnEnable.</summary>
     internal bool Running { get; private set; }
 
     internal override void Activated() => UpdateRunning();
 
     internal override void Deactivated() => UpdateRunning();
 
-    /// <summary>Whether the object may run, which requires that it is awake.</summary>
+    /// <summary>Whether the behaviour may run. A script may run only after Awake.</summary>
     internal virtual bool MayRun => true;
 
     internal virtual void StartRunning() { }

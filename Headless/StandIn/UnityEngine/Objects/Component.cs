@@ -56,12 +56,12 @@ public class Component : Object
 
     internal void AttachTo(GameObject owner) => _gameObject = owner;
 
-    /// <summary>Called when its GameObject becomes active, or when it is added to an active one.</summary>
+    /// <summary>Called when the GameObject becomes active, or when the component is added to an active GameObject.</summary>
     internal virtual void Activated() { }
 
-    /// <summary>Called when its GameObject becomes inactive.</summary>
+    /// <summary>Called when the GameObject becomes inactive.</summary>
     internal virtual void Deactivated() { }
 
-    /// <summary>Called just before the object is destroyed and equals null.</summary>
+    /// <summary>Called right before the component is destroyed, while it does not yet equal null.</summary>
     internal virtual void Destroying() { }
 }

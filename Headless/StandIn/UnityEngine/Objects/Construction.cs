@@ -4,7 +4,7 @@ using System.Runtime.ExceptionServices;
 
 namespace UnityEngine;
 
-/// <summary>Creates objects of the engine's classes with any constructor, including private ones, like the engine.</summary>
+/// <summary>Creates objects of Unity's classes, also with a private constructor, as Unity does.</summary>
 static class Construction
 {
     internal static Object Create(Type type)

@@ -54,13 +54,13 @@ public sealed partial class GameObject : Object
         }
     }
 
-    /// <summary>The components in the order in which they were added, the Transform first.</summary>
+    /// <summary>Components in the order in which they were added. The Transform is the first.</summary>
     internal IReadOnlyList<Component> Components => _components;
 
-    /// <summary>The scene of the object; null for a prefab and for an object under construction.</summary>
+    /// <summary>Scene of the object; null for a prefab, and until a new object is added to a scene.</summary>
     internal SceneContent Content { get; private set; }
 
-    /// <summary>Creates an object without a scene, which does not wake until <see cref="SceneContent.Adopt"/>.</summary>
+    /// <summary>Creates an object that is not in a scene. Its scripts do not wake before <see cref="SceneContent.Adopt"/>.</summary>
     internal static GameObject Detached(string name) => new(name, (SceneContent)null);
 
     public bool CompareTag(string tag) => this.tag == tag;
@@ -97,7 +97,7 @@ public sealed partial class GameObject : Object
 
     public T AddComponent<T>() where T : Component => (T)AddComponent(typeof(T));
 
-    /// <summary>Adds a component without messages and without required components.</summary>
+    /// <summary>Adds a component. Does not call its messages and does not add the components that it requires.</summary>
     internal Component Add(Type type)
     {
         if (_components.Count > 0 && typeof(Transform).IsAssignableFrom(type)) return TransformOf(type);
@@ -108,7 +108,7 @@ public sealed partial class GameObject : Object
         return component;
     }
 
-    /// <summary>Replaces the Transform by a derived class, as in Unity; here only before it has children.</summary>
+    /// <summary>Replaces the Transform with an object of a derived class, as Unity does. The stand-in supports this only without children.</summary>
     Transform TransformOf(Type type)
     {
         if (type.IsInstanceOfType(transform)) return transform;
@@ -119,7 +119,7 @@ public sealed partial class GameObject : Object
         return replacing;
     }
 
-    /// <summary>Sets the flag before the object is in a scene.</summary>
+    /// <summary>Sets <see cref="activeSelf"/> of an object that is not in a scene yet.</summary>
     internal void SetActiveSelf(bool value) => activeSelf = value;
 
     internal void SetActiveInHierarchy(bool value) => activeInHierarchy = value;

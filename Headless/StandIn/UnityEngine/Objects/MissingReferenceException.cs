@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>A member of a destroyed object was accessed.</summary>
+/// <summary>Thrown when a member of a destroyed object is accessed.</summary>
 sealed class MissingReferenceException : SystemException
 {
     internal MissingReferenceException(string message) : base(message) { }

@@ -25,7 +25,7 @@ public class MonoBehaviour : Behaviour
     public void StopCoroutine(Coroutine routine) => World.Coroutines.Stop(this, routine);
     public void StopCoroutine(IEnumerator routine) => World.Coroutines.Stop(this, routine);
 
-    /// <summary>Calls Start once, before the first frame message that it gets.</summary>
+    /// <summary>Calls Start unless it was called before. This happens before the first frame message of the script.</summary>
     internal void EnsureStarted()
     {
         if (_started) return;
@@ -39,7 +39,7 @@ public class MonoBehaviour : Behaviour
         if (!_awake && World.RunsScript(Script))
         {
             _awake = true;
-            // A script whose Awake throws is disabled.
+            // As in Unity, a script is disabled if its Awake throws.
             if (!Script.Call(Message.Awake, this)) enabled = false;
         }
 

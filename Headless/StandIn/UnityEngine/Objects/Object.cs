@@ -41,18 +41,18 @@ public partial class Object
         }
     }
 
-    /// <summary>The world in which it was created.</summary>
+    /// <summary>World in which the object was created.</summary>
     internal World World { get; }
 
     internal bool Destroyed { get; private set; }
 
-    /// <summary>Whether it is an asset, which is protected from being destroyed by mistake.</summary>
+    /// <summary>Whether the object is an asset. Destroy refuses assets, so that scripts do not destroy them by mistake.</summary>
     internal bool IsAsset { get; private set; }
 
-    /// <summary>The object that provides this object's name: for a component its GameObject, otherwise the object itself.</summary>
+    /// <summary>Object that has this object's name: the GameObject of a component, otherwise the object itself.</summary>
     internal virtual Object NameOwner => this;
 
-    /// <summary>Creates a copy with the class's own code; null if Instantiate must copy the serialised fields.</summary>
+    /// <summary>Creates a copy for Instantiate; returns null if Instantiate must copy the serialised fields.</summary>
     internal virtual Object Duplicate() => null;
 
     public int GetInstanceID() => _instanceId;
@@ -102,7 +102,7 @@ public partial class Object
         }
     }
 
-    /// <summary>Marks the object as destroyed; it then equals null.</summary>
+    /// <summary>Marks the object as destroyed. It equals null afterwards.</summary>
     internal void MarkDestroyed()
     {
         Destroyed = true;

@@ -2,7 +2,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine;
 
-/// <summary>Stores the serialised fields; there is no layout here. Internal, because no script of the package uses it.</summary>
+/// <summary>Stores the serialised fields of a RectTransform. Has no layout, and is internal because no script of the package uses it.</summary>
 sealed class RectTransform : Transform
 {
     [SerializeField, SerializedName("m_AnchorMin")] internal Vector2 _anchorMin = new(0.5f, 0.5f);

@@ -4,7 +4,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>Requirements of a component class on its object.</summary>
+/// <summary>Requirements of a component class: other components, and whether a GameObject may have only one instance.</summary>
 sealed class Requirements
 {
     Requirements(Type type)
@@ -22,7 +22,7 @@ sealed class Requirements
         Types = types;
     }
 
-    /// <summary>Whether at most one instance is allowed.</summary>
+    /// <summary>Whether a GameObject may have at most one instance.</summary>
     internal bool Alone { get; }
 
     internal IReadOnlyList<Type> Types { get; }

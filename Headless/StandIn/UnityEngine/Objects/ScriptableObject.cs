@@ -13,7 +13,7 @@ public class ScriptableObject : Object
 
     public static T CreateInstance<T>() where T : ScriptableObject => (T)CreateInstance(typeof(T));
 
-    /// <summary>Creates an object without Awake and OnEnable, so that its fields can be set before <see cref="Wake"/>.</summary>
+    /// <summary>Creates an object without calling Awake and OnEnable. The caller sets its fields and then calls <see cref="Wake"/>.</summary>
     internal static ScriptableObject CreateAsleep(Type type) => (ScriptableObject)Construction.Create(type);
 
     internal void Wake()

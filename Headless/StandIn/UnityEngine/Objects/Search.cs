@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Finds objects of the loaded scenes, in the order of the hierarchy.</summary>
+/// <summary>Finds objects in the loaded scenes, in the order of the hierarchy.</summary>
 static class Search
 {
     internal static Object First(Type type, bool includeInactive)

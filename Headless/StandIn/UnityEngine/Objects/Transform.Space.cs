@@ -8,7 +8,7 @@ public partial class Transform
     [SerializeField, SerializedName("m_LocalRotation")] Quaternion _localRotation = Quaternion.identity;
     [SerializeField, SerializedName("m_LocalScale")] Vector3 _localScale = Vector3.one;
 
-    // World pose, computed on demand and kept until an ancestor moves.
+    // Cached pose in the world; valid while _known is true, which is until the transform or an ancestor moves.
     Matrix4x4 _matrix;
     Quaternion _rotation;
     bool _known;
@@ -86,7 +86,7 @@ public partial class Transform
         set => rotation = Quaternion.Euler(value);
     }
 
-    /// <summary>Exact unless a rotated object is below one with non-uniform scale.</summary>
+    /// <summary>Scale in the world. Not exact if the object is rotated relative to an ancestor with non-uniform scale.</summary>
     public Vector3 lossyScale
     {
         get
@@ -136,24 +136,24 @@ public partial class Transform
     public Vector3 InverseTransformPoint(Vector3 position)
     {
         ThrowIfDestroyed();
-        // Step by step from the root: the rounding of a 4x4 inverse in floats is visible at arm's length.
+        // Converts step by step from the root, because the rounding error of an inverse 4x4 matrix of floats is too large at a metre.
         var above = _parent is null ? position : _parent.InverseTransformPoint(position);
         return Unscaled(Quaternion.Inverse(_localRotation) * (above - _localPosition));
     }
 
-    /// <summary>Converts a vector from the world to local axes and scale.</summary>
+    /// <summary>Converts a vector from the world to the axes and the scale of this transform.</summary>
     internal Vector3 InverseVector(Vector3 vector)
     {
         var above = _parent is null ? vector : _parent.InverseVector(vector);
         return Unscaled(Quaternion.Inverse(_localRotation) * above);
     }
 
-    /// <summary>Invalidates the world pose. Also call this after setting the fields directly.</summary>
+    /// <summary>Marks the cached pose as out of date. Must also be called after fields were set directly.</summary>
     internal void MarkMoved()
     {
         if (!_known) return;
 
-        // If the pose is not known, no descendant's pose is known.
+        // If this pose is already out of date, the poses of all descendants are, too.
         _known = false;
         foreach (var child in _children) child.MarkMoved();
     }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Place of an object in the hierarchy; see the other part for its pose.</summary>
+/// <summary>Place of an object in the hierarchy. The other part of this class contains the pose.</summary>
 public partial class Transform : Component, IEnumerable
 {
     readonly List<Transform> _children = new();
@@ -57,7 +57,7 @@ public partial class Transform : Component, IEnumerable
         Lifecycle.Refresh(Owner);
     }
 
-    /// <summary>Sets the parent without activating or deactivating anything yet.</summary>
+    /// <summary>Sets the parent. Does not activate or deactivate objects.</summary>
     internal void Hang(Transform parent, bool worldPositionStays)
     {
         ThrowIfDestroyed();
@@ -87,7 +87,7 @@ public partial class Transform : Component, IEnumerable
         return false;
     }
 
-    /// <summary>Finds a child by its name, or by a path of names with slashes; does not search deeper.</summary>
+    /// <summary>Finds a child by its name, or a descendant by a path of names separated by slashes.</summary>
     public Transform Find(string n)
     {
         ThrowIfDestroyed();
@@ -103,7 +103,7 @@ public partial class Transform : Component, IEnumerable
 
     public int GetSiblingIndex() => _parent is null ? Owner.Content?.IndexOf(Owner) ?? 0 : _parent._children.IndexOf(this);
 
-    /// <summary>Removes it from its parent or its scene, because it is being destroyed.</summary>
+    /// <summary>Removes the transform from its parent or its scene. Called when it is being destroyed.</summary>
     internal void Leave()
     {
         if (_parent is not null) _parent._children.Remove(this);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>The engine's exception for invalid use.</summary>
+/// <summary>Thrown when Unity's API is used in an invalid way.</summary>
 sealed class UnityException : SystemException
 {
     internal UnityException(string message) : base(message) { }

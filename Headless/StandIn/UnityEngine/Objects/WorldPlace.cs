@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>The world pose of an object, to be kept while its parent changes.</summary>
+/// <summary>Pose of an object in the world, stored while its parent changes.</summary>
 readonly struct WorldPlace
 {
     readonly Matrix4x4 _matrix;
@@ -12,7 +12,7 @@ readonly struct WorldPlace
         _rotation = of.rotation;
     }
 
-    /// <summary>Restores position and rotation; the scale only as far as three numbers without skew allow.</summary>
+    /// <summary>Restores position, rotation and scale. The scale is approximate if the new parent would require a skew.</summary>
     internal void Restore(Transform to)
     {
         to.localScale = Vector3.one;

@@ -4,7 +4,10 @@ using UnityEngine.Events;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>Application.onBeforeRender: calls its methods in the order of their attribute, then of their subscription.</summary>
+/// <summary>
+/// Implements Application.onBeforeRender. Calls the handlers in the order of their BeforeRenderOrder attribute, then in the order of
+/// subscription.
+/// </summary>
 sealed class BeforeRender
 {
     readonly List<(int Order, UnityAction Call)> _calls = new();
@@ -28,7 +31,7 @@ sealed class BeforeRender
 
     internal void Invoke()
     {
-        // A copy, because a call may unsubscribe.
+        // Iterates over a copy, because a handler may unsubscribe.
         _calling.Clear();
         foreach (var (_, call) in _calls) _calling.Add(call);
         foreach (var call in _calling) Callbacks.Call(call);

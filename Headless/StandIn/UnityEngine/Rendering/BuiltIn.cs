@@ -1,9 +1,9 @@
 namespace UnityEngine;
 
-/// <summary>The engine's built-in resources: meshes of the primitives, the default material, and that of the font.</summary>
+/// <summary>Unity's built-in resources: the meshes of the primitives, the default material, and the material of the font.</summary>
 static class BuiltIn
 {
-    // Shared by the process, as in the engine; never changed or destroyed.
+    // The resources belong to the whole process, as in Unity, so they have a world of their own. They are never changed or destroyed.
     static readonly World Own = new(isPlaying: false, _ => { });
 
     static Material s_material;
@@ -14,7 +14,7 @@ static class BuiltIn
 
     internal static Material FontMaterial => s_fontMaterial ? s_fontMaterial : s_fontMaterial = MakeFontMaterial();
 
-    /// <summary>Gets boxes of the primitives' documented sizes, because nothing draws them.</summary>
+    /// <summary>Returns the mesh of a primitive. It is a box with the documented size of the primitive, because nothing draws it.</summary>
     internal static Mesh Mesh(PrimitiveType type)
     {
         if (Meshes[(int)type]) return Meshes[(int)type];
@@ -31,7 +31,7 @@ static class BuiltIn
         }
     }
 
-    /// <summary>Gets a resource by Unity's file name; null for any other, including fonts, because nothing draws text.</summary>
+    /// <summary>Returns the resource with a file name of Unity; null if it is unknown. Fonts are unknown, because nothing draws text.</summary>
     internal static Object Resource(string path) => path switch
     {
         "Cube.fbx" => Mesh(PrimitiveType.Cube),

@@ -19,7 +19,7 @@ public sealed class Camera : Behaviour
 
     public delegate void CameraCallback(Camera cam);
 
-    /// <summary>The first enabled one that is tagged MainCamera.</summary>
+    /// <summary>The first enabled camera with the tag MainCamera.</summary>
     public static Camera main => World.Current.Cameras.Main;
 
     public float nearClipPlane
@@ -34,7 +34,7 @@ public sealed class Camera : Behaviour
         set => _far = value;
     }
 
-    /// <summary>Vertical, degrees.</summary>
+    /// <summary>Vertical field of view in degrees.</summary>
     public float fieldOfView
     {
         get => _fieldOfView;

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>The enabled cameras of a world, and the callbacks before and after each camera renders.</summary>
+/// <summary>The enabled cameras of a world, and the delegates called before and after each camera renders.</summary>
 sealed class Cameras
 {
     readonly List<Camera> _enabled = new();
@@ -25,7 +25,7 @@ sealed class Cameras
 
     internal void Remove(Camera camera) => _enabled.Remove(camera);
 
-    /// <summary>Sets Unity's static fields to the delegates of the current world.</summary>
+    /// <summary>Sets the static fields of <see cref="Camera"/> to the delegates of this world, which has become the current one.</summary>
     internal void Resume()
     {
         _current = true;
@@ -42,7 +42,7 @@ sealed class Cameras
     internal void Render()
     {
         SortByDepth();
-        // By index, because a callback may disable a camera.
+        // Iterates by index, because a callback may disable a camera.
         for (var i = 0; i < _enabled.Count; i++)
         {
             var camera = _enabled[i];
@@ -51,7 +51,7 @@ sealed class Cameras
         }
     }
 
-    // In place and stable, because a depth may change at any time.
+    // Sorts before each rendering, because scripts may change a depth at any time. The sort is stable and does not allocate.
     void SortByDepth()
     {
         for (var i = 1; i < _enabled.Count; i++)

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Timings of one frame, in milliseconds.</summary>
+/// <summary>Timings of one frame in ms.</summary>
 public struct FrameTiming
 {
     public double cpuFrameTime;

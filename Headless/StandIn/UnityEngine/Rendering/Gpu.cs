@@ -3,35 +3,37 @@ using UnityEngine.XR;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>The graphics processor as configured by tests: which of its times are available, and how late it answers.</summary>
+/// <summary>Simulated GPU and headset display. Tests configure which times they report, and the delay of readbacks.</summary>
 sealed class Gpu
 {
     readonly List<Readback> _readbacks = new();
     readonly Stack<Readback> _done = new();
 
-    /// <summary>Null if no headset display is running.</summary>
+    /// <summary>The headset's display; null if no display is running.</summary>
     internal XRDisplaySubsystem Display { get; private set; }
 
-    /// <summary>GPU time of the last frame reported by the headset's display, s; null if unknown.</summary>
+    /// <summary>GPU time of the last frame in s, as reported by the headset's display; null if it is not reported.</summary>
     internal float? DisplayGpuTime { get; set; }
 
-    /// <summary>Refresh rate reported by the headset's display, Hz; null if unknown.</summary>
+    /// <summary>Refresh rate in Hz, as reported by the headset's display; null if it is not reported.</summary>
     internal float? DisplayHz { get; set; }
 
     internal GraphicsDeviceType Api { get; set; } = GraphicsDeviceType.Direct3D11;
 
     internal RenderingThreadingMode Threading { get; set; } = RenderingThreadingMode.MultiThreaded;
 
-    /// <summary>Null for the built-in pipeline.</summary>
+    /// <summary>Render pipeline asset; null for the built-in pipeline.</summary>
     internal RenderPipelineAsset RenderPipeline { get; set; }
 
-    /// <summary>Times of the last frames in ms, newest first; empty if nothing is measured.</summary>
+    /// <summary>Timings of the last frames, newest first; empty if they are not measured.</summary>
     internal List<FrameTiming> FrameTimings { get; } = new();
 
-    /// <summary>Number of frames until a readback is done, at the start of that frame; at least 1. Negative if readbacks are not supported.</summary>
+    /// <summary>
+    /// Number of frames, at least 1, after which a readback completes (at the start of a frame). Negative: readbacks are not supported.
+    /// </summary>
     internal int ReadbackFrames { get; set; } = -1;
 
-    /// <summary>Whether readbacks report an error.</summary>
+    /// <summary>Whether readbacks complete with an error.</summary>
     internal bool ReadbacksFail { get; set; }
 
     internal int PendingReadbacks => _readbacks.Count;

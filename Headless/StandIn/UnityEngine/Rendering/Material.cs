@@ -19,7 +19,7 @@ public class Material : Object
 
     public Shader shader { get; set; }
 
-    /// <summary>Gets or sets the material's own queue; -1 selects the shader's queue, which is then returned.</summary>
+    /// <summary>Render queue of the material. If it is set to -1, the getter returns the queue of the shader.</summary>
     public int renderQueue
     {
         get => OwnRenderQueue >= 0 || !shader ? OwnRenderQueue : shader.renderQueue;

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>Values of one kind by the id of their property's name.</summary>
+/// <summary>Values of the properties of one type, by the ids of the property names.</summary>
 sealed class MaterialProperties<T>
 {
     readonly Dictionary<int, T> _values = new();

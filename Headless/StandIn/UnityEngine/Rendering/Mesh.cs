@@ -31,7 +31,7 @@ public sealed class Mesh : Object
         set => _normals = Copy(value);
     }
 
-    /// <summary>Triangles of all submeshes; three indices each, clockwise seen from outside.</summary>
+    /// <summary>Triangles of all submeshes, with three vertex indices per triangle, clockwise as seen from outside.</summary>
     public int[] triangles
     {
         get
@@ -48,7 +48,7 @@ public sealed class Mesh : Object
         }
     }
 
-    /// <summary>Whether its content may still be read and changed.</summary>
+    /// <summary>Whether scripts may still read and change the content of the mesh.</summary>
     internal bool IsReadable { get; private set; } = true;
 
     public void SetVertices(List<Vector3> inVertices) => vertices = inVertices.ToArray();
@@ -63,7 +63,7 @@ public sealed class Mesh : Object
     public void SetTriangles(int[] triangles, int submesh, bool calculateBounds) =>
         SetTriangles(triangles, 0, triangles.Length, submesh, calculateBounds);
 
-    /// <summary>Does not allocate while the number of indices is unchanged.</summary>
+    /// <summary>Sets the triangles. Does not allocate if the number of indices does not change.</summary>
     public void SetTriangles(int[] triangles, int trianglesStart, int trianglesLength, int submesh, bool calculateBounds = true, int baseVertex = 0)
     {
         ThrowIfDestroyed();

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>One request to the graphics processor. Reused after it is done, because requests create no garbage in the engine.</summary>
+/// <summary>One readback request. Later requests reuse the object, because in Unity requests do not allocate managed memory.</summary>
 sealed class Readback
 {
     Action<AsyncGPUReadbackRequest> _callback;

@@ -25,7 +25,7 @@ public class Renderer : Component
         }
     }
 
-    /// <summary>Bounding box in world axes of the mesh's own bounding box after the object's transform, as in Unity.</summary>
+    /// <summary>Bounding box in the world of the transformed bounding box of the mesh, as in Unity.</summary>
     public Bounds bounds
     {
         get
@@ -69,7 +69,7 @@ public class Renderer : Component
         get => (Material[])_materials.Clone();
         set
         {
-            // In place if possible, so that changing materials only allocates the caller's array.
+            // Copies into the existing array if possible, so that a change of the materials does not allocate.
             if (value.Length == _materials.Length) System.Array.Copy(value, _materials, value.Length);
             else _materials = (Material[])value.Clone();
         }
@@ -96,7 +96,7 @@ public class Renderer : Component
         properties.CopyFrom(_block);
     }
 
-    /// <summary>Sets the block of one material, which is used instead of the renderer's. Null removes it.</summary>
+    /// <summary>Sets the block of one material, which replaces the block of the renderer for this material. Null removes it.</summary>
     public void SetPropertyBlock(MaterialPropertyBlock properties, int materialIndex)
     {
         ThrowIfDestroyed();

@@ -11,12 +11,12 @@ public sealed class Shader : Object
         ["Background"] = 1000, ["Geometry"] = 2000, ["AlphaTest"] = 2450, ["Transparent"] = 3000, ["Overlay"] = 4000,
     };
 
-    // Ids are valid for the process, as in the engine, because code keeps them in static fields.
+    // As in Unity, the ids are valid for the whole process: code stores them in static fields.
     static readonly Dictionary<string, int> Ids = new();
 
     internal Shader() { }
 
-    /// <summary>Tags of the SubShader that is used.</summary>
+    /// <summary>Tags of the SubShader in use.</summary>
     internal IReadOnlyDictionary<string, string> Tags { get; set; } = new Dictionary<string, string>();
 
     public int renderQueue

@@ -15,7 +15,7 @@ public sealed class TextMesh : Component
     [SerializeField, SerializedName("m_RichText")] bool _richText = true;
     [SerializeField, SerializedName("m_Color")] Color32 _color = new(255, 255, 255, 255);
 
-    /// <summary>Number of changes of the text; each creates a new mesh.</summary>
+    /// <summary>Number of changes of the text. In Unity, each change builds a new mesh.</summary>
     internal int TextChanges { get; private set; }
 
     public string text

@@ -2,7 +2,7 @@ namespace UnityEngine;
 
 public sealed class Texture2D : Texture
 {
-    /// <summary>Has no pixels, because nothing reads them.</summary>
+    /// <summary>Creates a texture. The stand-in stores no pixels, because nothing reads them.</summary>
     public Texture2D(int width, int height) { }
 
     public void Apply() { }

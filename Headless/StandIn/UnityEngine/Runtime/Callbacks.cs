@@ -3,7 +3,7 @@ using UnityEngine.Events;
 
 namespace UnityEngine;
 
-/// <summary>Calls scripts' delegates and logs their exceptions.</summary>
+/// <summary>Calls delegates of scripts, and logs their exceptions.</summary>
 static class Callbacks
 {
     internal static void Call(UnityAction call)

@@ -2,15 +2,15 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>The engine's times in seconds. They change only from frame to frame.</summary>
+/// <summary>Unity's times, in s. They change only from frame to frame.</summary>
 sealed class Clock
 {
-    // The engine's delta time of the first frame.
+    // Delta time of the first frame, as in Unity.
     const double FirstDelta = 0.02;
 
     internal int Frame { get; private set; }
 
-    /// <summary>Time since the start, independent of the time scale.</summary>
+    /// <summary>Time since the start, without the time scale.</summary>
     internal double Real { get; private set; }
 
     internal double RealDelta { get; private set; }
@@ -23,7 +23,7 @@ sealed class Clock
     internal float Scale { get; set; } = 1;
     internal float MaximumDelta { get; set; } = 1f / 3;
 
-    /// <summary>Begins a frame at the given time.</summary>
+    /// <summary>Starts a frame at a time, given in s.</summary>
     internal void Advance(double seconds)
     {
         if (!double.IsFinite(seconds)) throw new ArgumentOutOfRangeException(nameof(seconds), seconds, "the time of a frame must be finite");

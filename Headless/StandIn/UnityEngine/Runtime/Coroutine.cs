@@ -20,7 +20,7 @@ public sealed class Coroutine : YieldInstruction
 
     internal void End() => Ended = true;
 
-    /// <summary>Continues the routine. Returns whether it has more steps.</summary>
+    /// <summary>Continues the coroutine to its next yield. Returns false if it has ended.</summary>
     internal bool MoveNext(int frame)
     {
         if (!Routine.MoveNext()) return false;
@@ -36,7 +36,7 @@ public sealed class Coroutine : YieldInstruction
     {
         if (_waitsFor is WaitForEndOfFrame) return endOfFrame;
 
-        // In the next frame at the earliest, for every kind of wait.
+        // Whatever the coroutine waits for, it continues in the next frame at the earliest.
         return !endOfFrame && frame > _frame && (_waitsFor is not Coroutine other || other.Ended);
     }
 }

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>The routines that scripts started.</summary>
+/// <summary>Runs the coroutines that scripts have started.</summary>
 sealed class Coroutines
 {
     readonly World _world;
@@ -38,7 +38,9 @@ sealed class Coroutines
         }
     }
 
-    /// <summary>Continues the routines that wait for a frame or a time. Routines started in between wait for the next frame.</summary>
+    /// <summary>
+    /// Continues the coroutines that wait for a frame or a time. Coroutines that are started meanwhile continue in the next frame.
+    /// </summary>
     internal void Update() => Pass(endOfFrame: false);
 
     internal void EndOfFrame() => Pass(endOfFrame: true);

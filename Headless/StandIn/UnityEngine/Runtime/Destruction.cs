@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Destroys objects: immediately, or between the frame's updates and its rendering.</summary>
+/// <summary>Destroys objects: immediately, or between the updates and the rendering of a frame.</summary>
 sealed class Destruction
 {
     readonly World _world;
@@ -29,10 +29,10 @@ sealed class Destruction
         if (MayEnd(what, alsoAssets)) End(what);
     }
 
-    /// <summary>Destroys the objects that are due.</summary>
+    /// <summary>Destroys the objects whose time has come.</summary>
     internal void Flush()
     {
-        // Objects added by an OnDestroy are destroyed in the same pass.
+        // Objects that an OnDestroy adds to the list are destroyed in the same pass.
         for (var i = 0; i < _waiting.Count; i++)
         {
             var (what, at) = _waiting[i];

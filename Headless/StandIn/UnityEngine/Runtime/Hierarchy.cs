@@ -4,7 +4,7 @@ namespace UnityEngine;
 
 static class Hierarchy
 {
-    /// <summary>Adds the object and all below it, parents before children.</summary>
+    /// <summary>Adds an object and all its descendants to a list, parents before their children.</summary>
     internal static void Collect(GameObject top, List<GameObject> into)
     {
         into.Add(top);

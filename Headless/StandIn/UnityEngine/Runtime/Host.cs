@@ -3,20 +3,20 @@ using System.IO;
 
 namespace UnityEngine;
 
-/// <summary>The application around the engine.</summary>
+/// <summary>Properties of the application in which the engine runs.</summary>
 sealed class Host
 {
     readonly object _lock = new();
 
     internal event Application.LogCallback LogReceived;
 
-    /// <summary>Version of the editor, or of the player's engine.</summary>
+    /// <summary>Unity version of the editor or player.</summary>
     internal string UnityVersion { get; set; } = "2022.3.62f1";
 
     internal bool RunInBackground { get; set; } = true;
     internal bool Focused { get; set; } = true;
 
-    /// <summary>Folder for the application's files; created when the first file is written.</summary>
+    /// <summary>Folder for the files of the application. It is created when the first file is written.</summary>
     internal string PersistentDataPath { get; set; } = Path.Combine(Path.GetTempPath(), "Nowpose Player");
 
     /// <summary>Folder of the files shipped with the application; a URL if they are in an archive.</summary>

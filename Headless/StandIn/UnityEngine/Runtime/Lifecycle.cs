@@ -8,7 +8,7 @@ static class Lifecycle
 {
     internal static void Activate(GameObject root) => Activate(new[] { root });
 
-    /// <summary>Wakes and enables all active objects of the hierarchies, script by script in the execution order.</summary>
+    /// <summary>Activates the active objects of hierarchies: calls Awake and OnEnable, script by script in the execution order.</summary>
     internal static void Activate(IReadOnlyList<GameObject> roots)
     {
         var waking = new List<GameObject>();
@@ -18,15 +18,15 @@ static class Lifecycle
         }
 
         foreach (var gameObject in waking) gameObject.SetActiveInHierarchy(true);
-        // OrderBy keeps the hierarchy's order among equals.
+        // OrderBy is stable, so components with the same execution order stay in the order of the hierarchy.
         foreach (var component in waking.SelectMany(g => g.Components).OrderBy(Order).ToList())
         {
-            // A script that woke earlier may have deactivated or destroyed it.
+            // Another script may have deactivated or destroyed this component in its Awake.
             if (!component.Destroyed && component.Owner.activeInHierarchy) component.Activated();
         }
     }
 
-    /// <summary>Updates an object and its descendants after its flag or its parent has changed.</summary>
+    /// <summary>Activates or deactivates an object and its descendants after its active flag or its parent has changed.</summary>
     internal static void Refresh(GameObject changed)
     {
         if (ShouldBeActive(changed) == changed.activeInHierarchy) return;
@@ -35,7 +35,7 @@ static class Lifecycle
         else Activate(changed);
     }
 
-    /// <summary>Deactivates a hierarchy, children before their parents.</summary>
+    /// <summary>Deactivates an object and its descendants, children before their parents.</summary>
     internal static void Deactivate(GameObject root)
     {
         var stopping = new List<GameObject>();
@@ -63,6 +63,6 @@ static class Lifecycle
         for (var i = 0; i < top.transform.childCount; i++) CollectActive(top.transform.GetChild(i).gameObject, into);
     }
 
-    // The engine's own components come before all scripts.
+    // Unity's own components come before all scripts.
     static int Order(Component component) => component is MonoBehaviour script ? script.Script.Order : int.MinValue;
 }

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>One line of the console.</summary>
+/// <summary>One entry of the console.</summary>
 readonly struct LogEntry
 {
     internal LogEntry(LogType type, string message, Exception exception, Object context)
@@ -16,7 +16,7 @@ readonly struct LogEntry
     internal LogType Type { get; }
     internal string Message { get; }
 
-    /// <summary>Null unless the entry is an exception.</summary>
+    /// <summary>The logged exception; null if the entry is a message.</summary>
     internal Exception Exception { get; }
 
     internal Object Context { get; }

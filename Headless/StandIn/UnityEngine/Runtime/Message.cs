@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Messages without arguments that the engine calls on scripts by name.</summary>
+/// <summary>Messages without arguments: methods of scripts that Unity calls by name.</summary>
 enum Message
 {
     Awake,

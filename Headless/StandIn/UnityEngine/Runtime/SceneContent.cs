@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>The root objects of one scene, in order.</summary>
+/// <summary>The root objects of a scene, in order.</summary>
 sealed class SceneContent
 {
     readonly List<GameObject> _roots = new();
@@ -20,7 +20,7 @@ sealed class SceneContent
     internal bool IsLoaded { get; set; } = true;
     internal IReadOnlyList<GameObject> Roots => _roots;
 
-    /// <summary>Adds hierarchies that were created outside of the scene, and wakes their active objects together.</summary>
+    /// <summary>Adds hierarchies that were created outside of scenes, and then activates all of them together.</summary>
     internal void Adopt(IReadOnlyList<GameObject> roots)
     {
         foreach (var root in roots)

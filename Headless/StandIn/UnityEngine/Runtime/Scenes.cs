@@ -11,7 +11,7 @@ sealed class Scenes
 
     internal Scenes() => Active = Add("", "");
 
-    /// <summary>The scene of new objects.</summary>
+    /// <summary>The active scene, to which new objects are added.</summary>
     internal SceneContent Active { get; set; }
 
     internal IReadOnlyList<SceneContent> Loaded => _loaded;
@@ -37,7 +37,7 @@ sealed class Scenes
         else Debug.LogWarning("DontDestroyOnLoad only works for root GameObjects or components on root GameObjects.", root);
     }
 
-    /// <summary>Every object of every scene, parents before children.</summary>
+    /// <summary>Returns all objects of all scenes, parents before their children.</summary>
     internal IEnumerable<GameObject> GameObjects()
     {
         var found = new List<GameObject>();

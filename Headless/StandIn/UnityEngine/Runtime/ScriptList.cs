@@ -2,14 +2,14 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Scripts by execution order, then by their addition. May change during an iteration.</summary>
+/// <summary>Scripts in execution order, then in the order of their addition. The list may change during an iteration.</summary>
 sealed class ScriptList
 {
     readonly List<MonoBehaviour> _places = new();
     readonly List<MonoBehaviour> _arriving = new();
     bool _hasGaps;
 
-    /// <summary>Number of places to iterate over; some may be empty.</summary>
+    /// <summary>Number of places in the list. Some places may be empty.</summary>
     internal int Size => _places.Count;
 
     internal int Count
@@ -24,10 +24,10 @@ sealed class ScriptList
 
     internal MonoBehaviour this[int index] => _places[index];
 
-    /// <summary>Adds a script from the next pass on.</summary>
+    /// <summary>Adds a script. The next pass is the first one that includes it.</summary>
     internal void Add(MonoBehaviour script) => _arriving.Add(script);
 
-    /// <summary>Removes a script immediately, even from the current pass.</summary>
+    /// <summary>Removes a script, also from a pass in progress.</summary>
     internal void Remove(MonoBehaviour script)
     {
         if (_arriving.Remove(script)) return;
@@ -43,7 +43,7 @@ sealed class ScriptList
     {
         if (_hasGaps)
         {
-            // Removes empty places like RemoveAll, but without allocating its delegate.
+            // Removes the empty places. RemoveAll is not used, because its delegate would allocate.
             var kept = 0;
             for (var i = 0; i < _places.Count; i++)
             {

@@ -5,12 +5,12 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>Metadata of a script class: its messages, its execution order and its requirements.</summary>
+/// <summary>Metadata of a script class: messages, execution order and requirements.</summary>
 sealed class ScriptType
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
-    // Unity messages that are not supported and would change a script's behaviour. They are refused instead of ignored.
+    // Messages of Unity that the stand-in does not support. A script with one of them is rejected, because it would behave differently.
     static readonly string[] NotCalled =
     {
         "FixedUpdate", "OnGUI", "OnBecameVisible", "OnBecameInvisible", "OnWillRenderObject", "OnRenderObject", "OnRenderImage",
@@ -45,7 +45,7 @@ sealed class ScriptType
         _focus = MessageCall<bool>.To(type, Method(type, "OnApplicationFocus", typeof(bool)));
     }
 
-    /// <summary>Execution order; lower numbers run earlier.</summary>
+    /// <summary>Execution order. Scripts with lower numbers run earlier.</summary>
     internal int Order { get; }
 
     internal bool RunsInEditMode { get; }
@@ -54,7 +54,7 @@ sealed class ScriptType
 
     internal bool Has(Message message) => _messages[(int)message] != null;
 
-    /// <summary>Calls a message. Returns whether it succeeded; an exception is logged with the script as context, as in the engine.</summary>
+    /// <summary>Calls a message. As in Unity, an exception is logged with the script as context. Returns false in this case.</summary>
     internal bool Call(Message message, MonoBehaviour script) => Guard(_messages[(int)message], script);
 
     internal void Pause(MonoBehaviour script, bool paused) => Guard(_pause, script, paused);

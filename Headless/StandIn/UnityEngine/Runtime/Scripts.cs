@@ -1,13 +1,13 @@
 namespace UnityEngine;
 
-/// <summary>The running scripts, in the order of execution.</summary>
+/// <summary>The running scripts in execution order.</summary>
 sealed class Scripts
 {
     readonly ScriptList _starting = new();
     readonly ScriptList _updating = new();
     readonly ScriptList _lateUpdating = new();
 
-    /// <summary>Scripts that run and have a message for every frame.</summary>
+    /// <summary>Number of registrations of running scripts for Start, Update and LateUpdate.</summary>
     internal int Count => _starting.Count + _updating.Count + _lateUpdating.Count;
 
     internal void Add(MonoBehaviour script, bool starts)
@@ -24,7 +24,7 @@ sealed class Scripts
         _lateUpdating.Remove(script);
     }
 
-    /// <summary>Calls Start on running scripts that have not received it.</summary>
+    /// <summary>Calls Start on the running scripts that have not received it yet.</summary>
     internal void Start()
     {
         _starting.BeginPass();
@@ -49,7 +49,7 @@ sealed class Scripts
         {
             var script = scripts[i];
             script?.EnsureStarted();
-            // The place is empty if Start has destroyed or disabled the script.
+            // The place is empty if the script was destroyed or disabled in its Start.
             if (script is not null && ReferenceEquals(scripts[i], script)) script.Script.Call(message, script);
         }
     }

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>All state of the engine. Unity's static members use the current world. Main thread only, except for the log.</summary>
+/// <summary>All state of the engine. Unity's static members use the current world. Only the log may be used from other threads.</summary>
 sealed class World
 {
-    // Used by tests in edit mode; never disposed.
+    // The world of tests in edit mode. It exists as long as the process.
     static readonly World EditMode = new(isPlaying: false, EditModeLog);
 
     static World s_current = EditMode;
@@ -15,8 +15,8 @@ sealed class World
     readonly Action<LogEntry> _log;
     int _lastId;
 
-    /// <param name="isPlaying">Whether all scripts run; otherwise only those that run in edit mode.</param>
-    /// <param name="log">Receives every log entry, from any thread.</param>
+    /// <param name="isPlaying">Whether all scripts run; if false, only scripts that run in edit mode.</param>
+    /// <param name="log">Called with each log entry, from any thread.</param>
     internal World(bool isPlaying, Action<LogEntry> log)
     {
         IsPlaying = isPlaying;
@@ -39,20 +39,20 @@ sealed class World
     internal Rendering.Gpu Gpu { get; } = new();
     internal Dictionary<string, Shader> Shaders { get; } = new();
 
-    /// <summary>Number of objects that were created in it and not destroyed, without assets.</summary>
+    /// <summary>Number of objects that were created in this world and are not destroyed. Assets do not count.</summary>
     internal int ObjectCount => _objects.Count;
 
-    /// <summary>Number of delegates subscribed to the engine's events.</summary>
+    /// <summary>Number of delegates that are subscribed to Unity's events.</summary>
     internal int SubscriberCount => BeforeRender.Count + Cameras.SubscriberCount + Host.SubscriberCount;
 
     internal IReadOnlyCollection<Object> Objects => _objects;
 
-    /// <summary>Makes this world the current one until the scope is disposed.</summary>
+    /// <summary>Makes this world the current one until the returned scope is disposed.</summary>
     internal WorldScope Enter() => new(this);
 
     internal bool RunsScript(ScriptType type) => IsPlaying || type.RunsInEditMode;
 
-    /// <summary>Gets a new id. As in Unity, ids of objects created at run time are negative.</summary>
+    /// <summary>Returns a new instance id. As in Unity, ids of objects created at run time are negative.</summary>
     internal int NextId() => --_lastId;
 
     internal void Register(Object made) => _objects.Add(made);
@@ -74,7 +74,7 @@ sealed class World
         return before;
     }
 
-    /// <summary>Stops a disposed world from being the current one.</summary>
+    /// <summary>Makes the world of edit mode the current one if the current world has ended.</summary>
     internal static void Leave(World ended)
     {
         if (ReferenceEquals(s_current, ended)) MakeCurrent(EditMode);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>Makes a world the current one until it is disposed, which restores the previous one.</summary>
+/// <summary>Makes a world the current one. Disposing the scope restores the previous world.</summary>
 readonly struct WorldScope : IDisposable
 {
     readonly World _before;

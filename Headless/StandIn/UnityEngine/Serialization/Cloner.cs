@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Serialization;
 
-/// <summary>Object.Instantiate: copies Unity's serialised data. References inside the copied hierarchy are changed to the copies.</summary>
+/// <summary>
+/// Implements Object.Instantiate: copies the fields that Unity serialises. In the copy, references to objects of the hierarchy refer to their
+/// copies.
+/// </summary>
 sealed class Cloner
 {
     readonly Dictionary<Object, Object> _copies = new();
@@ -104,7 +107,7 @@ sealed class Cloner
         if (SerializedFields.IsList(type)) return CopyOfList((System.Collections.IList)value, type);
         if (!SerializedFields.IsNested(type) || SerializedFields.IsEngineValue(type)) return value;
 
-        // Files cannot store null for these types.
+        // Unity cannot serialise null for these types, so the copy has an object in any case.
         var made = Activator.CreateInstance(type, nonPublic: true);
         if (value != null)
         {

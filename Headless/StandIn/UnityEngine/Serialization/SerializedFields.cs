@@ -5,17 +5,17 @@ using System.Reflection;
 
 namespace UnityEngine.Serialization;
 
-/// <summary>The fields of a class that Unity serialises and Instantiate copies, by its documented rules.</summary>
+/// <summary>Finds the fields of a class that Unity serialises, according to Unity's documented rules. Instantiate copies these fields.</summary>
 static class SerializedFields
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
     static readonly ConcurrentDictionary<Type, FieldInfo[]> Known = new();
 
-    /// <summary>Gets the fields, those of the base classes first, each in the order of the source.</summary>
+    /// <summary>Returns the fields in the order of the source, the fields of base classes first.</summary>
     internal static IReadOnlyList<FieldInfo> Of(Type type) => Known.GetOrAdd(type, Read);
 
-    /// <summary>Finds a field by its current or former name in files; null if there is none.</summary>
+    /// <summary>Returns the field with a current or former name in files; null if there is none.</summary>
     internal static FieldInfo Find(Type type, string name)
     {
         foreach (var field in Of(type))
@@ -34,18 +34,18 @@ static class SerializedFields
         return null;
     }
 
-    /// <summary>Gets the field's name in files.</summary>
+    /// <summary>Returns the name of a field in files.</summary>
     internal static string NameOf(FieldInfo field) => field.GetCustomAttribute<SerializedNameAttribute>()?.Name ?? field.Name;
 
     internal static bool IsList(Type type) => type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);
 
-    /// <summary>Whether a class or struct is serialised field by field.</summary>
+    /// <summary>Returns whether Unity serialises a class or struct field by field.</summary>
     internal static bool IsNested(Type type) =>
         !type.IsPrimitive && !type.IsEnum && type != typeof(string) && !typeof(Object).IsAssignableFrom(type) && !type.IsAbstract &&
         !typeof(Delegate).IsAssignableFrom(type) &&
         (type.IsSerializable || IsEngineValue(type)) && type.Namespace?.StartsWith("System", StringComparison.Ordinal) != true;
 
-    /// <summary>Whether the type is a vector, a colour or similar.</summary>
+    /// <summary>Returns whether a type is a struct of Unity, for example a vector or a colour.</summary>
     internal static bool IsEngineValue(Type type) => type.IsValueType && type.Assembly == typeof(Object).Assembly;
 
     static FieldInfo[] Read(Type type)

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine.Serialization;
 
-/// <summary>The name that Unity's files have for a field of the engine's own classes.</summary>
+/// <summary>Name of a field in Unity's files, for fields of Unity's own classes.</summary>
 [AttributeUsage(AttributeTargets.Field)]
 sealed class SerializedNameAttribute : Attribute
 {

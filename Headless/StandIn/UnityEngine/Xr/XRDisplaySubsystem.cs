@@ -17,7 +17,7 @@ public class XRDisplaySubsystem : IntegratedSubsystem<XRDisplaySubsystemDescript
 
     public ReprojectionMode reprojectionMode { get; set; }
 
-    /// <summary>Whether the display asks for depth; null before its first frame.</summary>
+    /// <summary>Whether the display requests depth; null before its first frame.</summary>
     internal bool? AsksForDepth { get; set; }
 
     public int GetRenderPassCount() => AsksForDepth.HasValue ? 1 : 0;

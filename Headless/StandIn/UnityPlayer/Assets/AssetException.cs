@@ -2,7 +2,10 @@ using System;
 
 namespace Nowpose.UnityPlayer.Assets;
 
-/// <summary>A file is invalid, or Unity would lose data of it. The message names the file, the object (fileID) and the field.</summary>
+/// <summary>
+/// Thrown when an asset file is invalid, or when Unity would lose some of its data. The message names the file, the fileID of the object, and the
+/// field.
+/// </summary>
 public sealed class AssetException : Exception
 {
     public AssetException()

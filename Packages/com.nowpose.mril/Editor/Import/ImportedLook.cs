@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Shows an imported robot in the colours of its URDF, or in the materials that the user chose.</summary>
+    /// <summary>Supplies an imported robot with the materials that the user chose, or with materials in the colours of its URDF.</summary>
     sealed class ImportedLook : IRigLook
     {
         static readonly VisualColour Uncoloured = new VisualColour(0.8, 0.8, 0.8, 1);
@@ -19,8 +19,8 @@ namespace Nowpose.Editor.Import
         readonly Dictionary<string, Material> _materials = new Dictionary<string, Material>(StringComparer.Ordinal);
         Shader _shader;
 
-        /// <param name="arm">Material of the links up to the flange; null for the URDF's own colours.</param>
-        /// <param name="tool">Material of the links that the flange carries; null for the URDF's own colours.</param>
+        /// <param name="arm">Material of the links up to the flange; null for the colours of the URDF.</param>
+        /// <param name="tool">Material of the links that the flange carries; null for the colours of the URDF.</param>
         public ImportedLook(AssetImportContext context, Material arm, Material tool)
         {
             _context = context;

@@ -1,13 +1,16 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Finds the file for a mesh name of a URDF (<c>package://NAME/…</c> or a relative path) among a Unity project's assets.</summary>
+    /// <summary>
+    /// Finds the file for the name of a mesh in a URDF (<c>package://NAME/…</c> or a path) among the assets of a Unity project.
+    /// </summary>
     /// <remarks>
-    /// ROS finds a package by its manifest. A Unity project has no manifests, so the folder name identifies the package. The search covers
-    /// the folders above the URDF and beside each of them, nearest first, then Packages and Assets.
+    /// ROS finds a package by its manifest. A Unity project does not contain these manifests, so the name of a folder identifies the package. The
+    /// search covers the folders above the URDF and the folders beside each of them, nearest first, and then Packages and Assets.
     /// </remarks>
     sealed class MeshLocator
     {
@@ -17,8 +20,8 @@ namespace Nowpose.Editor.Import
         readonly string _projectFolder;
         readonly Func<string, bool> _exists;
 
-        /// <param name="urdfPath">The URDF's path within the project.</param>
-        /// <param name="projectFolder">The project's absolute path, for URDFs that contain absolute paths.</param>
+        /// <param name="urdfPath">Path of the URDF within the project.</param>
+        /// <param name="projectFolder">Absolute path of the project, for URDFs that contain absolute paths.</param>
         /// <param name="exists">Returns whether a file exists at a path within the project.</param>
         public MeshLocator(string urdfPath, string projectFolder, Func<string, bool> exists)
         {
@@ -30,11 +33,11 @@ namespace Nowpose.Editor.Import
         public MeshReference Find(string name)
         {
             var path = name.Replace('\\', '/');
-            if (path.Contains("$(")) return Fault(name, "is not a path; expand the file with xacro first");
+            if (path.Contains("$(")) return Fault(name, MeshMessages.Xacro);
             foreach (var scheme in PackageSchemes)
                 if (path.StartsWith(scheme, StringComparison.OrdinalIgnoreCase)) return InPackage(name, path.Substring(scheme.Length));
             if (path.StartsWith("file://", StringComparison.OrdinalIgnoreCase)) path = OfFileUri(path);
-            else if (path.Contains("://")) return Fault(name, "is not supported; use package://, file:// or a path");
+            else if (path.Contains("://")) return Fault(name, MeshMessages.Scheme);
             if (IsRooted(path)) return Absolute(name, path);
             var relative = Normal(_folder + "/" + path);
             return relative == null ? Outside(name) : FirstOf(name, new[] { relative });
@@ -43,7 +46,7 @@ namespace Nowpose.Editor.Import
         MeshReference InPackage(string name, string path)
         {
             var slash = path.IndexOf('/');
-            if (slash <= 0 || slash == path.Length - 1) return Fault(name, "does not name a file in a package; use package://NAME/PATH");
+            if (slash <= 0 || slash == path.Length - 1) return Fault(name, MeshMessages.NoFileInPackage);
             var package = path.Substring(0, slash);
             var file = path.Substring(slash + 1);
             var candidates = new List<string>();
@@ -69,15 +72,15 @@ namespace Nowpose.Editor.Import
             var path = candidates.FirstOrDefault(_exists);
             return path != null
                 ? new MeshReference(path, candidates, null)
-                : new MeshReference(null, candidates, "'" + name + "' was not found; searched at " + string.Join(", ", candidates));
+                : new MeshReference(null, candidates, MeshMessages.NotFound(name, string.Join(", ", candidates)));
         }
 
         static MeshReference Outside(string name) =>
-            Fault(name, "is outside the project's Assets and Packages; copy it beside the URDF and use a path relative to the URDF");
+            Fault(name, MeshMessages.Outside);
 
         static MeshReference Fault(string name, string fault) => new MeshReference(null, Array.Empty<string>(), "'" + name + "' " + fault);
 
-        // file:///a/… means /a/…, and file:///C:/… means C:/….
+        // Converts file:///a/… to /a/…, and file:///C:/… to C:/….
         static string OfFileUri(string uri)
         {
             var path = uri.Substring("file://".Length);
@@ -86,7 +89,7 @@ namespace Nowpose.Editor.Import
 
         static bool IsRooted(string path) => path.StartsWith('/') || path.Length > 1 && path[1] == ':';
 
-        /// <summary>Returns the path without . and .., or null if it leaves the folders that Unity imports.</summary>
+        /// <summary>Returns the path without . and .., or null if it is outside the folders that Unity imports.</summary>
         static string Normal(string path)
         {
             var parts = new List<string>();

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEngine;
@@ -8,8 +9,8 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Supplies one import with the meshes that its URDF names, and declares the import's dependencies on them.</summary>
-    /// <remarks>Logs one warning for each file that cannot be used; the rest of the robot is imported.</remarks>
+    /// <summary>Supplies the meshes that a URDF names, and declares that the import of the URDF depends on them.</summary>
+    /// <remarks>Logs one warning for each file that cannot be used. The rest of the robot is still imported.</remarks>
     sealed class MeshSource
     {
         readonly AssetImportContext _context;
@@ -23,9 +24,11 @@ namespace Nowpose.Editor.Import
             _locator = ProjectFiles.LocatorFor(context.assetPath);
         }
 
-        /// <param name="name">Name of the file in the URDF.</param>
-        /// <param name="material">Material of an STL, and of a model if it replaces the model's own; null otherwise.</param>
-        /// <returns>An object that shows the mesh in the visual's frame, in Unity's axes; null if the mesh cannot be used.</returns>
+        /// <summary>Creates an object that shows a mesh in the visual's frame, in Unity's axes.</summary>
+        /// <param name="name">Name of the file as in the URDF.</param>
+        /// <param name="material">Material of the mesh if the file is an STL, or if <paramref name="replacesMaterials"/> is true.</param>
+        /// <param name="replacesMaterials">Whether the material replaces the materials that a model file contains.</param>
+        /// <returns>Null if the mesh cannot be used.</returns>
         public GameObject Show(string name, Material material, bool replacesMaterials)
         {
             if (_failed.Contains(name)) return null;
@@ -43,7 +46,9 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        /// <summary>Returns whether Unity itself imports such a file and the importer uses Unity's result.</summary>
+        /// <summary>
+        /// Returns whether a file has a format that Unity itself imports. The URDF importer then uses the result of Unity's import.
+        /// </summary>
         public static bool IsModel(string path)
         {
             var extension = Path.GetExtension(path).ToLowerInvariant();
@@ -61,7 +66,7 @@ namespace Nowpose.Editor.Import
                 throw new InputException("mesh " + mesh.Fault);
             }
             if (IsStl(mesh.Path) || IsModel(mesh.Path)) return mesh.Path;
-            throw new InputException("mesh '" + name + "' has an unsupported format; allowed: STL, OBJ, DAE and FBX");
+            throw new InputException(MeshMessages.Format(name));
         }
 
         GameObject ShowStl(string path, Material material)
@@ -84,7 +89,7 @@ namespace Nowpose.Editor.Import
         {
             _context.DependsOnArtifact(path);
             var model = AssetDatabase.LoadAssetAtPath<GameObject>(path);
-            if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; see its import log for the reason");
+            if (model == null) throw new InputException(MeshMessages.NotImported(path));
             var turn = TurnOf(path);
             var shown = new GameObject();
             var axes = new GameObject("axes").transform;
@@ -99,7 +104,7 @@ namespace Nowpose.Editor.Import
                 ? Quaternion.identity
                 : ModelAxes.ToRobot(ModelHeader.UpAxisOf(ProjectFiles.FullPath(path)));
 
-        // A model may contain cameras and lights, and object names that a rig would take for links.
+        // Removes cameras and lights, which a model may contain, and renames its objects, because a rig finds its links by name.
         static void Adapt(GameObject instance, Material material)
         {
             foreach (var behaviour in instance.GetComponentsInChildren<Behaviour>(true)) Object.DestroyImmediate(behaviour);
@@ -113,7 +118,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        // Unity identifies the objects of an imported file by their name paths.
+        // The names of siblings must differ, because Unity identifies the objects of an imported file by the path of their names.
         static string MeshName(int index) => index == 0 ? "mesh" : "mesh " + (index + 1);
     }
 }

@@ -6,15 +6,19 @@ using System.Xml;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Reads the up axis of a model file from its beginning.</summary>
-    /// <remarks>Unity rotates a model by that axis but does not expose it. A file without the entry is Y-up, in Unity and in the formats.</remarks>
+    /// <summary>Reads the up axis from the header of a model file.</summary>
+    /// <remarks>
+    /// Unity rotates a model according to this axis but does not report it. A file that does not specify it is Y-up, both in Unity and according to
+    /// the file formats.
+    /// </remarks>
     static class ModelHeader
     {
-        // The entry is in the file's first section; a thumbnail may precede it.
+        // Number of bytes to search. The up axis is in the first section of the file, but a thumbnail may precede it.
         const int Searched = 1 << 20;
         const int MaxProperties = 8;
 
-        /// <param name="path">A .dae, .fbx or .obj file.</param>
+        /// <summary>Returns the up axis of a file.</summary>
+        /// <param name="path">Path of a .dae, .fbx or .obj file.</param>
         public static UpAxis UpAxisOf(string path)
         {
             using (var file = File.OpenRead(path)) return UpAxisOf(file, Path.GetExtension(path));
@@ -41,7 +45,7 @@ namespace Nowpose.Editor.Import
             }
             catch (XmlException)
             {
-                // Unity cannot read the file either; its model importer logs the error.
+                // Ignored here, because Unity cannot read the file either, and its model importer logs the error.
                 return UpAxis.Y;
             }
         }
@@ -75,7 +79,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        // A node's properties follow each other: 'S', length and characters for a string; 'I' and four bytes for an integer.
+        // Format of the properties of a node, one after the other: 'S', length and characters for a string; 'I' and four bytes for an integer.
         static int? BinaryUpAxis(byte[] bytes)
         {
             var at = bytes.AsSpan().IndexOf(Encoding.ASCII.GetBytes("S\u0006\0\0\0UpAxis"));
@@ -89,7 +93,7 @@ namespace Nowpose.Editor.Import
             return null;
         }
 
-        // Example: P: "UpAxis", "int", "Integer", "",1
+        // Example of the line to read: P: "UpAxis", "int", "Integer", "",1
         static int? TextUpAxis(byte[] bytes)
         {
             var text = Encoding.ASCII.GetString(bytes);

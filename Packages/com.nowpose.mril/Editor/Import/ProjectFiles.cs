@@ -2,7 +2,8 @@ using System.IO;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Maps asset paths to files. The editor's working folder is the project; it maps Packages/NAME to the package's folder.</summary>
+    /// <summary>Converts asset paths to paths of files.</summary>
+    /// <remarks>The working folder of the editor is the project. In it, the editor maps Packages/NAME to the folder of the package.</remarks>
     static class ProjectFiles
     {
         public static string FullPath(string assetPath) => Path.GetFullPath(assetPath);

@@ -1,19 +1,22 @@
 using System;
 using System.Buffers.Binary;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Binary STL: 80 arbitrary bytes, the number of triangles, and 50 bytes per triangle, all little-endian.</summary>
+    /// <summary>Reads binary STL: 80 arbitrary bytes, the number of triangles, and 50 bytes per triangle, all little-endian.</summary>
     static class StlBinary
     {
         const int Header = 80;
         const int Start = 84;
         const int Stride = 50;
 
-        // The facet's normal precedes the corners. Exporters often write it as zero or wrong, so it is not read.
+        // Number of bytes of the normal, which precedes the corners. It is not read, because many exporters write a zero or wrong normal.
         const int Normal = 12;
 
-        /// <summary>Returns whether the length fits the triangle count, or the content cannot be text (for a truncated file).</summary>
+        /// <summary>
+        /// Returns whether a file is binary: its length fits the number of triangles, or (in case the file is truncated) its content cannot be text.
+        /// </summary>
         public static bool Recognises(byte[] content)
         {
             if (content.Length >= Start && content.Length == LengthFor(Count(content))) return true;
@@ -23,13 +26,11 @@ namespace Nowpose.Editor.Import
         public static StlTriangles Read(byte[] content, string sourceName)
         {
             if (content.Length < Start)
-                throw new InputException(sourceName + ", byte " + content.Length + ": the file ends within its header of "
-                    + Start + " bytes; it is not an STL file, or it is incomplete; export it again");
+                throw new InputException(StlMessages.HeaderCut(sourceName, content.Length, Start));
             var count = Count(content);
             if (count > StlReader.MaxTriangles) throw StlReader.TooMany(sourceName + ", byte " + Header, count);
             if (content.Length != LengthFor(count))
-                throw new InputException(sourceName + ", byte " + Header + ": " + count + " triangles take " + LengthFor(count)
-                    + " bytes, the file has " + content.Length + (content.Length < LengthFor(count) ? "; it is incomplete, export it again" : ""));
+                throw new InputException(StlMessages.OtherLength(sourceName, Header, count, LengthFor(count), content.Length));
 
             var triangles = new StlTriangles();
             var corners = new float[9];
@@ -49,8 +50,7 @@ namespace Nowpose.Editor.Import
         {
             var number = BitConverter.Int32BitsToSingle(BinaryPrimitives.ReadInt32LittleEndian(content.AsSpan(at)));
             if (float.IsNaN(number) || float.IsInfinity(number))
-                throw new InputException(sourceName + ", byte " + at + ": triangle " + ((at - Start) / Stride + 1)
-                    + " has a corner that is not a finite number");
+                throw new InputException(StlMessages.NotFinite(sourceName, at, (at - Start) / Stride + 1));
             return number;
         }
     }

@@ -6,17 +6,17 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Builds a Unity mesh from an STL's triangles: in Unity's axes, with flat shading.</summary>
+    /// <summary>Builds a Unity mesh from the triangles of an STL, in Unity's axes and with flat shading.</summary>
     /// <remarks>
-    /// STL contains neither rounded edges nor shared corners. Corners at one position become one vertex if their faces have the same
-    /// direction, so the edges of a machined part stay sharp.
+    /// In an STL, each triangle has its own corners. Corners at the same position become one vertex if their triangles have the same direction. The
+    /// edges between faces of different directions therefore stay sharp.
     /// </remarks>
     sealed class StlMesh
     {
-        // Number of indices that 16 bits address.
-        const int MaxShortIndices = 65535;
+        // Maximum number of vertices of a mesh with 16-bit indices.
+        const int MaxVerticesWith16Bits = 65535;
 
-        // Directions that differ by less than about a twentieth of a degree are rounding of one plane.
+        // Number of steps from 0 to 1 to which the components of a direction are rounded: triangles of one plane differ by up to about 0.05°.
         const float DirectionSteps = 1000;
 
         readonly Dictionary<(Vector3, Vector3), int> _known = new Dictionary<(Vector3, Vector3), int>();
@@ -29,14 +29,14 @@ namespace Nowpose.Editor.Import
             var builder = new StlMesh();
             for (var i = 0; i < triangles.Count; i++) builder.Add(triangles.Coordinates, 9 * i);
             var mesh = new Mesh { name = name };
-            if (builder._vertices.Count > MaxShortIndices) mesh.indexFormat = IndexFormat.UInt32;
+            if (builder._vertices.Count > MaxVerticesWith16Bits) mesh.indexFormat = IndexFormat.UInt32;
             mesh.SetVertices(builder._vertices);
             mesh.SetNormals(builder._normals);
             mesh.SetTriangles(builder._indices, 0);
             return mesh;
         }
 
-        // The conversion of axes mirrors the mesh, so the corner order is reversed; otherwise the mesh would be inside out.
+        // Reverses the order of the corners, because the conversion of the axes mirrors the mesh and would turn it inside out.
         void Add(IReadOnlyList<float> coordinates, int at)
         {
             Vector3 a = Corner(coordinates, at), b = Corner(coordinates, at + 6), c = Corner(coordinates, at + 3);
@@ -60,7 +60,7 @@ namespace Nowpose.Editor.Import
             return new Vector3((float)x, (float)y, (float)z);
         }
 
-        // Uses double precision, because Vector3.Normalize returns zero for the normal of a triangle of one millimetre.
+        // Uses double, because Vector3.Normalize returns zero for the cross product of edges of one millimetre.
         static Vector3 Normal(Vector3 a, Vector3 b, Vector3 c)
         {
             double px = (double)b.x - a.x, py = (double)b.y - a.y, pz = (double)b.z - a.z;

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Import
 {
-    /// <summary>The up axis that a model file specifies.</summary>
+    /// <summary>Up axis of a model file.</summary>
     enum UpAxis
     {
         X,

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Anchoring;
+using Nowpose.Editor.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using UnityEditor;
@@ -8,12 +9,12 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Shows the base frame's pose in URDF axes (x forward, y left, z up), with buttons that nudge it along its own axes.</summary>
+    /// <summary>Shows the pose of the base frame in URDF axes (x forward, y left, z up). Has buttons that shift it along its own axes.</summary>
     [CustomEditor(typeof(BaseAnchor))]
     [CanEditMultipleObjects]
     sealed class BaseAnchorEditor : LiveInspector
     {
-        // The smallest change that is visible on a robot at arm's length.
+        // Step sizes of the buttons: the smallest changes that are visible on a robot at arm's length.
         const float StepMetres = 0.005f;
         const float StepDegrees = 0.5f;
 
@@ -25,8 +26,8 @@ namespace Nowpose.Editor.Inspectors
             var (at, turn) = (place.position, place.rotation);
             var pose = UnityFrame.FromUnity(new UnityPose(at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w));
             Vector3 forward = turn * Vector3.forward, up = turn * Vector3.up;
-            EditorGUILayout.LabelField("Base in the room, m", "x " + Metres(pose.X) + "   y " + Metres(pose.Y) + "   z " + Metres(pose.Z));
-            EditorGUILayout.LabelField("Turned to the left", Degrees(Math.Atan2(-forward.x, forward.z)));
+            EditorGUILayout.LabelField(InspectorTexts.BasePosition, "x " + Metres(pose.X) + "   y " + Metres(pose.Y) + "   z " + Metres(pose.Z));
+            EditorGUILayout.LabelField(InspectorTexts.BaseRotation, Degrees(Math.Atan2(-forward.x, forward.z)));
             EditorGUILayout.LabelField("Tilted", Degrees(Math.Atan2(Math.Sqrt(up.x * up.x + up.z * up.z), up.y)));
             DrawSteps("x", "back", "forward", (1, 0, 0));
             DrawSteps("y", "right", "left", (0, 1, 0));

@@ -1,10 +1,11 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Offers the controls of the headset's prompt, and reads codes without a camera.</summary>
+    /// <summary>Has the buttons of the headset's consent prompt, and a button that reads a code from the clipboard.</summary>
     [CustomEditor(typeof(CellPairing))]
     sealed class CellPairingEditor : LiveInspector
     {
@@ -14,15 +15,15 @@ namespace Nowpose.Editor.Inspectors
         {
             if (!Target.isActiveAndEnabled)
             {
-                EditorGUILayout.LabelField("Pairs", "nothing, it is disabled");
+                EditorGUILayout.LabelField("Pairs", InspectorTexts.Disabled);
                 return;
             }
-            // Read once: a button changes it, and the controls must stay the same within one event.
+            // Reads the cell only once, because a button may change it, and the number of controls must not change within one event.
             var cell = Target.Cell;
             EditorGUILayout.LabelField("Cell", cell ?? "–");
             EditorGUILayout.HelpBox(Target.Words, Target.Problem == null ? MessageType.Info : MessageType.Warning);
             if (Target.Question != null) DrawAnswers();
-            if (GUILayout.Button("Read the code on the clipboard")) Target.ReadCode(EditorGUIUtility.systemCopyBuffer);
+            if (GUILayout.Button(InspectorTexts.ReadClipboard)) Target.ReadCode(EditorGUIUtility.systemCopyBuffer);
             if (cell != null && GUILayout.Button("Forget the cell")) Target.Forget();
         }
 

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Value range of a chart: round numbers around the known values, including zero.</summary>
+    /// <summary>Value range of a chart. It has round limits and contains zero and all known values.</summary>
     readonly struct ChartRange
     {
         ChartRange(float bottom, float top)
@@ -22,10 +22,10 @@ namespace Nowpose.Editor.Inspectors
             return top > bottom ? new ChartRange(bottom, top) : new ChartRange(0, 1);
         }
 
-        /// <summary>Returns the position of a value in the range: 0 at the bottom, 1 at the top.</summary>
+        /// <summary>Returns the position of a value in the range, from 0 at the bottom to 1 at the top.</summary>
         public float PartOf(float value) => (value - Bottom) / (Top - Bottom);
 
-        // Rounds up to 1, 2, 5, 10, …, so that small changes of the value keep the scale.
+        // Rounds up to 1, 2 or 5 times a power of ten, so that small changes of the value do not change the scale.
         static float Round(float value)
         {
             var power = Math.Pow(10, Math.Floor(Math.Log10(value)));

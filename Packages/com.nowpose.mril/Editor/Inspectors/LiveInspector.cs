@@ -1,9 +1,10 @@
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>An inspector with the component's fields, its missing references and, in play mode, its live values.</summary>
+    /// <summary>An inspector that shows the fields of a component, its missing references and, in play mode, its live values.</summary>
     abstract class LiveInspector : UnityEditor.Editor
     {
         public sealed override void OnInspectorGUI()
@@ -14,7 +15,7 @@ namespace Nowpose.Editor.Inspectors
             if (!Application.isPlaying) return;
             EditorGUILayout.Space();
             if (targets.Length == 1) DrawLive();
-            else EditorGUILayout.HelpBox("Live values are shown for one object at a time.", MessageType.Info);
+            else EditorGUILayout.HelpBox(InspectorTexts.OneObject, MessageType.Info);
         }
 
         public override bool RequiresConstantRepaint() => Application.isPlaying && targets.Length == 1;
@@ -23,14 +24,14 @@ namespace Nowpose.Editor.Inspectors
 
         protected virtual void OnDisable() => EditorApplication.update -= Sample;
 
-        /// <summary>Draws rows and controls that are also available outside play mode; called only if one object is selected.</summary>
+        /// <summary>Draws rows and controls that are also available outside play mode. Called only if exactly one object is selected.</summary>
         protected virtual void DrawAlways() { }
 
-        /// <summary>Draws the current values; called only in play mode and if one object is selected.</summary>
+        /// <summary>Draws the current values. Called only in play mode and if exactly one object is selected.</summary>
         protected virtual void DrawLive() { }
 
-        /// <summary>Records the plotted values; called often in play mode, even while the inspector is not drawn.</summary>
-        /// <param name="time">Time since the editor's start, in s.</param>
+        /// <summary>Records values for charts. Called many times per second in play mode, even while the inspector is not drawn.</summary>
+        /// <param name="time">Time since the start of the editor in s.</param>
         protected virtual void Sample(double time) { }
 
         void Sample()
@@ -46,7 +47,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.HelpBox(shortcoming.Message, MessageType.Warning);
                 if (shortcoming.FixLabel != null && GUILayout.Button(shortcoming.FixLabel)) clicked = shortcoming;
             }
-            // Delayed to the end, because the controls must stay the same within one event.
+            // Applied after all controls are drawn, because the number of controls must not change within one event.
             clicked?.Fix();
         }
     }

@@ -6,8 +6,8 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Draws a string as a drop-down of the names that its attribute lists.</summary>
-    /// <remarks>A name that is not in the list stays in the field, as the last entry, until the user chooses another one.</remarks>
+    /// <summary>Draws a string field as a drop-down list of the names given by its attribute.</summary>
+    /// <remarks>If the field contains another name, this name is the last entry of the list until the user chooses one of the others.</remarks>
     [CustomPropertyDrawer(typeof(NameChoiceAttribute), true)]
     sealed class NameChoiceDrawer : PropertyDrawer
     {

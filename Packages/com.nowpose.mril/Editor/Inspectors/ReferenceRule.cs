@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A reference that a component requires.</summary>
+    /// <summary>Rule that a reference of a component must be set.</summary>
     sealed class ReferenceRule
     {
         readonly Type _component, _above;
@@ -13,10 +13,13 @@ namespace Nowpose.Editor.Inspectors
         readonly Func<Component, Object> _remedy;
         readonly Func<Component, bool> _applies;
 
-        /// <param name="field">Name of the serialised reference.</param>
-        /// <param name="above">Type that the component finds on its object or above if the reference is empty; null if it finds none.</param>
-        /// <param name="remedy">Returns the object to set the reference to; null if only the user can choose.</param>
-        /// <param name="applies">Whether the component needs the reference; null if it always needs it.</param>
+        /// <param name="field">Name of the serialised field.</param>
+        /// <param name="above">
+        /// Type that the component searches on its object and its parents if the reference is empty; null if it does not search.
+        /// </param>
+        /// <param name="message">Message to the user.</param>
+        /// <param name="remedy">Returns the object to assign; returns null if only the user can choose.</param>
+        /// <param name="applies">Returns whether a component needs the reference; null if every component does.</param>
         public ReferenceRule(
             Type component, string field, Type above, string message, Func<Component, Object> remedy, Func<Component, bool> applies = null)
         {
@@ -33,7 +36,7 @@ namespace Nowpose.Editor.Inspectors
             if (component.GetType() != _component || IsSet(component)) return false;
             if (_applies != null && !_applies(component)) return false;
             if (_above == null) return true;
-            // A prefab asset may be meant for a place below the required object.
+            // A prefab asset cannot be judged by its parents: the user may place its instances below the required object.
             return !EditorUtility.IsPersistent(component) && component.gameObject.GetComponentInParent(_above, true) == null;
         }
 

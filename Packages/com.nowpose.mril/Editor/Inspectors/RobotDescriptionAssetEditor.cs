@@ -1,12 +1,13 @@
 using System;
 using System.IO;
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Summarises a robot description, and loads a file into it.</summary>
+    /// <summary>Shows a summary of a robot description. Has a button that loads a URDF file into the asset.</summary>
     [CustomEditor(typeof(RobotDescriptionAsset))]
     sealed class RobotDescriptionAssetEditor : UnityEditor.Editor
     {
@@ -21,15 +22,15 @@ namespace Nowpose.Editor.Inspectors
             EditorGUILayout.LabelField("Characters", _summary.Length);
             EditorGUILayout.LabelField("SHA-256", _summary.Hash);
             if (_summary.Fault != null) EditorGUILayout.HelpBox(_summary.Fault, MessageType.Error);
-            // Delayed, because a dialog interrupts the drawing of this inspector.
-            if (GUILayout.Button("Load a URDF file …")) EditorApplication.delayCall += Choose;
+            // Opens the dialog later, because a dialog would interrupt the drawing of this inspector.
+            if (GUILayout.Button(InspectorTexts.LoadUrdf)) EditorApplication.delayCall += Choose;
             EditorGUILayout.HelpBox(_summary.Beginning, MessageType.None);
         }
 
         void Choose()
         {
             if (target == null) return;
-            var path = EditorUtility.OpenFilePanel("Load a URDF, xacro expanded", "", "urdf");
+            var path = EditorUtility.OpenFilePanel(InspectorTexts.LoadUrdfTitle, "", "urdf");
             if (string.IsNullOrEmpty(path)) return;
             try
             {
@@ -37,7 +38,7 @@ namespace Nowpose.Editor.Inspectors
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                Debug.LogError("[Nowpose] '" + target.name + "': " + path + " cannot be read; " + e.Message, target);
+                Debug.LogError(InspectorTexts.UrdfUnreadable(target.name, path, e.Message), target);
             }
         }
 

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using UnityEditor;
@@ -24,7 +25,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField(model.MovingJoints[i].Name, LiveText.Position(model.MovingJoints[i], Target.Joints[i]));
         }
 
-        // Objects cannot be added to a prefab asset that is not open.
+        // Not offered for a prefab asset, because Unity can add objects to a prefab only while the prefab is open.
         protected override void DrawAlways()
         {
             if (Application.isPlaying || EditorUtility.IsPersistent(target)) return;
@@ -48,7 +49,7 @@ namespace Nowpose.Editor.Inspectors
             {
                 var root = Target.BuildToStay(description.Read(), AssetDatabase.LoadAssetAtPath<Material>(PlainMaterial));
                 if (root != null) Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
-                else _refusal = "The rig already has links. Delete them to build the robot again.";
+                else _refusal = InspectorTexts.HasLinks;
             }
             catch (InputException fault)
             {

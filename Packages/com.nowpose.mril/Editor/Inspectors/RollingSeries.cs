@@ -1,8 +1,9 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>The newest values of a quantity within a time window, oldest first. Allocates nothing after construction.</summary>
+    /// <summary>Stores the newest values of a quantity within a time window, oldest first. Allocates only at construction.</summary>
     sealed class RollingSeries
     {
         readonly double[] _times;
@@ -10,12 +11,12 @@ namespace Nowpose.Editor.Inspectors
         readonly double _seconds;
         int _first;
 
-        /// <param name="capacity">Maximum number of values, 2 or more.</param>
-        /// <param name="seconds">Length of the window in s, longer than 0.</param>
+        /// <param name="capacity">Maximum number of values, at least 2.</param>
+        /// <param name="seconds">Length of the window in s, more than 0.</param>
         public RollingSeries(int capacity, double seconds)
         {
-            if (capacity < 2) throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "capacity must be 2 or more");
-            if (!(seconds > 0)) throw new ArgumentOutOfRangeException(nameof(seconds), seconds, "seconds must be more than 0");
+            if (capacity < 2) throw new ArgumentOutOfRangeException(nameof(capacity), capacity, InspectorTexts.Capacity);
+            if (!(seconds > 0)) throw new ArgumentOutOfRangeException(nameof(seconds), seconds, InspectorTexts.Seconds);
             _times = new double[capacity];
             _values = new float[capacity];
             _seconds = seconds;
@@ -29,14 +30,15 @@ namespace Nowpose.Editor.Inspectors
         /// <summary>The newest value; NaN if it is unknown.</summary>
         public float Newest => Count == 0 ? float.NaN : _values[Slot(Count - 1)];
 
-        /// <summary>Time of a value in s, on the clock of <see cref="Add"/>.</summary>
+        /// <summary>Returns the time of the value at an index, in s, as passed to <see cref="Add"/>.</summary>
         public double TimeAt(int index) => _times[Slot(index)];
 
-        /// <summary>Value at an index; NaN if it was unknown.</summary>
+        /// <summary>Returns the value at an index; NaN if it was unknown.</summary>
         public float ValueAt(int index) => _values[Slot(index)];
 
-        /// <param name="time">Time in s, not before the newest; an earlier time, such as of another clock, clears the series first.</param>
-        /// <param name="value">Null if the value is unknown, which leaves a gap in the line.</param>
+        /// <summary>Adds a value, and removes the values that are no longer in the window.</summary>
+        /// <param name="time">Time in s. A time before the newest time, for example from another clock, clears the series first.</param>
+        /// <param name="value">The value; null if it is unknown, which leaves a gap in the line.</param>
         public void Add(double time, double? value)
         {
             if (Count > 0 && time < TimeAt(Count - 1)) Clear();
@@ -48,6 +50,7 @@ namespace Nowpose.Editor.Inspectors
 
         public void Clear() => _first = Count = 0;
 
+        /// <summary>Returns the range of the known values.</summary>
         /// <returns>False if no value is known.</returns>
         public bool TryGetRange(out float min, out float max)
         {

@@ -1,11 +1,13 @@
 using System.Collections.Generic;
+using Nowpose.Editor.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Reprojection;
+using Nowpose.Messages;
 using Nowpose.Session;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>The values of a session that the status panel does not show, as rows of a label and a value.</summary>
+    /// <summary>Creates the rows, each with label and value, for the statistics of a session that the status panel does not show.</summary>
     static class SessionRows
     {
         public static IEnumerable<(string Label, string Value)> Of(SessionStatistics session)
@@ -15,7 +17,7 @@ namespace Nowpose.Editor.Inspectors
             yield return ("End to end", LiveText.Ms(session.EndToEndLatency));
             yield return ("Display time", DisplayTimeOf(session));
             yield return ("Reprojection, depth", Words(ReprojectionModeNames.NameOf(session.Reprojection)) + ", "
-                + Words(DepthSubmissionWords.NameOf(session.DepthSubmission)));
+                + Words(DepthSubmissionMessages.NameOf(session.DepthSubmission)));
             yield return ("Error, uncompensated", LiveText.Mm(session.ErrorMm) + ", " + LiveText.Mm(session.HoldErrorMm));
             yield return ("Pose current, last 10 s", LiveText.Number(100 * session.CurrentShare, "0", " %"));
             foreach (var joint in session.JointStatuses) yield return ("Joint " + joint.Joint, joint.Description);
@@ -29,7 +31,7 @@ namespace Nowpose.Editor.Inspectors
         static string DisplayTimeOf(SessionStatistics session)
         {
             if (session.IsDisplayTimeImplausible) return "implausible, " + LiveText.Ms(session.DisplayTimeAhead) + " ahead";
-            return session.IsLightPredicted ? "predicted by the runtime" : "as calibrated";
+            return session.IsLightPredicted ? InspectorTexts.Predicted : "as calibrated";
         }
     }
 }

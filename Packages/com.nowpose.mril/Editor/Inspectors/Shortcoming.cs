@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A reference that is missing on components, and the object that a click assigns to it.</summary>
+    /// <summary>A reference that one or more components lack, with the object that a click on a button assigns to it.</summary>
     sealed class Shortcoming
     {
         readonly List<Object> _components = new List<Object>();
@@ -20,16 +20,16 @@ namespace Nowpose.Editor.Inspectors
             _remedy = remedy;
         }
 
-        /// <summary>Description of the missing reference, and what to do.</summary>
+        /// <summary>Message to the user with the missing reference and the remedy.</summary>
         public string Message { get; }
 
-        /// <summary>Label of the button; null without a button.</summary>
+        /// <summary>Label of the button; null if there is no object to assign.</summary>
         public string FixLabel => _remedy == null ? null : "Use '" + _remedy.name + "'";
 
         /// <summary>Adds another component with the same missing reference.</summary>
         public void Add(Object component) => _components.Add(component);
 
-        /// <summary>Sets the reference of all these components; the user can undo it.</summary>
+        /// <summary>Assigns the object to the reference of all these components. The user can undo it.</summary>
         public void Fix()
         {
             using (var components = new SerializedObject(_components.ToArray()))

@@ -5,14 +5,14 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A small plot of the last ten seconds with the newest value in its corner, "–" while it is unknown.</summary>
+    /// <summary>Draws a small chart of the last ten seconds, with the newest value in its corner ("–" while it is unknown).</summary>
     sealed class StripChart
     {
         const float Height = 54;
         const float LineWidth = 2;
         const double Seconds = 10;
 
-        // Fifty values per second are finer than the plot's pixels.
+        // Minimum time between two values in s. Fifty values per second are more than the chart has pixels.
         const double Interval = 0.02;
         const int Capacity = 600;
 
@@ -23,22 +23,23 @@ namespace Nowpose.Editor.Inspectors
         readonly RollingSeries _series = new RollingSeries(Capacity, Seconds);
         readonly Vector3[] _points = new Vector3[Capacity];
 
-        /// <param name="unit">Unit of the values, with the blank before it.</param>
+        /// <param name="unit">Unit of the values.</param>
         public StripChart(string label, string unit)
         {
             _label = label;
             _unit = unit;
         }
 
+        /// <summary>Records a value. Ignores values that follow the previous value too quickly.</summary>
         /// <param name="time">Time in s.</param>
-        /// <param name="value">Null while the value is unknown.</param>
+        /// <param name="value">The value; null while it is unknown.</param>
         public void Take(double time, double? value)
         {
             if (_series.Count > 0 && Math.Abs(time - _series.TimeAt(_series.Count - 1)) < Interval) return;
             _series.Add(time, value);
         }
 
-        /// <summary>Draws the plot over the inspector's width.</summary>
+        /// <summary>Draws the chart in the full width of the inspector.</summary>
         public void Draw() => Draw(EditorGUILayout.GetControlRect(false, Height));
 
         internal void Draw(Rect area)
@@ -50,7 +51,7 @@ namespace Nowpose.Editor.Inspectors
             if (range.Bottom < 0) GUI.Label(Row(area, area.yMax - EditorGUIUtility.singleLineHeight), Text(range.Bottom), EditorStyles.miniLabel);
         }
 
-        // An unknown value leaves a gap.
+        // Draws the values as lines, with gaps at unknown values.
         void DrawLine(Rect area, ChartRange range)
         {
             var before = Handles.color;

@@ -7,7 +7,7 @@ using Nowpose.Unity;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A short summary of a robot description.</summary>
+    /// <summary>Texts that summarise a robot description.</summary>
     sealed class UrdfSummary
     {
         const int Lines = 12, LineLength = 120;
@@ -36,16 +36,16 @@ namespace Nowpose.Editor.Inspectors
         public string Joints { get; } = LiveText.Unknown;
         public string Length { get; }
 
-        /// <summary>Hash that is compared with that of the gateway's description.</summary>
+        /// <summary>Hash of the URDF. A session compares it with the hash of the gateway's description.</summary>
         public string Hash { get; }
 
-        /// <summary>The first lines; an ellipsis marks omitted text.</summary>
+        /// <summary>First lines of the URDF. An ellipsis marks omitted text.</summary>
         public string Beginning { get; }
 
-        /// <summary>Why the text is not a valid robot; null if it is valid.</summary>
+        /// <summary>Reason why the URDF is not valid; null if it is valid.</summary>
         public string Fault { get; }
 
-        /// <summary>Returns whether the asset still contains the same text.</summary>
+        /// <summary>Returns whether an asset contains the text that this object summarises.</summary>
         public bool IsOf(RobotDescriptionAsset asset) => (asset.Urdf ?? "") == _urdf;
 
         static string BeginningOf(string urdf)

@@ -2,13 +2,14 @@ using UnityEditor;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A permission that the app has to declare; Windows refuses access without it and reports no error.</summary>
+    /// <summary>Checks whether the app declares a capability. Without it, Windows refuses access and does not report an error.</summary>
     sealed class CapabilityCheck : ProjectCheck
     {
         readonly PlayerSettings.WSACapability _capability;
         readonly CheckState _without;
 
-        /// <param name="without">State of a project that does not declare the permission.</param>
+        /// <param name="why">Purpose of the capability.</param>
+        /// <param name="without">State of a project that does not declare the capability.</param>
         public CapabilityCheck(PlayerSettings.WSACapability capability, string why, CheckState without = CheckState.Missing)
             : base("Capability " + capability, why, "Declare " + capability)
         {

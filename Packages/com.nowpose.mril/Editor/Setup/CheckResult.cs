@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The result of a check.</summary>
+    /// <summary>Result of a check.</summary>
     readonly struct CheckResult
     {
         public CheckResult(CheckState state, string found)
@@ -11,7 +11,7 @@ namespace Nowpose.Editor.Setup
 
         public CheckState State { get; }
 
-        /// <summary>Description of the value that was found.</summary>
+        /// <summary>Description of the value that the check has found.</summary>
         public string Found { get; }
     }
 }

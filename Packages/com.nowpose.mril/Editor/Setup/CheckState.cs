@@ -1,12 +1,12 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The state of a project in one check.</summary>
+    /// <summary>State of a project according to one check.</summary>
     enum CheckState
     {
         /// <summary>The project meets the requirement.</summary>
         Good,
 
-        /// <summary>The project works as it is, but another setting is better, or needed for an optional feature.</summary>
+        /// <summary>The project works, but another setting is better, or is needed for an optional feature.</summary>
         Advice,
 
         /// <summary>A part of the app does not work on the headset.</summary>

@@ -1,9 +1,9 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Selects how a merge treats a manifest entry that does not meet the requirement.</summary>
+    /// <summary>Action of a merge if an entry of the manifest does not meet the requirement.</summary>
     enum ConflictRule
     {
-        /// <summary>Refuses the whole merge.</summary>
+        /// <summary>Rejects the whole merge.</summary>
         Refuse,
 
         /// <summary>Keeps the entry.</summary>

@@ -3,13 +3,13 @@ using UnityEditor.Build;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A kind of headset and its player.</summary>
+    /// <summary>A kind of headset, and the Unity player for it.</summary>
     sealed class HeadsetPlatform
     {
         public static readonly HeadsetPlatform HoloLens2 = new HeadsetPlatform(
             "a HoloLens 2", "Universal Windows Platform", "UWP", NamedBuildTarget.WindowsStoreApps, BuildTarget.WSAPlayer, BuildTargetGroup.WSA);
 
-        /// <summary>Quest, Magic Leap 2 and other headsets that run Android.</summary>
+        /// <summary>Platform of Quest, Magic Leap 2 and other headsets with Android.</summary>
         public static readonly HeadsetPlatform AndroidHeadset = new HeadsetPlatform(
             "an Android headset", "Android", "Android", NamedBuildTarget.Android, BuildTarget.Android, BuildTargetGroup.Android);
 
@@ -24,10 +24,10 @@ namespace Nowpose.Editor.Setup
             Group = group;
         }
 
-        /// <summary>Name of the headset, with its article.</summary>
+        /// <summary>Name of the headset with its article, for example "a HoloLens 2".</summary>
         public string Headset { get; }
 
-        /// <summary>Name of the player in Unity's windows and in the Hub's list of modules.</summary>
+        /// <summary>Name of the player in Unity's windows and in the list of modules of Unity Hub.</summary>
         public string Player { get; }
 
         public string ShortPlayer { get; }

@@ -4,22 +4,22 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The settings of a Unity project that the checks read and change.</summary>
+    /// <summary>Settings of a Unity project that the checks read and change.</summary>
     interface IProjectSettings
     {
-        /// <summary>Description of the background activity, such as adding a package; null if there is none.</summary>
+        /// <summary>Description of the background activity, for example the addition of a package; null if there is none.</summary>
         string Activity { get; }
 
-        /// <summary>Why the newest background activity failed; null if it did not.</summary>
+        /// <summary>Reason why the last background activity failed; null if it did not fail.</summary>
         string Trouble { get; }
 
-        /// <summary>The headset whose player is checked.</summary>
+        /// <summary>The platform whose settings are checked.</summary>
         HeadsetPlatform Platform { get; }
 
-        /// <summary>The version of this editor, in Unity's notation.</summary>
+        /// <summary>Version of the Unity editor in Unity's notation.</summary>
         string EditorVersion { get; }
 
-        /// <summary>Description of the active build target if it is not that of <see cref="Platform"/>; null if it is.</summary>
+        /// <summary>Name of the active build target; null if it is the build target of <see cref="Platform"/>.</summary>
         string OtherTarget { get; }
 
         bool UsesIl2Cpp { get; set; }
@@ -31,10 +31,10 @@ namespace Nowpose.Editor.Setup
         bool FrameTimingStats { get; set; }
         bool RunsInBackground { get; set; }
 
-        /// <summary>The graphics APIs that the player may use, in order of preference; empty if the player is not installed.</summary>
+        /// <summary>Graphics APIs that the player may use, in order of preference; empty if the player is not installed.</summary>
         IReadOnlyList<GraphicsDeviceType> GraphicsApis { get; }
 
-        /// <summary>Whether Unity chooses the graphics APIs.</summary>
+        /// <summary>Whether Unity selects the graphics APIs itself.</summary>
         bool IsGraphicsApiAutomatic { get; }
 
         /// <summary>Whether Graphics Jobs are on; null while another build target is active.</summary>
@@ -43,42 +43,46 @@ namespace Nowpose.Editor.Setup
         /// <summary>0 for the old Input Manager, 1 for the Input System, 2 for both; null if the setting cannot be read.</summary>
         int? InputHandling { get; }
 
-        /// <summary>Type name of the render pipeline's asset; null for the built-in pipeline.</summary>
+        /// <summary>Type name of the render pipeline asset; null for the built-in pipeline.</summary>
         string RenderPipeline { get; }
 
-        /// <summary>Whether the main camera of the open scenes clears to black with alpha 0; null without a main camera.</summary>
+        /// <summary>Whether the main camera of the open scenes clears to black with alpha 0; null if there is no main camera.</summary>
         bool? ClearsToTransparentBlack { get; }
 
-        /// <summary>Near clip plane of the main camera in the open scenes, metres; null without a main camera.</summary>
+        /// <summary>Distance of the main camera's near clip plane in metres; null if the open scenes have no main camera.</summary>
         float? NearClipMetres { get; set; }
 
         /// <summary>Whether the Android player requests internet access.</summary>
         bool AsksForInternet { get; set; }
 
-        /// <summary>Whether OpenXR is the player's XR plug-in; null if the project has no settings for XR plug-ins.</summary>
+        /// <summary>Whether the player uses OpenXR as its XR plug-in; null if the project has no settings for XR plug-ins.</summary>
         bool? UsesOpenXr { get; }
 
-        /// <summary>Returns whether an OpenXR feature is enabled for the player; null if that id is unknown.</summary>
+        /// <summary>Returns whether an OpenXR feature is enabled for the player; null if the id is unknown.</summary>
         bool? IsFeatureOn(string featureId);
 
-        /// <returns>False if that id is unknown.</returns>
+        /// <summary>Enables an OpenXR feature for the player.</summary>
+        /// <returns>False if the id is unknown.</returns>
         bool TurnFeatureOn(string featureId);
 
-        /// <summary>Gets an enumeration setting of OpenXR by its serialised name; null if there is none.</summary>
+        /// <summary>Returns the number of an enumeration setting of OpenXR, given its serialised name; null if there is no such setting.</summary>
         int? OpenXrOption(string field);
 
-        /// <returns>False without OpenXR settings.</returns>
+        /// <summary>Sets an enumeration setting of OpenXR to a number, given its serialised name.</summary>
+        /// <returns>False if the project has no OpenXR settings.</returns>
         bool ChooseOpenXrOption(string field, int value);
 
         void UseGraphicsApi(GraphicsDeviceType api);
         void TurnGraphicsJobsOff();
 
+        /// <summary>Sets <see cref="InputHandling"/>.</summary>
         /// <returns>False if the setting cannot be written.</returns>
         bool ChooseInputHandling(int value);
 
         void ClearToTransparentBlack();
 
-        /// <returns>False if the editor was installed without the platform.</returns>
+        /// <summary>Switches the active build target to <see cref="Platform"/>.</summary>
+        /// <returns>False if the editor is installed without support for the platform.</returns>
         bool SwitchToPlatform();
 
         bool IsAllowed(PlayerSettings.WSACapability capability);
@@ -87,7 +91,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>Returns the installed version of a package; null if it is not installed.</summary>
         string VersionOf(string package);
 
-        /// <summary>Starts to add a package.</summary>
+        /// <summary>Starts to add a package. <see cref="Activity"/> and <see cref="Trouble"/> report the progress.</summary>
         void Add(PackageOrigin package);
 
         void OpenProjectSettings();

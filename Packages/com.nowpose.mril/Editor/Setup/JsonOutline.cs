@@ -3,25 +3,25 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A value of a JSON text and its position in the text.</summary>
+    /// <summary>A value in a JSON text, with its position in the text.</summary>
     sealed class JsonOutline
     {
-        /// <summary>Name of an object's member; null for other values.</summary>
+        /// <summary>Name of the value if it is a member of an object; otherwise null.</summary>
         public string Name { get; set; }
 
-        /// <summary>Index of the first character; for a member, that of the name.</summary>
+        /// <summary>Index of the first character of the item: of the name for a member of an object, otherwise of the value.</summary>
         public int ItemStart { get; set; }
 
         /// <summary>Index of the first character of the value.</summary>
         public int Start { get; set; }
 
-        /// <summary>Index after the last character.</summary>
+        /// <summary>Index after the last character of the value.</summary>
         public int End { get; set; }
 
-        /// <summary>The decoded text of a string; null for every other value.</summary>
+        /// <summary>Decoded text if the value is a string; otherwise null.</summary>
         public string Text { get; set; }
 
-        /// <summary>Members of an object or values of an array, in the order of the text; null for every other value.</summary>
+        /// <summary>Members of an object, or elements of an array, in the order of the text; null for other values.</summary>
         public List<JsonOutline> Items { get; set; }
 
         public bool IsObject { get; set; }

@@ -4,11 +4,15 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Finds the values of a JSON text.</summary>
-    /// <remarks>Is as strict as Unity's reader: no comments, no trailing commas. Newtonsoft.Json accepts both and reports no positions.</remarks>
+    /// <summary>Finds the values in a JSON text and their positions.</summary>
+    /// <remarks>
+    /// Rejects comments and trailing commas, because Unity's reader does. Newtonsoft.Json is not used, because it accepts both and does not report
+    /// positions.
+    /// </remarks>
     sealed class JsonOutlineReader
     {
         const int MaxNesting = 64;
@@ -26,6 +30,7 @@ namespace Nowpose.Editor.Setup
             _file = file;
         }
 
+        /// <summary>Reads a text that consists of one JSON object.</summary>
         /// <param name="file">Name of the file in messages.</param>
         /// <exception cref="InputException">The text is not a JSON object.</exception>
         public static JsonOutline Read(string text, string file)
@@ -35,10 +40,10 @@ namespace Nowpose.Editor.Setup
             if (reader.Next != '{') throw reader.Wrong("{ is expected");
             var root = reader.Value();
             reader.SkipBlanks();
-            return reader._at == text.Length ? root : throw reader.Wrong("nothing is expected after the object");
+            return reader._at == text.Length ? root : throw reader.Wrong(ManifestMessages.AfterObject);
         }
 
-        /// <summary>Returns the line number of a character, counted from 1.</summary>
+        /// <summary>Returns the line number of the character at an index. The first line has number 1.</summary>
         public static int LineOf(string text, int index) => 1 + text.Take(index).Count(c => c == '\n');
 
         char Next => _at < _text.Length ? _text[_at] : '\0';
@@ -48,14 +53,14 @@ namespace Nowpose.Editor.Setup
             var value = new JsonOutline { ItemStart = _at, Start = _at };
             if (Next == '{' || Next == '[') ReadItems(value);
             else if (Next == '"') value.Text = ReadString();
-            else Skip(Scalar, "a value is expected");
+            else Skip(Scalar, ManifestMessages.NoValue);
             value.End = _at;
             return value;
         }
 
         void ReadItems(JsonOutline value)
         {
-            if (++_depth > MaxNesting) throw Wrong("nested more than " + MaxNesting.ToString(CultureInfo.InvariantCulture) + " deep");
+            if (++_depth > MaxNesting) throw Wrong(ManifestMessages.TooDeep(MaxNesting.ToString(CultureInfo.InvariantCulture)));
             value.IsObject = Next == '{';
             value.Items = new List<JsonOutline>();
             var end = value.IsObject ? '}' : ']';
@@ -76,7 +81,7 @@ namespace Nowpose.Editor.Setup
         JsonOutline Member()
         {
             var start = _at;
-            if (Next != '"') throw Wrong("a name in double quotes is expected");
+            if (Next != '"') throw Wrong(ManifestMessages.NoName);
             var name = ReadString();
             SkipBlanks();
             Take(':');
@@ -96,7 +101,7 @@ namespace Nowpose.Editor.Setup
         string ReadString()
         {
             var start = _at;
-            Skip(Quoted, "the string does not end, or has a character that must be escaped");
+            Skip(Quoted, ManifestMessages.StringEnd);
             using (var reader = new JsonTextReader(new System.IO.StringReader(_text.Substring(start, _at - start))))
             {
                 reader.DateParseHandling = DateParseHandling.None;
@@ -119,8 +124,7 @@ namespace Nowpose.Editor.Setup
         InputException Wrong(string what)
         {
             var line = LineOf(_text, _at).ToString(CultureInfo.InvariantCulture);
-            var comment = Next == '/' ? " (JSON has no comments)" : "";
-            return new InputException(_file + ":" + line + ": not a JSON object: " + what + comment);
+            return new InputException(ManifestMessages.NotJson(_file, line, what, Next == '/'));
         }
     }
 }

@@ -5,7 +5,7 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The formatting of a JSON text: its line ends, indent and blanks.</summary>
+    /// <summary>Formats new values in the style of a JSON text: with the same line ends, indents and blanks.</summary>
     sealed class JsonStyle
     {
         readonly string _text, _newLine, _colon;
@@ -21,12 +21,12 @@ namespace Nowpose.Editor.Setup
             _colon = first == null || first.Start == 0 || text[first.Start - 1] != ':' ? ": " : ":";
         }
 
-        /// <summary>The indent of one level.</summary>
+        /// <summary>Indent of one level.</summary>
         public string Indent { get; }
 
         string Blank => _colon == ":" ? "" : " ";
 
-        /// <summary>Returns the blanks at the beginning of a character's line.</summary>
+        /// <summary>Returns the blanks at the start of the line that contains the character at an index.</summary>
         public string IndentAt(int index)
         {
             var start = _text.LastIndexOf('\n', index) + 1;
@@ -35,7 +35,7 @@ namespace Nowpose.Editor.Setup
             return _text.Substring(start, end - start);
         }
 
-        /// <summary>Returns the blanks before the last item of a container, without empty lines.</summary>
+        /// <summary>Returns the white space before the last item of a container, without empty lines.</summary>
         public string GapBefore(JsonOutline container, JsonOutline last)
         {
             var count = container.Items.Count;
@@ -49,7 +49,7 @@ namespace Nowpose.Editor.Setup
         public string Item(string name, JToken value, string indent) =>
             (name == null ? "" : JsonConvert.ToString(name) + _colon) + Value(value, indent);
 
-        /// <summary>Returns the content of brackets with the line ends and indents around it.</summary>
+        /// <summary>Returns the content of a pair of brackets, with line ends and indents before and after it.</summary>
         public string Padded(string indent, string inside) =>
             _newLine == null ? Blank + inside + Blank : _newLine + indent + Indent + inside + _newLine + indent;
 

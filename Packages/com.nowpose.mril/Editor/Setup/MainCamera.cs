@@ -1,12 +1,13 @@
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEngine;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The main camera of the open scenes. Changes can be undone, and are saved with the scene.</summary>
+    /// <summary>Reads and changes the main camera of the open scenes. The user can undo changes; Unity saves them with the scene.</summary>
     static class MainCamera
     {
-        /// <summary>Whether the camera clears to black with alpha 0; null if the scenes have no enabled main camera.</summary>
+        /// <summary>Whether the camera clears to black with alpha 0; null if the open scenes have no enabled main camera.</summary>
         public static bool? ClearsToTransparentBlack
         {
             get
@@ -17,7 +18,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        /// <summary>Near clip plane in metres; null if the scenes have no enabled main camera.</summary>
+        /// <summary>Distance of the near clip plane in metres; null if the open scenes have no enabled main camera.</summary>
         public static float? NearClipMetres
         {
             get => Camera.main == null ? (float?)null : Camera.main.nearClipPlane;
@@ -33,7 +34,7 @@ namespace Nowpose.Editor.Setup
         public static void ClearToTransparentBlack()
         {
             if (Camera.main == null) return;
-            Undo.RecordObject(Camera.main, "Clear to transparent black");
+            Undo.RecordObject(Camera.main, CheckTitles.UndoClear);
             Camera.main.clearFlags = CameraClearFlags.SolidColor;
             Camera.main.backgroundColor = Color.clear;
             PrefabUtility.RecordPrefabInstancePropertyModifications(Camera.main);

@@ -3,10 +3,11 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A manifest on disk. Writing keeps a backup, and is atomic unless the file is a symbolic link.</summary>
+    /// <summary>Reads and writes a manifest file. A write first makes a backup, and is atomic unless the file is a symbolic link.</summary>
     sealed class ManifestFile
     {
         const int MaxSize = 1 << 20;
@@ -25,12 +26,12 @@ namespace Nowpose.Editor.Setup
             Text = Decode();
         }
 
-        /// <summary>Content of the file, without a byte order mark.</summary>
+        /// <summary>Content of the file without a byte order mark.</summary>
         public string Text { get; }
 
-        /// <summary>One line with the reason why the file cannot be written and the remedy; null if it seems writable.</summary>
+        /// <summary>Reason why the file cannot be written, and the remedy, in one line; null if the file seems writable.</summary>
         public string Obstacle => IsReadOnly
-            ? _path + ": the file is read-only; make it writable, or check it out of version control, and try again"
+            ? ManifestMessages.ReadOnly(_path)
             : null;
 
         bool IsLink => (File.GetAttributes(_path) & FileAttributes.ReparsePoint) != 0;
@@ -42,7 +43,8 @@ namespace Nowpose.Editor.Setup
                 if ((File.GetAttributes(_path) & FileAttributes.ReadOnly) != 0) return true;
                 try
                 {
-                    // The attributes of a link are not those of its target, so the file is opened for writing; nothing is written.
+                    // Opens the file for writing but writes nothing. The attributes alone are not sufficient, because a link has attributes of
+                    // its own.
                     using (new FileStream(_path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite)) return false;
                 }
                 catch (UnauthorizedAccessException)
@@ -54,6 +56,7 @@ namespace Nowpose.Editor.Setup
 
         bool HasBom => _content.Take(Bom.Length).SequenceEqual(Bom);
 
+        /// <summary>Reads a manifest.</summary>
         /// <exception cref="InputException">The file is too large or is not UTF-8.</exception>
         /// <exception cref="IOException">The file cannot be read.</exception>
         /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
@@ -61,18 +64,19 @@ namespace Nowpose.Editor.Setup
         {
             var size = new FileInfo(path).Length;
             if (size <= MaxSize) return new ManifestFile(path, File.ReadAllBytes(path));
-            throw new InputException(path + ": the file has " + size.ToString(CultureInfo.InvariantCulture) + " bytes; the limit is 1 MiB");
+            throw new InputException(ManifestMessages.TooLong(path, size.ToString(CultureInfo.InvariantCulture)));
         }
 
-        /// <returns>The path of the backup.</returns>
-        /// <exception cref="InputException">The file is read-only, or another program changed it since it was read.</exception>
+        /// <summary>Replaces the content of the file.</summary>
+        /// <returns>Path of the backup.</returns>
+        /// <exception cref="InputException">The file is read-only, or another program has changed it after <see cref="Read"/>.</exception>
         /// <exception cref="IOException">The file cannot be written.</exception>
         /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
         public string Write(string text)
         {
             if (Obstacle is string obstacle) throw new InputException(obstacle);
             if (!File.ReadAllBytes(_path).SequenceEqual(_content))
-                throw new InputException(_path + ": another program has changed the file; try again");
+                throw new InputException(ManifestMessages.ChangedMeanwhile(_path));
 
             var backup = Backup();
             if (IsLink) WriteThroughLink(text, backup);
@@ -83,13 +87,13 @@ namespace Nowpose.Editor.Setup
         void Replace(string text)
         {
             var next = _path + NewEnding;
-            // Copies the file first, so that the new file has the permissions of the old one.
+            // Starts from a copy of the file, so that the new file has the same permissions.
             File.Copy(_path, next, overwrite: true);
             WriteTo(next, text);
             File.Replace(next, _path, null);
         }
 
-        // Replacing a link would leave a regular file in its place, and its target would keep the old text.
+        // Writes to the target of a link. To replace the link itself would create a regular file and leave the target unchanged.
         void WriteThroughLink(string text, string backup)
         {
             try
@@ -98,7 +102,7 @@ namespace Nowpose.Editor.Setup
             }
             catch (IOException e)
             {
-                throw new InputException(_path + ": not written completely (" + e.Message + "); copy " + backup + " over it, and try again", e);
+                throw new InputException(ManifestMessages.NotWritten(_path, e.Message, backup), e);
             }
         }
 
@@ -113,7 +117,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // Reuses a backup of the same content; keeps all others.
+        // Copies the file to a new backup, unless there already is a backup with the same content.
         string Backup()
         {
             for (var number = 1; ; number++)
@@ -133,7 +137,7 @@ namespace Nowpose.Editor.Setup
             }
             catch (DecoderFallbackException e)
             {
-                throw new InputException(_path + ": the file is not UTF-8; save it as UTF-8", e);
+                throw new InputException(ManifestMessages.NotUtf8(_path), e);
             }
         }
     }

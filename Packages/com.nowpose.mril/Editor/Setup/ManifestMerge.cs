@@ -2,10 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Newtonsoft.Json.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Merges what a project needs into the text of its Packages/manifest.json. Keeps valid entries and the formatting.</summary>
+    /// <summary>Merges requirements into the text of a project's Packages/manifest.json. Keeps valid entries and the formatting.</summary>
     sealed class ManifestMerge
     {
         const string Dependencies = "dependencies", Registries = "scopedRegistries", Testables = "testables";
@@ -17,6 +18,7 @@ namespace Nowpose.Editor.Setup
         readonly List<string> _notes = new List<string>();
 
         /// <param name="file">Name of the file in messages.</param>
+        /// <param name="rule">Action for entries that do not meet a requirement.</param>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public ManifestMerge(string text, string file, ConflictRule rule)
         {
@@ -29,17 +31,19 @@ namespace Nowpose.Editor.Setup
         /// <summary>Descriptions of the additions and replacements.</summary>
         public IReadOnlyList<string> Changes => _changes;
 
-        /// <summary>Descriptions, with line numbers, of entries that do not meet a requirement and were not replaced.</summary>
-        /// <remarks>With <see cref="ConflictRule.Refuse"/> the text must not be used if there are any.</remarks>
+        /// <summary>Descriptions, with line numbers, of the entries that do not meet a requirement and were not replaced.</summary>
+        /// <remarks>With <see cref="ConflictRule.Refuse"/>, <see cref="Text"/> must not be used if there are conflicts.</remarks>
         public IReadOnlyList<string> Conflicts => _conflicts;
 
         /// <summary>Whether <see cref="ConflictRule.Replace"/> would resolve all conflicts.</summary>
         public bool CanReplaceAll { get; private set; } = true;
 
-        /// <summary>Descriptions of entries whose version cannot be read; they stay.</summary>
+        /// <summary>Descriptions of the entries that were kept because their version cannot be read.</summary>
         public IReadOnlyList<string> Notes => _notes;
 
-        /// <summary>Returns the value of a dependency, or null.</summary>
+        /// <summary>
+        /// Returns the value of a dependency, which is a version or an address; null if the manifest does not contain the dependency.
+        /// </summary>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public string VersionOf(string package)
         {
@@ -47,8 +51,8 @@ namespace Nowpose.Editor.Setup
             return entry == null ? null : StringOf(entry, package);
         }
 
-        /// <summary>Adds a dependency and its registry, or checks those that are present.</summary>
-        /// <param name="isExact">Whether any other version or address is a conflict.</param>
+        /// <summary>Adds a dependency and its registry if they are missing. Otherwise checks whether the entries meet the requirement.</summary>
+        /// <param name="isExact">Whether only the version or address of <paramref name="package"/> meets the requirement.</param>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public void Need(PackageOrigin package, bool isExact = false)
         {
@@ -58,7 +62,7 @@ namespace Nowpose.Editor.Setup
             else Judge(package, entry, StringOf(entry, package.Name), isExact);
         }
 
-        /// <summary>Adds a package to those whose tests the Test Runner shows.</summary>
+        /// <summary>Adds a package to the list of packages whose tests Unity's Test Runner shows.</summary>
         /// <exception cref="InputException">The text is not a manifest.</exception>
         public void NeedTestable(string package)
         {
@@ -84,7 +88,7 @@ namespace Nowpose.Editor.Setup
             if (serves == true) return;
             if (serves == null)
             {
-                _notes.Add(package.Name + " is kept at " + version + ": its version cannot be read there; " + package.Bounds + " is needed");
+                _notes.Add(ManifestMessages.VersionUnreadable(package.Name, version, package.Bounds));
                 return;
             }
             var needed = isExact ? package.Reference : package.Bounds;
@@ -98,7 +102,7 @@ namespace Nowpose.Editor.Setup
             _changes.Add(Dependencies + ": " + package.Name + " " + package.Reference + " in place of " + version);
         }
 
-        // Returns false if another registry serves the package and has to stay.
+        // Adds or checks the registry of a package. Returns false if the package comes from another registry that must be kept.
         bool NeedRegistry(PackageOrigin package)
         {
             var registry = package.Registry;
@@ -121,10 +125,7 @@ namespace Nowpose.Editor.Setup
                 _changes.Add(Registries + ": " + package.Registry.Url + " in place of " + url);
                 return true;
             }
-            _conflicts.Add(
-                _manifest.PlaceOf(other) + ": " + package.Name + " comes from " + (url == null ? "a registry without url" : "the registry " + url)
-                + "; " + package.Registry.Url + " is needed"
-                + (isReplaceable || url == null ? "" : "; the registry has other scopes too, so its url is kept"));
+            _conflicts.Add(ManifestMessages.OtherRegistry(_manifest.PlaceOf(other), package.Name, url, package.Registry.Url, !isReplaceable));
             CanReplaceAll &= isReplaceable;
             return _rule == ConflictRule.Keep;
         }
@@ -143,7 +144,7 @@ namespace Nowpose.Editor.Setup
             var start = entry.Start;
             foreach (var scope in registry.Scopes)
             {
-                // An insertion moves only the text after it, so the start of the registry is still valid.
+                // Finds the registry again after each change. Insertions are behind its start, so the start is still valid.
                 var now = Items(Registries).First(item => item.Start == start);
                 if (ScopesOf(now).Contains(scope)) continue;
                 if (now["scopes"] == null) _manifest.Add(now, "scopes", new JArray(scope));
@@ -152,7 +153,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // Unity's rule: the registry with the longest scope that is a prefix of the name.
+        // Returns the registry from which Unity takes a package: the one with the longest scope that is a prefix of the package's name.
         JsonOutline RegistryOf(string package)
         {
             return Items(Registries)
@@ -170,11 +171,11 @@ namespace Nowpose.Editor.Setup
         {
             var scopes = registry["scopes"];
             if (scopes == null) return Enumerable.Empty<string>();
-            if (!scopes.IsArray) throw new InputException(_manifest.PlaceOf(scopes) + ": scopes must be an array");
+            if (!scopes.IsArray) throw new InputException(ManifestMessages.Scopes(_manifest.PlaceOf(scopes)));
             return scopes.Items.Select(item => item.Text).Where(text => text != null);
         }
 
         string StringOf(JsonOutline entry, string name) =>
-            entry.Text ?? throw new InputException(_manifest.PlaceOf(entry) + ": " + name + " must be a string: a version or an address");
+            entry.Text ?? throw new InputException(ManifestMessages.NotAString(_manifest.PlaceOf(entry), name));
     }
 }

@@ -4,7 +4,7 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The text of a manifest. Inserts and replaces values, and leaves every other character as it is.</summary>
+    /// <summary>Inserts and replaces values in the text of a manifest. All other characters stay unchanged.</summary>
     sealed class ManifestText
     {
         readonly string _file;
@@ -20,16 +20,16 @@ namespace Nowpose.Editor.Setup
         public string Text { get; private set; }
         public JsonOutline Root { get; private set; }
 
-        /// <summary>Returns the file and line of a value, as they begin a message.</summary>
+        /// <summary>Returns the file and the line of a value, for the start of a message.</summary>
         public string PlaceOf(JsonOutline value) =>
             _file + ":" + JsonOutlineReader.LineOf(Text, value.ItemStart).ToString(CultureInfo.InvariantCulture);
 
-        /// <summary>Adds a member after the last one of the root object.</summary>
+        /// <summary>Adds a member at the end of the root object.</summary>
         public void Add(string name, JToken value) => Add(Root, name, value);
 
-        /// <summary>Adds an item after the last one. Outlines that were read before become invalid.</summary>
-        /// <param name="container">An object or an array of this text.</param>
-        /// <param name="name">Null for an array.</param>
+        /// <summary>Adds an item at the end of an object or array. Outlines that were read before become invalid.</summary>
+        /// <param name="container">An object or an array in this text.</param>
+        /// <param name="name">Name of the new member of an object; null for an array.</param>
         public void Add(JsonOutline container, string name, JToken value)
         {
             var style = new JsonStyle(Text, Root);
@@ -46,12 +46,13 @@ namespace Nowpose.Editor.Setup
             Set(Text.Insert(last.End, "," + gap + style.Item(name, value, gap.Contains('\n') ? indent : style.IndentAt(last.Start))));
         }
 
-        /// <summary>Replaces a string by another one.</summary>
+        /// <summary>Replaces a value with a string. Outlines that were read before become invalid.</summary>
         public void Replace(JsonOutline value, string text) =>
             Set(Text.Substring(0, value.Start) + JsonConvert.ToString(text) + Text.Substring(value.End));
 
-        /// <summary>Returns the root's object or array of that name; null if there is none.</summary>
-        /// <exception cref="InputException">The value has another type.</exception>
+        /// <summary>Returns a member of the root object, which must be an object or an array; null if there is no member of this name.</summary>
+        /// <param name="isObject">Whether the member must be an object; otherwise it must be an array.</param>
+        /// <exception cref="InputException">The member has another type.</exception>
         public JsonOutline Find(string name, bool isObject)
         {
             var found = Root[name];

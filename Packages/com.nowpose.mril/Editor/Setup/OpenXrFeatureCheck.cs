@@ -1,3 +1,5 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     /// <summary>Checks whether an OpenXR feature is enabled for the player.</summary>
@@ -6,7 +8,9 @@ namespace Nowpose.Editor.Setup
         readonly string _id, _name;
         readonly CheckState _without;
 
-        /// <param name="name">Name in the list of features.</param>
+        /// <param name="name">Name of the feature in the settings window.</param>
+        /// <param name="why">Purpose of the feature.</param>
+        /// <param name="id">Id of the feature in OpenXR's settings.</param>
         /// <param name="without">State of a project in which the feature is not enabled.</param>
         public OpenXrFeatureCheck(string name, string why, string id, CheckState without = CheckState.Missing)
             : base("OpenXR feature " + name, why, "Tick " + name)
@@ -22,7 +26,7 @@ namespace Nowpose.Editor.Setup
             {
                 case true: return Good("ticked");
                 case false: return new CheckResult(_without, "not ticked");
-                default: return new CheckResult(_without, "the project does not have this feature yet: its package adds it when OpenXR is ticked");
+                default: return new CheckResult(_without, CheckResults.NoFeature);
             }
         }
 
@@ -30,7 +34,7 @@ namespace Nowpose.Editor.Setup
         {
             if (project.TurnFeatureOn(_id)) return null;
             project.OpenProjectSettings();
-            return "Project Settings, XR Plug-in Management, OpenXR: tick " + _name + ".";
+            return CheckFixes.Feature(_name);
         }
     }
 }

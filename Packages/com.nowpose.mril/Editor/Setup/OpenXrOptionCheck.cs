@@ -1,17 +1,20 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks an enumeration setting of OpenXR.</summary>
+    /// <summary>Checks whether an enumeration setting of OpenXR has a required value.</summary>
     sealed class OpenXrOptionCheck : ProjectCheck
     {
         readonly string _field, _title;
         readonly string[] _names;
         readonly int _wanted;
 
-        /// <param name="title">Title in the settings window.</param>
+        /// <param name="title">Title of the setting in the settings window.</param>
+        /// <param name="why">Purpose of the requirement.</param>
         /// <param name="field">Serialised name of the setting.</param>
-        /// <param name="names">Names of all values, by their number.</param>
+        /// <param name="names">Names of all values, indexed by their number.</param>
+        /// <param name="wanted">Number of the required value.</param>
         public OpenXrOptionCheck(string title, string why, string field, string[] names, int wanted)
             : base("OpenXR " + title + " is " + names[wanted], why, "Use " + names[wanted])
         {
@@ -23,7 +26,7 @@ namespace Nowpose.Editor.Setup
 
         public override CheckResult Look(IProjectSettings project)
         {
-            if (!(project.OpenXrOption(_field) is int value)) return Missing("the project has no settings of OpenXR yet");
+            if (!(project.OpenXrOption(_field) is int value)) return Missing(CheckResults.NoOpenXrSettings);
             var name = value >= 0 && value < _names.Length ? _names[value] : FormattableString.Invariant($"unknown value {value}");
             return value == _wanted ? Good(name) : Missing(name + " is chosen");
         }
@@ -32,7 +35,7 @@ namespace Nowpose.Editor.Setup
         {
             if (project.ChooseOpenXrOption(_field, _wanted)) return null;
             project.OpenProjectSettings();
-            return "Project Settings, XR Plug-in Management, OpenXR: " + _title + " " + _names[_wanted] + ".";
+            return CheckFixes.OpenXrOption(_title, _names[_wanted]);
         }
     }
 }

@@ -3,10 +3,10 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Reads and changes a player's OpenXR settings in the settings asset of the OpenXR package.</summary>
+    /// <summary>Reads and changes the OpenXR settings of a player in the settings asset of the OpenXR package.</summary>
     /// <remarks>
-    /// Uses the serialised field names of "OpenXR Package Settings.asset", as of com.unity.xr.openxr 1.13: m_renderMode,
-    /// m_depthSubmissionMode, and features with featureIdInternal and m_enabled.
+    /// Uses the serialised field names in "OpenXR Package Settings.asset" of com.unity.xr.openxr 1.13: m_renderMode, m_depthSubmissionMode, and
+    /// features with the fields featureIdInternal and m_enabled.
     /// </remarks>
     static class OpenXrOptions
     {
@@ -20,6 +20,7 @@ namespace Nowpose.Editor.Setup
             using (var serialised = new SerializedObject(feature)) return serialised.FindProperty("m_enabled")?.boolValue;
         }
 
+        /// <summary>Enables a feature.</summary>
         /// <returns>False if the project has no such feature.</returns>
         public static bool TurnOn(BuildTargetGroup player, string featureId)
         {
@@ -35,7 +36,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        /// <summary>Gets an enumeration setting as its number; null if the project has none.</summary>
+        /// <summary>Returns the number of an enumeration setting; null if the project has no such setting.</summary>
         public static int? Get(BuildTargetGroup player, string field)
         {
             var settings = PlayerAsset.Find(SettingsType, player);
@@ -43,6 +44,7 @@ namespace Nowpose.Editor.Setup
             using (var serialised = new SerializedObject(settings)) return serialised.FindProperty(field)?.intValue;
         }
 
+        /// <summary>Sets an enumeration setting to a number.</summary>
         /// <returns>False if the project has no such setting.</returns>
         public static bool Set(BuildTargetGroup player, string field, int value)
         {

@@ -6,7 +6,7 @@ namespace Nowpose.Editor.Setup
         readonly PackageOrigin _package;
         readonly CheckState _without;
 
-        /// <param name="without">The state of a project without the package.</param>
+        /// <param name="without">State of a project without the package or with an unsupported version.</param>
         public PackageCheck(string title, string why, PackageOrigin package, CheckState without = CheckState.Missing)
             : base(title, why, "Add " + package.Name)
         {

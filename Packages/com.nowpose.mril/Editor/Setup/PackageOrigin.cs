@@ -1,8 +1,9 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A package that a project needs: its source and the supported versions.</summary>
+    /// <summary>A package that a project needs, with its source and its supported versions.</summary>
     sealed class PackageOrigin
     {
         readonly Version _min, _below;
@@ -19,32 +20,36 @@ namespace Nowpose.Editor.Setup
 
         public string Name { get; }
 
-        /// <summary>A name or git address for the Package Manager; null if the package needs a scoped registry first.</summary>
+        /// <summary>Name or address for the Package Manager; null if the project needs a scoped registry for the package first.</summary>
         public string Identifier { get; }
 
-        /// <summary>The value in a manifest: a version or an address.</summary>
+        /// <summary>Value of the dependency in a manifest: a version or an address.</summary>
         public string Reference { get; }
 
-        /// <summary>The scoped registry; null for Unity's own packages, and for packages from an address.</summary>
+        /// <summary>Scoped registry of the package; null for Unity's own packages and for packages with an address.</summary>
         public ScopedRegistry Registry { get; }
 
-        /// <summary>Description of the supported versions; null if all are.</summary>
+        /// <summary>Description of the supported versions; null if all versions are supported.</summary>
         public string Bounds
         {
             get
             {
                 if (_min == null) return _below == null ? null : "older than " + _below;
-                return _min + (_below == null ? " or newer" : " or newer, but older than " + _below);
+                return _min + (_below == null ? " or newer" : CheckResults.OrNewer(_below));
             }
         }
 
-        /// <param name="version">The version for a manifest.</param>
-        /// <param name="isEditorsChoice">Whether the set-up window leaves the version to the editor, which recommends one.</param>
+        /// <summary>Creates the origin of a package from Unity's registry.</summary>
+        /// <param name="version">Version for a manifest.</param>
+        /// <param name="min">Oldest supported version; null for no lower bound.</param>
+        /// <param name="below">First version that is no longer supported; null for no upper bound.</param>
+        /// <param name="isEditorsChoice">Whether the set-up window adds the version that the editor recommends.</param>
         public static PackageOrigin OfUnity(
             string name, string version, string min = null, string below = null, bool isEditorsChoice = false) =>
             new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, min, below);
 
-        /// <param name="address">An address for the Package Manager: a git address, or file: and a path.</param>
+        /// <summary>Creates the origin of a package with an address.</summary>
+        /// <param name="address">Address for the Package Manager: a git address, or file: and a path.</param>
         public static PackageOrigin At(string name, string address, string min = null, string below = null) =>
             new PackageOrigin(name, address, address, null, min, below);
 
@@ -52,8 +57,8 @@ namespace Nowpose.Editor.Setup
             new PackageOrigin(name, null, version, registry, min, below);
 
         /// <summary>Returns whether a version is supported.</summary>
-        /// <param name="version">A version, or an address from a manifest.</param>
-        /// <returns>Null if the text does not contain the version.</returns>
+        /// <param name="version">A version or an address, as in a manifest.</param>
+        /// <returns>Null if the text does not contain a version.</returns>
         public bool? Serves(string version)
         {
             if (version == Reference || (_min == null && _below == null)) return true;
@@ -62,7 +67,7 @@ namespace Nowpose.Editor.Setup
             return (_min == null || parsed >= _min) && (_below == null || parsed < _below);
         }
 
-        /// <summary>Returns whether a version is at or above the upper bound.</summary>
+        /// <summary>Returns whether a version is too new to be supported.</summary>
         public bool IsTooNew(string version) => _below != null && PackageVersion.Read(version) is Version parsed && parsed >= _below;
     }
 }

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Compares versions of packages; a preview counts as its release.</summary>
+    /// <summary>Reads the version of a package. A preview version has the number of its release.</summary>
     static class PackageVersion
     {
         static readonly Regex Plain = new Regex(@"^\d+\.\d+\.\d+(-[\w.-]+)?$", RegexOptions.CultureInvariant);
@@ -12,8 +12,8 @@ namespace Nowpose.Editor.Setup
         static readonly Regex InAddress = new Regex(
             @"(?:#(?:[^#]*[-/])?v?(\d+\.\d+\.\d+)(?:-[\w.-]+)?$)|(?:-(\d+\.\d+\.\d+)(?:-[\w.]+)?\.tgz$)", RegexOptions.CultureInvariant);
 
-        /// <summary>Reads the version in a manifest value: a version, a git address with a tag, or a tarball.</summary>
-        /// <returns>Null if the text does not contain the version, as with a folder or a commit.</returns>
+        /// <summary>Reads the version from the value of a dependency: a version, a git address with a tag, or the name of a tarball.</summary>
+        /// <returns>Null if the text does not contain a version, for example because it is a folder or a commit.</returns>
         public static Version Read(string reference)
         {
             if (Plain.IsMatch(reference)) return Version.TryParse(reference.Split('-')[0], out var plain) ? plain : null;

@@ -4,12 +4,13 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Finds the object for one player in an asset of another package that contains one object per player.</summary>
-    /// <remarks>Those packages are not referenced, so their assets are read by the names of their serialised fields, Keys and Values.</remarks>
+    /// <summary>Finds the settings object of one player in an asset of another package. The asset contains one object per player.</summary>
+    /// <remarks>This assembly does not reference these packages, so it reads the assets by the names of their fields Keys and Values.</remarks>
     static class PlayerAsset
     {
-        /// <param name="type">Name of the asset's type.</param>
-        /// <returns>Null if there is no such asset, or no object for that player in it.</returns>
+        /// <summary>Finds the settings object of a player.</summary>
+        /// <param name="type">Type name of the asset.</param>
+        /// <returns>Null if there is no such asset, or if it contains no object for the player.</returns>
         public static Object Find(string type, BuildTargetGroup player)
         {
             foreach (var guid in AssetDatabase.FindAssets("t:" + type))

@@ -3,18 +3,19 @@ using UnityEditor;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Project settings without a Unity API, read and written by the names of their serialised fields.</summary>
+    /// <summary>Reads and writes project settings for which Unity has no API, by the names of their serialised fields.</summary>
     static class ProjectAssets
     {
         const string Player = "ProjectSettings/ProjectSettings.asset", Graphics = "ProjectSettings/GraphicsSettings.asset";
         const string Handling = "activeInputHandler";
 
-        /// <summary>Active Input Handling; null if the setting is not found.</summary>
+        /// <summary>Number of the setting Active Input Handling; null if the setting is not found.</summary>
         public static int? InputHandling => Read(Player, Handling, property => (int?)property.intValue);
 
         /// <summary>Type name of the default render pipeline asset; null for the built-in pipeline.</summary>
         public static string DefaultRenderPipeline => Read(Graphics, "m_CustomRenderPipeline", TypeOfReferenced);
 
+        /// <summary>Sets Active Input Handling to a number.</summary>
         /// <returns>False if the setting is not found.</returns>
         public static bool ChooseInputHandling(int value) => Read(Player, Handling, property =>
         {

@@ -1,9 +1,11 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>One requirement of a project for a headset. <see cref="Look"/> changes nothing.</summary>
+    /// <summary>Checks one requirement of a project for a headset.</summary>
     abstract class ProjectCheck
     {
-        /// <param name="fixLabel">Label of the button; null if only the user can make the change.</param>
+        /// <param name="title">The requirement in a few words.</param>
+        /// <param name="why">Purpose of the requirement, and the consequence if it is not met.</param>
+        /// <param name="fixLabel">Label of the button that calls <see cref="Fix"/>; null if only the user can make the change.</param>
         protected ProjectCheck(string title, string why, string fixLabel)
         {
             Title = title;
@@ -13,16 +15,17 @@ namespace Nowpose.Editor.Setup
 
         public string Title { get; }
 
-        /// <summary>Purpose of the requirement, and the consequence of not meeting it.</summary>
+        /// <summary>Purpose of the requirement, and the consequence if it is not met.</summary>
         public string Why { get; }
 
-        /// <summary>Label of the button; null if only the user can make the change.</summary>
+        /// <summary>Label of the button that calls <see cref="Fix"/>; null if only the user can make the change.</summary>
         public string FixLabel { get; }
 
+        /// <summary>Checks the project. Does not change it.</summary>
         public abstract CheckResult Look(IProjectSettings project);
 
-        /// <summary>Changes the project to meet the requirement. Called only for a click.</summary>
-        /// <returns>What the user has to do if the change failed; null if it succeeded.</returns>
+        /// <summary>Changes the project to meet the requirement. Called only when the user clicks the button.</summary>
+        /// <returns>Null if the change succeeded; otherwise an instruction for the user.</returns>
         public abstract string Fix(IProjectSettings project);
 
         protected static CheckResult Good(string found) => new CheckResult(CheckState.Good, found);

@@ -3,10 +3,10 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The packages that a project needs, with the supported versions. This is the only list of them.</summary>
+    /// <summary>Packages that a project needs, with the supported versions. There is no other list of these versions.</summary>
     static class ProjectNeeds
     {
-        /// <summary>The name of this package.</summary>
+        /// <summary>Name of the Nowpose package.</summary>
         public const string Package = "com.nowpose.mril";
 
         public static readonly PackageOrigin OpenXr = PackageOrigin.OfUnity("com.unity.xr.openxr", "1.13.0", isEditorsChoice: true);
@@ -20,11 +20,11 @@ namespace Nowpose.Editor.Setup
         public static readonly PackageOrigin InputSystem =
             PackageOrigin.OfUnity("com.unity.inputsystem", "1.7.0", isEditorsChoice: true);
 
-        /// <summary>Below version 3, which moved types that MRTK3 uses.</summary>
+        /// <summary>XR Interaction Toolkit before version 3, which moved types that MRTK3 uses.</summary>
         public static readonly PackageOrigin XrInteraction =
             PackageOrigin.OfUnity("com.unity.xr.interaction.toolkit", "2.6.3", min: "2.3.0", below: "3.0.0");
 
-        // Version 2.0.4, by a commit of the branch upm-2: the tags contain the sources, which Unity cannot import.
+        // The address refers to version 2.0.4 by a commit on the branch upm-2. The tags of the repository contain sources that Unity cannot import.
         public static readonly PackageOrigin NativeWebSocket = PackageOrigin.At(
             "com.endel.nativewebsocket", "https://github.com/endel/NativeWebSocket.git#522f0c3f5c2ef7273737707effaa840c65e20e98", min: "2.0.3");
 
@@ -36,11 +36,11 @@ namespace Nowpose.Editor.Setup
             PackageOrigin.OfUnity("com.unity.test-framework", "1.1.33"),
         };
 
-        /// <summary>MRTK3's own packages, each at the tag of its newest release 3.x. They are in no registry.</summary>
+        /// <summary>Packages of MRTK3, each at the tag of its newest release 3.x. No registry contains them.</summary>
         public static readonly IReadOnlyList<PackageOrigin> Mrtk3 = new[]
         {
             Mrtk("core", "3.3.0"), Mrtk("uxcore", "3.3.0"), Mrtk("standardassets", "3.2.1"), Mrtk("spatialmanipulation", "3.4.0"),
-            // The minimum version is the first with the button that contains a checkbox, which the menu uses.
+            // The menu uses a button with a checkbox, which uxcomponents contains since version 3.3.0.
             Mrtk("uxcomponents", "3.4.0", "3.3.0"), Mrtk("input", "3.3.0"), Mrtk("windowsspeech", "3.0.4"),
         };
 

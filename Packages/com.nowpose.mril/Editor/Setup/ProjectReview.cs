@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The checks with their newest results. Changes the project only in <see cref="Fix"/>.</summary>
+    /// <summary>Runs checks and stores their newest results. Changes the project only in <see cref="Fix"/>.</summary>
     sealed class ProjectReview
     {
         readonly IReadOnlyList<ProjectCheck> _checks;
@@ -22,10 +22,10 @@ namespace Nowpose.Editor.Setup
 
         public IReadOnlyList<ProjectCheck> Checks => _checks;
 
-        /// <summary>One result per check.</summary>
+        /// <summary>Newest result of each check.</summary>
         public IReadOnlyList<CheckResult> Results => _results;
 
-        /// <summary>For each check, the instruction for the user after its last fix; null if there is none.</summary>
+        /// <summary>For each check, the instruction for the user from its last <see cref="Fix"/>; null if there is none.</summary>
         public IReadOnlyList<string> Advice => _advice;
 
         public int MissingCount => _results.Count(r => r.State == CheckState.Missing);

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A registry other than Unity's own, and the scopes (name prefixes) of the packages that it serves.</summary>
+    /// <summary>A package registry other than Unity's own, with its scopes, which are the name prefixes of its packages.</summary>
     sealed class ScopedRegistry
     {
         public static readonly ScopedRegistry UnityNuGet = new ScopedRegistry("UnityNuGet", "https://unitynuget-registry.openupm.com", "org.nuget");

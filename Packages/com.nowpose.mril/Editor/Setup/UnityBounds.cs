@@ -1,40 +1,37 @@
 using System;
 using System.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The Unity versions that the package was compiled against, and those with known failures.</summary>
+    /// <summary>Rates Unity versions: the package was compiled against some of them, and others have known failures.</summary>
     static class UnityBounds
     {
-        public const string Recommended = "use 2022.3 for a HoloLens 2";
-
-        const string PlugInFails =
-            "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3 (6000.3), and its newer versions have not been tested; " + Recommended;
-
-        // Each row is valid from its version up to the next row's.
+        // Each row applies from its version up to the version of the next row.
         static readonly Row[] Rows =
         {
-            new Row("2021.3", CheckState.Advice, "compiled against 2021.3.26; " + Recommended),
-            new Row("2022.1", CheckState.Advice, "not compiled against this release; " + Recommended),
-            new Row("2022.3", CheckState.Good, "compiled against 2022.3.7; the release for a HoloLens 2"),
-            new Row("2023.1", CheckState.Advice, "not compiled against this release; " + Recommended),
-            new Row("6000.0", CheckState.Advice, "compiled against 6000.0.78, not tested on a device; " + Recommended),
-            new Row("6000.1", CheckState.Advice, "not compiled against this release, not tested on a device; " + Recommended),
-            new Row("6000.3", CheckState.Advice, "not compiled against this release, not tested on a device", PlugInFails),
+            new Row("2021.3", CheckState.Advice, UnityVersionMessages.Compiled2021),
+            new Row("2022.1", CheckState.Advice, UnityVersionMessages.NotCompiled),
+            new Row("2022.3", CheckState.Good, UnityVersionMessages.Compiled2022),
+            new Row("2023.1", CheckState.Advice, UnityVersionMessages.NotCompiled),
+            new Row("6000.0", CheckState.Advice, UnityVersionMessages.Compiled6000),
+            new Row("6000.1", CheckState.Advice, UnityVersionMessages.NotTested),
+            new Row("6000.3", CheckState.Advice, UnityVersionMessages.NotTestedOnDevice, UnityVersionMessages.PlugInFails),
         };
 
-        /// <summary>The oldest Unity that the package compiles with.</summary>
+        /// <summary>Oldest version of Unity with which the package compiles.</summary>
         public static string Oldest => Rows[0].From.ToString();
 
-        /// <summary>The oldest patch of 2021.3 that the packages of MRTK3 accept.</summary>
+        /// <summary>Oldest patch of Unity 2021.3 that the packages of MRTK3 accept.</summary>
         public static Version OldestForMrtk3 { get; } = new Version(2021, 3, 26);
 
-        /// <param name="withMicrosoft">Whether the project uses Microsoft's Mixed Reality OpenXR, as every project for a HoloLens 2 does.</param>
+        /// <summary>Rates a version of Unity.</summary>
+        /// <param name="withMicrosoft">Whether the project uses Microsoft's Mixed Reality OpenXR, as each project for a HoloLens 2 does.</param>
         public static CheckResult Judge(UnityVersion version, bool withMicrosoft)
         {
             var row = Rows.LastOrDefault(r => version.Number >= r.From);
             if (row == null)
-                return new CheckResult(CheckState.Missing, version + " is older than " + Oldest + ", the oldest that the package compiles with");
+                return new CheckResult(CheckState.Missing, UnityVersionMessages.TooOld(version, Oldest));
             return withMicrosoft && row.Failure != null
                 ? new CheckResult(CheckState.Missing, version + ": " + row.Failure)
                 : new CheckResult(row.State, version + ": " + row.Words);
@@ -54,7 +51,7 @@ namespace Nowpose.Editor.Setup
             public CheckState State { get; }
             public string Words { get; }
 
-            /// <summary>Why the version does not work with Microsoft's plug-in; null if it does.</summary>
+            /// <summary>Reason why the version does not work with Microsoft's plug-in; null if it works.</summary>
             public string Failure { get; }
         }
     }

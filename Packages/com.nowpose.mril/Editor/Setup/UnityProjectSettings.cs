@@ -2,17 +2,18 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
 using UnityEngine;
 using UnityEngine.Rendering;
-// UnityEditor has a type of the same name.
+// This alias is needed because UnityEditor has a type of the same name.
 using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>The project that is open in the editor.</summary>
+    /// <summary>Settings of the project that is open in the editor.</summary>
     sealed class UnityProjectSettings : IProjectSettings
     {
         const string Manifest = "Packages/manifest.json";
@@ -28,7 +29,7 @@ namespace Nowpose.Editor.Setup
         public string Activity => _adding == null || _adding.IsCompleted ? null : "adding " + _package.Name + " …";
 
         public string Trouble => _adding != null && _adding.Status == StatusCode.Failure
-            ? _package.Name + " could not be added: " + _adding.Error.message
+            ? SetupTexts.PackageNotAdded(_package.Name, _adding.Error.message)
             : _trouble;
 
         public string EditorVersion => Application.unityVersion;
@@ -135,7 +136,7 @@ namespace Nowpose.Editor.Setup
 
         public void OpenProjectSettings() => EditorApplication.ExecuteMenuItem("Edit/Project Settings...");
 
-        // The Package Manager has no API to add a registry; it reads the manifest again when it resolves.
+        // The Package Manager has no API to add a registry. Client.Resolve makes it read the manifest again.
         void AddToManifest(PackageOrigin package)
         {
             try
@@ -149,7 +150,7 @@ namespace Nowpose.Editor.Setup
             }
             catch (Exception e) when (e is InputException || e is IOException || e is UnauthorizedAccessException)
             {
-                _trouble = package.Name + " could not be added: " + e.Message;
+                _trouble = SetupTexts.PackageNotAdded(package.Name, e.Message);
             }
         }
     }

@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>A version of the Unity editor, such as 2022.3.62f1.</summary>
+    /// <summary>A version of the Unity editor, for example 2022.3.62f1.</summary>
     readonly struct UnityVersion
     {
         static readonly Regex Pattern = new Regex(@"^(\d{1,5})\.(\d{1,5})\.(\d{1,5})[a-z]", RegexOptions.CultureInvariant);
@@ -16,12 +16,13 @@ namespace Nowpose.Editor.Setup
             Number = number;
         }
 
-        /// <summary>The version in Unity's notation.</summary>
+        /// <summary>Version in Unity's notation.</summary>
         public string Text { get; }
 
-        /// <summary>Year or generation, release and patch, without the letter after them.</summary>
+        /// <summary>Version number: year or generation, release and patch, without the suffix after the patch.</summary>
         public Version Number { get; }
 
+        /// <summary>Reads a version in Unity's notation.</summary>
         /// <returns>Null if the text is not a version of Unity.</returns>
         public static UnityVersion? TryParse(string text)
         {
@@ -30,7 +31,7 @@ namespace Nowpose.Editor.Setup
             return new UnityVersion(text, new Version(Part(match, 1), Part(match, 2), Part(match, 3)));
         }
 
-        /// <summary>Reads the version in the text of a project's ProjectSettings/ProjectVersion.txt.</summary>
+        /// <summary>Reads the version from the text of a project's ProjectSettings/ProjectVersion.txt.</summary>
         /// <returns>Null if the text contains no version.</returns>
         public static UnityVersion? InProjectFile(string text)
         {

@@ -4,16 +4,14 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Reads which XR plug-ins a player starts from the settings asset of XR Plug-in Management.</summary>
-    /// <remarks>
-    /// Uses the serialised field names of XRGeneralSettings.asset: m_LoaderManagerInstance and m_Loaders.
-    /// </remarks>
+    /// <summary>Reads, from the settings asset of XR Plug-in Management, which XR plug-ins a player starts.</summary>
+    /// <remarks>Uses the serialised field names in XRGeneralSettings.asset: m_LoaderManagerInstance and m_Loaders.</remarks>
     static class XrPlugIns
     {
         const string SettingsType = "XRGeneralSettingsPerBuildTarget";
         const string LoaderType = "OpenXRLoaderBase";
 
-        /// <summary>Returns whether OpenXR starts in a player; null if the project has no settings for it.</summary>
+        /// <summary>Returns whether a player starts OpenXR; null if the project has no XR settings for the player.</summary>
         public static bool? UseOpenXr(BuildTargetGroup player) =>
             HasOpenXr(Referenced(PlayerAsset.Find(SettingsType, player), "m_LoaderManagerInstance"));
 
@@ -34,7 +32,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // The UWP player uses OpenXRLoaderNoPreInit, other players OpenXRLoader; this is their common base class.
+        // The UWP player uses OpenXRLoaderNoPreInit, and other players use OpenXRLoader. OpenXRLoaderBase is their common base class.
         static bool IsOpenXr(Object loader)
         {
             for (var type = loader == null ? null : loader.GetType(); type != null; type = type.BaseType)

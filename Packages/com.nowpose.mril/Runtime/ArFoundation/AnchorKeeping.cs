@@ -6,9 +6,9 @@ namespace Nowpose.ArFoundation
     /// <summary>Saves one anchor in the store as soon as a store is ready, and retries if the store refuses it.</summary>
     sealed class AnchorKeeping
     {
-        const int Tries = 10;
+        const int MaxAttempts = 10;
 
-        /// <summary>Interval of the attempts: a store may accept an anchor only after the device has mapped more of the room.</summary>
+        /// <summary>Interval between attempts. A store may accept an anchor only after the device has mapped more of the room.</summary>
         const float TryEverySeconds = 1;
 
         readonly ArSpatialAnchors _owner;
@@ -23,10 +23,10 @@ namespace Nowpose.ArFoundation
             _anchor = anchor;
         }
 
-        /// <summary>Name in the store; null while the anchor is not saved.</summary>
+        /// <summary>Name under which the store holds the anchor; null while the anchor is not saved.</summary>
         public string KeptAs { get; set; }
 
-        /// <summary>Why the anchor is not saved; null unless there is a problem.</summary>
+        /// <summary>Reason why the anchor is not saved; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
         public void Keep(string name)
@@ -49,7 +49,7 @@ namespace Nowpose.ArFoundation
             if (_wanted == name) _wanted = null;
         }
 
-        /// <summary>Called once a frame while the device has the anchor.</summary>
+        /// <summary>MaxAttempts to save the anchor if a save is pending. Call once per frame while the device tracks the anchor.</summary>
         public void Follow(TrackableId id)
         {
             if (_wanted == null || Time.unscaledTime < _next) return;
@@ -61,7 +61,7 @@ namespace Nowpose.ArFoundation
             }
             _next = Time.unscaledTime + TryEverySeconds;
             if (store.TryKeep(id, _wanted)) Kept();
-            else if (++_tries < Tries) Problem = "the device has not stored it yet";
+            else if (++_tries < MaxAttempts) Problem = "the device has not stored it yet";
             else GiveUp(store);
         }
 

@@ -1,12 +1,12 @@
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Checks names of saved anchors. The name of a cell is used unchanged.</summary>
+    /// <summary>Checks the names of saved anchors. An anchor has the name of its cell.</summary>
     static class AnchorNames
     {
-        /// <summary>Maximum length in characters: enough for the name of a cell. The stores' own limits are not known.</summary>
+        /// <summary>Maximum length in characters: enough for the name of a cell. The limits of the stores are not documented.</summary>
         public const int MaxLength = 128;
 
-        /// <summary>Returns why a name cannot be used; null if it can.</summary>
+        /// <summary>Returns the reason why a name is invalid; null if the name is valid.</summary>
         public static string FaultOf(string name)
         {
             if (string.IsNullOrWhiteSpace(name)) return "an anchor without a name cannot be stored; enter a name for the cell";

@@ -7,13 +7,15 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>One anchor of AR Foundation, created or loaded.</summary>
+    /// <summary>One anchor of AR Foundation: a new one, or one loaded from the store.</summary>
     sealed class ArSpatialAnchor : ISpatialAnchor
     {
-        /// <summary>Timeout for creating an anchor: scanning a new room takes some seconds.</summary>
+        /// <summary>Timeout for the creation of an anchor. The device takes some seconds to scan a new room.</summary>
         const float PatienceSeconds = 10;
 
-        /// <summary>An anchor within this distance of the session's origin may really be there.</summary>
+        /// <summary>
+        /// Maximum distance from the last pose at which a pose at the session's origin counts as measured, and not as the default of the device.
+        /// </summary>
         const float NearMetres = 0.1f;
 
         readonly ArSpatialAnchors _owner;
@@ -25,7 +27,7 @@ namespace Nowpose.ArFoundation
         ARAnchor _anchor;
         bool _wasThere;
 
-        /// <summary>Constructs an anchor to be created.</summary>
+        /// <summary>Constructs a new anchor; the device creates it later.</summary>
         public ArSpatialAnchor(ArSpatialAnchors owner, Pose world, in RigidTransform room)
             : this(owner)
         {
@@ -75,7 +77,7 @@ namespace Nowpose.ArFoundation
 
         public void Renounce(string name) => _keeping.Renounce(name);
 
-        /// <summary>Called once a frame.</summary>
+        /// <summary>Updates state and pose from the device. Call once per frame.</summary>
         public void Follow()
         {
             if (State == SpatialAnchorState.Failed) return;

@@ -10,7 +10,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Anchors places in the room with AR Foundation; saves them over restarts if a store is on the same object.</summary>
+    /// <summary>Anchors places in the room with AR Foundation. Saves the anchors across restarts if a store is on the same object.</summary>
     [AddComponentMenu("Nowpose/Spatial Anchors")]
     [DisallowMultipleComponent]
     public sealed class ArSpatialAnchors : MonoBehaviour, ISpatialAnchors
@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
         readonly List<string> _unwanted = new List<string>();
         IAnchorStore _store;
 
-        /// <summary>Why the device cannot create or save anchors, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why the device cannot create or save anchors, in one line; null if there is no problem.</summary>
         public string Problem => _manager.Problem ?? Store?.Problem;
 
         public bool IsReady => Store?.IsReady ?? false;
@@ -37,7 +37,7 @@ namespace Nowpose.ArFoundation
 
         internal bool IsSessionOrigin(Vector3 world) => _manager.IsSessionOrigin(world);
 
-        /// <summary>The store; null if there is none, or it was destroyed. It may be added after this component.</summary>
+        /// <summary>The store on the same object; null if it does not exist or was destroyed. It may be added after this component.</summary>
         internal IAnchorStore Store => IsThere(_store) || TryGetComponent(out _store) ? _store : null;
 
         public ISpatialAnchor Hold(in RigidTransform pose) => Add(new ArSpatialAnchor(this, UnityPoses.ToWorld(pose), pose));
@@ -57,16 +57,16 @@ namespace Nowpose.ArFoundation
             else _unwanted.Add(name);
         }
 
-        /// <summary>Removes a name from all anchors except its new owner, because the store uses it for another anchor or for none.</summary>
+        /// <summary>Removes a name from all anchors except <paramref name="keeper"/>. The store now uses the name for that anchor, or for none.</summary>
         internal void Renounce(string name, ArSpatialAnchor keeper)
         {
-            // A new use of the name cancels a request to forget it that was waiting for the store.
+            // Cancels a pending deletion of this name: the name is in use again.
             _unwanted.Remove(name);
             foreach (var anchor in _anchors)
                 if (anchor != keeper) anchor.Renounce(name);
         }
 
-        /// <returns>Whether no other object uses the same anchor of the device.</returns>
+        /// <returns>True if no other object uses the same anchor of the device.</returns>
         internal bool Remove(ArSpatialAnchor anchor)
         {
             _anchors.Remove(anchor);

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 
-// Microsoft's markers and its anchor store use the managers that this assembly finds.
+// That assembly uses this assembly's internal OriginManager and MarkerRecords.
 [assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]
 
-// This assembly exists only in this package's repository.
+// The test assembly exists only in the repository, not in the package.
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]

@@ -2,14 +2,14 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Saves AR Foundation's anchors over restarts of the application, for <see cref="ArSpatialAnchors"/> on the same object.</summary>
-    /// <remarks>Call it on the frame's thread only; it never throws.</remarks>
+    /// <summary>Saves AR Foundation's anchors across restarts of the application. <see cref="ArSpatialAnchors"/> on the same object uses it.</summary>
+    /// <remarks>Members are called on Unity's main thread only, and must not throw.</remarks>
     public interface IAnchorStore
     {
-        /// <summary>Whether the store has reported the names of its anchors.</summary>
+        /// <summary>Whether the store is open, so the names of its anchors are available.</summary>
         bool IsReady { get; }
 
-        /// <summary>Why the store is not ready, or the last failure, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why the store is not ready, or the last failure, in one line; null if there is no problem.</summary>
         string Problem { get; }
 
         bool Has(string name);
@@ -18,10 +18,11 @@ namespace Nowpose.ArFoundation
         /// <returns>Id of the trackable; <see cref="TrackableId.invalidId"/> if the anchor cannot be loaded.</returns>
         TrackableId Load(string name);
 
-        /// <summary>Saves an anchor under a name and replaces the previous anchor of that name.</summary>
+        /// <summary>Saves an anchor under a name, and replaces any earlier anchor of that name.</summary>
+        /// <returns>False if the store refused the anchor.</returns>
         bool TryKeep(TrackableId anchor, string name);
 
-        /// <summary>Deletes the anchor of that name; does nothing if there is none.</summary>
+        /// <summary>Deletes the anchor with this name; does nothing if the store has no such anchor.</summary>
         void Forget(string name);
     }
 }

@@ -3,14 +3,14 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Stores the states of a source's trackables while the device lists them. Allocates only for new ones.</summary>
+    /// <summary>Stores one record per trackable that the device lists. Allocates only when a new trackable appears.</summary>
     sealed class MarkerRecords
     {
         readonly Dictionary<TrackableId, MarkerRecord> _records = new Dictionary<TrackableId, MarkerRecord>();
         readonly List<TrackableId> _gone = new List<TrackableId>();
         int _reading;
 
-        /// <summary>Starts a new reading.</summary>
+        /// <summary>Starts a reading of all trackables.</summary>
         public void Begin() => _reading++;
 
         public MarkerRecord Of(TrackableId id)
@@ -24,7 +24,7 @@ namespace Nowpose.ArFoundation
             return record;
         }
 
-        /// <summary>Ends a reading: removes the records that were not requested, because the device no longer lists them.</summary>
+        /// <summary>Ends the reading. Removes the records that were not requested since its start: the device no longer lists them.</summary>
         public void End()
         {
             foreach (var pair in _records)

@@ -7,16 +7,16 @@ using UnityEngine.XR.ARFoundation;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Finds or adds a manager of AR Foundation on the XR Origin's object, and monitors it.</summary>
-    /// <remarks>Allocates only when something changes.</remarks>
+    /// <summary>Finds or adds an AR Foundation manager on the XR Origin's object, and reports why it does not work.</summary>
+    /// <remarks>Allocates only when it adds a manager or when the reported problem changes.</remarks>
     sealed class OriginManager<T> where T : MonoBehaviour
     {
-        /// <summary>Delay before a problem is reported, because the scene and the runtime take time to start.</summary>
+        /// <summary>Delay before a problem is reported. The scene and the runtime take some time to start.</summary>
         const float PatienceSeconds = 3;
 
         static readonly List<XRDisplaySubsystem> Displays = new List<XRDisplaySubsystem>();
 
-        /// <summary>A pose within this distance of the session's origin is a default value, not a measurement.</summary>
+        /// <summary>Distance from the session's origin below which a pose is the device's default value and not a measurement.</summary>
         const float OriginMetres = 0.001f;
 
         readonly Func<T, ISubsystem> _subsystemOf;
@@ -27,9 +27,9 @@ namespace Nowpose.ArFoundation
         float? _since;
         bool _wasDisplaying, _isOurs;
 
-        /// <param name="subsystemOf">Gets the runtime's subsystem of the manager; null if the runtime has none.</param>
-        /// <param name="isAdded">Whether a missing manager is added; false if it needs settings that only the user can supply.</param>
-        /// <param name="need">Text of a message: the requirement of the manager that the user must provide.</param>
+        /// <param name="subsystemOf">Returns the subsystem that the XR runtime provides for the manager; null if the runtime provides none.</param>
+        /// <param name="isAdded">Whether a missing manager is added. False for a manager with settings that only the user can supply.</param>
+        /// <param name="need">Part of a message: requirement of the manager that the user must meet.</param>
         public OriginManager(Func<T, ISubsystem> subsystemOf, bool isAdded, string need)
         {
             _subsystemOf = subsystemOf;
@@ -37,17 +37,17 @@ namespace Nowpose.ArFoundation
             _need = need;
         }
 
-        /// <summary>The manager; null if there is none.</summary>
+        /// <summary>The manager; null if the XR Origin has none.</summary>
         public T Manager { get; private set; }
 
-        /// <summary>Whether the manager runs, so its data is current in this frame.</summary>
+        /// <summary>Whether the manager and its subsystem run. If true, the manager's data is current in this frame.</summary>
         public bool IsRunning { get; private set; }
 
-        /// <summary>Why the manager does not run, in one line; null if it runs, and during the start.</summary>
+        /// <summary>Reason why the manager does not work, in one line; null if it works, and in the first seconds.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Called once a frame.</summary>
-        /// <param name="assigned">The XR Origin; null for the one above the main camera.</param>
+        /// <summary>Finds or adds the manager, and updates the other properties. Call once per frame.</summary>
+        /// <param name="assigned">The XR Origin; null selects the XR Origin above the main camera in the hierarchy.</param>
         /// <returns>Whether <see cref="Problem"/> has changed.</returns>
         public bool Follow(XROrigin assigned)
         {
@@ -68,8 +68,8 @@ namespace Nowpose.ArFoundation
             return true;
         }
 
-        /// <summary>Returns whether a position is the origin of the device's session, where devices put objects of unknown pose.</summary>
-        /// <remarks>Compares in the session's own space, which the XR Origin places in the scene.</remarks>
+        /// <summary>Returns whether a position is the origin of the device's session. Devices report this position for objects of unknown pose.</summary>
+        /// <remarks>The origin of the session is not always the origin of the scene, because the XR Origin may be moved.</remarks>
         /// <param name="world">Position in the scene, in metres.</param>
         public bool IsSessionOrigin(Vector3 world)
         {
@@ -77,7 +77,7 @@ namespace Nowpose.ArFoundation
             return space != null && space.InverseTransformPoint(world).magnitude < OriginMetres;
         }
 
-        /// <summary>Stops the manager unless the user added it; <see cref="Wake"/> undoes it.</summary>
+        /// <summary>Disables the manager if this object added it. <see cref="Wake"/> enables it again.</summary>
         public void Sleep()
         {
             IsRunning = false;
@@ -98,7 +98,7 @@ namespace Nowpose.ArFoundation
             return _isOurs ? origin.gameObject.AddComponent<T>() : found;
         }
 
-        // A manager looks for its subsystem only when it is enabled, and XR may start later.
+        // A manager looks for its subsystem only in OnEnable. If XR starts later, the manager must be enabled again.
         void TryAgainWhenXrStarts()
         {
             SubsystemManager.GetSubsystems(Displays);

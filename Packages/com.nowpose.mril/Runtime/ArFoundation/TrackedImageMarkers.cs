@@ -11,18 +11,18 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Provides AR Foundation's tracked images as markers; an image's name in its library is the payload.</summary>
+    /// <summary>Provides AR Foundation's tracked images as markers. The payload of a marker is the image's name in its library.</summary>
     /// <remarks>
-    /// AR Foundation does not report when an image was last seen. This class uses the last time its pose changed while it was
-    /// tracked; before the first such change, the time the image became known.
+    /// AR Foundation does not report when an image was last seen. This class uses the last time at which the pose of the image changed
+    /// while the image was tracked. Before the first such change, it uses the time at which the device first listed the image.
     /// </remarks>
     [AddComponentMenu("Nowpose/Tracked Images")]
     [DisallowMultipleComponent]
     public sealed class TrackedImageMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
     {
         /// <summary>
-        /// Marker frame in AR Foundation's frame of an image, which has x to the right, z to the upper edge and y out of the print. In
-        /// URDF axes this is a quarter turn about the normal.
+        /// Pose of the marker frame in AR Foundation's image frame. The image frame has x to the right, z to the upper edge and y out of the
+        /// print. In URDF axes the pose is a quarter turn about the normal.
         /// </summary>
         static readonly RigidTransform MarkerInImage = RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, -Math.PI / 2);
 
@@ -38,7 +38,7 @@ namespace Nowpose.ArFoundation
         readonly MarkerRecords _records = new MarkerRecords();
         MrilSession _source;
 
-        /// <summary>Why no images are tracked, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why no images are tracked, in one line; null if there is no problem.</summary>
         public string Problem => _images.Problem;
 
         public void Read(List<MarkerSighting> markers)
@@ -64,7 +64,7 @@ namespace Nowpose.ArFoundation
         {
             var place = image.transform;
             var pose = new Pose(place.position, place.rotation);
-            // A camera never measures exactly the same pose twice, so an unchanged pose is not a new sighting.
+            // A camera never measures exactly the same pose twice, so an unchanged pose is an old measurement.
             var isSeen = image.trackingState == TrackingState.Tracking && !(record.SeenAt is Pose before && before.Equals(pose));
             if (isSeen || record.LastSeen == null) (record.LastSeen, record.SeenAt) = (now, pose);
             record.Payload = image.referenceImage.name;

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose
 {
@@ -80,7 +81,7 @@ namespace Nowpose
         void RequireKnown()
         {
             if (!IsKnown)
-                throw new InvalidOperationException("the headset clock is not synchronised: no control time is known yet; check State first");
+                throw new InvalidOperationException(ClockMessages.NotSynchronised);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose
 {
@@ -20,7 +21,7 @@ namespace Nowpose
         {
             var ticks = Math.Round(seconds * TimeSpan.TicksPerSecond);
             if (!(Math.Abs(ticks) < long.MaxValue))
-                throw new ArgumentOutOfRangeException(nameof(seconds), seconds, "seconds must be finite and within ±9.2e11 s");
+                throw new ArgumentOutOfRangeException(nameof(seconds), seconds, ClockMessages.SecondsOutOfRange);
             return new TimeSpan((long)ticks);
         }
 

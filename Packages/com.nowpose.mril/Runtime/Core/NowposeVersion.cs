@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Nowpose.Messages;
 
 namespace Nowpose
 {
@@ -27,7 +28,7 @@ namespace Nowpose
         /// <param name="name">Name of the other program, such as "the gateway".</param>
         /// <param name="self">Name of this program, such as "this headset".</param>
         public static string MismatchOf(string other, string name, string self) =>
-            Fits(other) ? null : $"{name} has version {other}, {self} has {Text}; install the same version";
+            Fits(other) ? null : ConnectionMessages.OtherVersion(name, other, self, Text);
 
         // "0.2" of "0.2.0" and of "0.2.0-rc.1"; null for a text that is not a version.
         static string SeriesOf(string version)

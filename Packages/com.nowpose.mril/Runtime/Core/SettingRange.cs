@@ -1,5 +1,5 @@
 using System;
-using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose
 {
@@ -12,8 +12,7 @@ namespace Nowpose
         {
             if (value >= min && value <= max) return value;
             var suffix = unit.Length == 0 ? "" : " " + unit;
-            throw new InputException(string.Format(
-                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed: {2} to {3}{4}", name, value, min, max, suffix));
+            throw new InputException(SettingMessages.OutOfRange(name, value, suffix, min, max));
         }
 
         /// <inheritdoc cref="Require"/>

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
+using Nowpose.Messages;
 
 namespace Nowpose
 {
@@ -14,7 +15,7 @@ namespace Nowpose
             try
             {
                 using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-                if (file.Length > maxBytes) throw new InputException(path + ": file has " + file.Length + " bytes; the limit is " + maxBytes);
+                if (file.Length > maxBytes) throw new InputException(FileMessages.TooLong(path, file.Length, maxBytes));
                 using var reader = new StreamReader(file, Encoding.UTF8);
                 return reader.ReadToEnd();
             }
@@ -41,7 +42,7 @@ namespace Nowpose
             }
             catch (Exception fault) when (IsOfFiles(fault))
             {
-                throw new InputException(path + ": the " + what + " cannot be saved: " + FirstLine(fault.Message), fault);
+                throw new InputException(FileMessages.NotSaved(path, what, FirstLine(fault.Message)), fault);
             }
         }
 

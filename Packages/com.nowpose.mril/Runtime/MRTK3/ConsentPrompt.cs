@@ -6,8 +6,11 @@ using UnityEngine;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Shows the pairing's question, with buttons for the answer; voice commands are disabled for them.</summary>
-    /// <remarks>Speech recognition has false positives, and other people may be heard; accepting a gateway requires a hand or a pinch.</remarks>
+    /// <summary>Shows the question of a pairing, with one button to accept and one to decline. Voice commands do not press these buttons.</summary>
+    /// <remarks>
+    /// Speech recognition makes mistakes, and the microphone also picks up other people. The wearer therefore accepts a gateway by hand or by
+    /// gaze and pinch.
+    /// </remarks>
     [AddComponentMenu("Nowpose/Consent Prompt")]
     [DisallowMultipleComponent]
     public sealed class ConsentPrompt : MonoBehaviour
@@ -28,22 +31,22 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("The button that declines. Its event calls Refuse.")]
         StatefulInteractable _refuse = null;
 
-        /// <summary>Maximum width of a line as a multiple of the font size, so that the question fits its background.</summary>
+        /// <summary>Maximum line width as a multiple of the font size. The question then fits its background.</summary>
         const float LineWidth = 30;
 
-        /// <summary>Minimum time to read a question, in s: an earlier press was intended for something else.</summary>
+        /// <summary>Minimum time to read a question, in s. An earlier press was intended for whatever the wearer saw before.</summary>
         const float ReadingSeconds = 0.5f;
 
         string _shown = "";
         float _shownAt;
 
-        /// <summary>Called by the button that accepts; does nothing in the first half second of a question.</summary>
+        /// <summary>Accepts the gateway. Does nothing in the first half second after the question appears. The accept button calls it.</summary>
         public void Accept()
         {
             if (IsRead) _pairing.Accept();
         }
 
-        /// <summary>Called by the button that declines; does nothing in the first half second of a question.</summary>
+        /// <summary>Declines the gateway. Does nothing in the first half second after the question appears. The decline button calls it.</summary>
         public void Refuse()
         {
             if (IsRead) _pairing.Refuse();

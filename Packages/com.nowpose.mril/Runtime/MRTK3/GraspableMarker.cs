@@ -6,7 +6,9 @@ using UnityEngine.XR.Interaction.Toolkit;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Lets the wearer place a marker by hand, by gaze and pinch, or by ray; the base follows from grasp to release.</summary>
+    /// <summary>
+    /// Lets the wearer move a marker by hand, by gaze and pinch, or by ray. The robot's base follows the marker from grasp to release.
+    /// </summary>
     [AddComponentMenu("Nowpose/Graspable Marker")]
     [DisallowMultipleComponent]
     public sealed class GraspableMarker : MonoBehaviour
@@ -60,7 +62,7 @@ namespace Nowpose.Mrtk3
             if (_holds++ == 0 && _marker != null) _marker.BeginMove();
         }
 
-        // One hand may hold the marker while the other turns a handle, so only the last release ends the move.
+        // One hand may hold the marker while the other hand turns a handle, so only the last release ends the move.
         void Release(SelectExitEventArgs args)
         {
             if (_holds > 0 && --_holds == 0 && _marker != null) _marker.EndMove();

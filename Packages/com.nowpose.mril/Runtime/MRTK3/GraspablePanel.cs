@@ -7,7 +7,7 @@ using UnityEngine.XR.Interaction.Toolkit;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>A panel that stays where the wearer puts it: once grasped, it stops following until it is unpinned.</summary>
+    /// <summary>Pins a panel when the wearer grasps it. A pinned panel stays in place and no longer follows the wearer.</summary>
     [AddComponentMenu("Nowpose/Graspable Panel")]
     [DisallowMultipleComponent]
     public sealed class GraspablePanel : MonoBehaviour
@@ -21,7 +21,7 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("Toggle that is on while the panel stays in place. Its event calls Toggle Pinned. Empty: no toggle.")]
         StatefulInteractable _pin = null;
 
-        /// <summary>Whether the panel stays at its place.</summary>
+        /// <summary>Whether the panel stays in place.</summary>
         public bool IsPinned => _follow != null && !_follow.enabled;
 
         public void TogglePinned() => SetPinned(!IsPinned);

@@ -8,10 +8,10 @@ using UnityEngine;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Keeps the toggles and sliders of an MRTK3 menu consistent with the cell's state, independent of what changed it.</summary>
+    /// <summary>Updates the toggles and sliders of an MRTK3 menu in each frame, so they show the current state of the cell.</summary>
     /// <remarks>
-    /// The buttons' own events call <see cref="CellActions"/>; the sliders' events call this
-    /// component, which passes their values on.
+    /// The events of the buttons call <see cref="CellActions"/> directly. The events of the sliders call this component, which passes the
+    /// values to <see cref="CellActions"/>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Headset Menu")]
     [DisallowMultipleComponent]
@@ -47,19 +47,19 @@ namespace Nowpose.Mrtk3
         int _shownOpacity = int.MinValue, _shownNudge = int.MinValue;
         bool _isShowing;
 
-        /// <summary>Called by the opacity slider's event.</summary>
+        /// <summary>Sets the gripper's opacity. The event of the opacity slider calls it.</summary>
         public void SlideOpacity(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetOpacity(data.NewValue);
         }
 
-        /// <summary>Called by the nudge slider's event.</summary>
+        /// <summary>Sets the correction of L_visu. The event of the nudge slider calls it.</summary>
         public void SlideNudge(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetNudgeMs(data.NewValue);
         }
 
-        // A slider also raises its event when it starts, and when this component sets it, perhaps clamped to its range.
+        // A slider also raises its event when it starts, and when this component sets its value. Only the user's changes are passed on.
         bool IsUsers(SliderEventData data) => _actions != null && !_isShowing && data.NewValue != data.OldValue;
 
         void OnEnable()
@@ -81,7 +81,7 @@ namespace Nowpose.Mrtk3
             ShowNudge(_actions.IsNudgeIdle ? int.MaxValue : (int)Math.Round(10 * _actions.NudgeMs));
         }
 
-        // A toggle switches when it is pressed; this resets it if the action failed.
+        // A toggle changes its own state when it is pressed. If the action failed, this method restores the previous state.
         static void Show(StatefulInteractable toggle, bool isOn)
         {
             if (toggle != null && toggle.IsToggled.Active != isOn) toggle.ForceSetToggled(isOn);

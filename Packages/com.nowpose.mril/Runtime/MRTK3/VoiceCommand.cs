@@ -4,7 +4,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>A keyword and its action.</summary>
+    /// <summary>A phrase to recognise, and the action that it triggers.</summary>
     [Serializable]
     public sealed class VoiceCommand
     {

@@ -8,11 +8,11 @@ using UnityEngine.Events;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Triggers the menu's actions by voice, even while the menu is hidden, independent of where the wearer looks.</summary>
+    /// <summary>Triggers actions by voice, even while the menu is hidden and wherever the wearer looks.</summary>
     /// <remarks>
-    /// Registers its keywords with MRTK3's keyword recognition as soon as that runs, and unregisters them when it is disabled. Keywords
-    /// that were already registered stay registered. The keyword of a button is recognised only while the button is active, and
-    /// those of a hand menu need the hand.
+    /// Registers its keywords as soon as MRTK3's keyword recognition runs, and unregisters them when this component is disabled. Keywords
+    /// that another component registered first stay registered. Buttons have keywords too, but MRTK3 recognises these only while the button is
+    /// active; those of a hand menu work only while the hand is visible.
     /// </remarks>
     [AddComponentMenu("Nowpose/Voice Commands")]
     [DisallowMultipleComponent]
@@ -21,10 +21,13 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("Phrases and their actions. Empty: speech recognition is off.")]
         List<VoiceCommand> _commands = new List<VoiceCommand>();
 
-        /// <summary>Delay before a problem is reported: speech starts some seconds after the scene, or never without microphone or package.</summary>
+        /// <summary>
+        /// Delay before a problem is reported. Speech recognition starts some seconds after the scene; without microphone or package it never
+        /// starts.
+        /// </summary>
         const float PatienceSeconds = 10;
 
-        // The event with which each keyword was registered, and the keywords that were not registered before.
+        // _registered holds the event of each registered keyword; _own holds the keywords that only this component registered.
         readonly Dictionary<string, UnityEvent> _registered = new Dictionary<string, UnityEvent>();
         readonly HashSet<string> _own = new HashSet<string>();
         IKeywordRecognitionSubsystem _recognition;
@@ -61,13 +64,13 @@ namespace Nowpose.Mrtk3
             ConsoleLog.Info(this, "voice commands '" + name + "': keyword recognition does not run; use the menu instead");
         }
 
-        // Checked in each frame: another component that unregisters the same keyword removes all its listeners.
+        // Runs in each frame, because another component that unregisters the same keyword removes all listeners of the keyword.
         void Register()
         {
             var known = _recognition.GetAllKeywords();
             if (known == null)
             {
-                // MRTK3's recognition for Windows on another platform logs an error for each call.
+                // MRTK3's recognition for Windows returns null on other platforms and logs an error for each call, so stop calling it.
                 ConsoleLog.Warn(this, "voice commands '" + name + "': keyword recognition is not supported on this platform; use the menu instead");
                 _recognition = null;
                 _isUnsupported = true;

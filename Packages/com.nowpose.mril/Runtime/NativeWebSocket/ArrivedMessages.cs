@@ -6,11 +6,13 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Queue between the receiving thread and the consumer. Drops the oldest message when full, and counts it.</summary>
+    /// <summary>Queue between the receiving thread and the consumer. Drops the oldest message when full, and reports each drop.</summary>
     sealed class ArrivedMessages
     {
-        /// <summary>Capacity: more than half a second of a robot that publishes at 100 Hz; at most 64 MiB for messages of maximum length.</summary>
-        const int Room = 64;
+        /// <summary>
+        /// Queue capacity in messages: more than half a second of a robot that publishes at 100 Hz. Messages of maximum length need 64 MiB.
+        /// </summary>
+        const int Capacity = 64;
 
         readonly Queue<ReceivedText> _waiting = new Queue<ReceivedText>();
         readonly object _gate = new object();
@@ -25,7 +27,7 @@ namespace Nowpose.Network
             {
                 if (_hasEnded) return;
                 _waiting.Enqueue(message);
-                if (_waiting.Count > Room)
+                if (_waiting.Count > Capacity)
                 {
                     _waiting.Dequeue();
                     _lost++;
@@ -34,7 +36,7 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Ends the queue; waiting messages are still delivered. Only the first call counts.</summary>
+        /// <summary>Ends the queue. Queued messages are still delivered. Later calls have no effect.</summary>
         /// <param name="failure">The reason; null for an orderly end.</param>
         public void End(Exception failure)
         {
@@ -47,8 +49,8 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Returns the next message as soon as there is one; null at the end. One caller at a time.</summary>
-        /// <exception cref="Exception">The failure passed to <see cref="End"/>.</exception>
+        /// <summary>Waits for the next message and returns it; returns null at the end of the queue. Supports one caller at a time.</summary>
+        /// <exception cref="Exception">The queue has ended; this is the failure passed to <see cref="End"/>.</exception>
         public async Task<ReceivedText?> NextAsync(CancellationToken cancel)
         {
             ReceivedText? message;

@@ -1,8 +1,8 @@
 using System.Runtime.CompilerServices;
 
-// This assembly chooses between the links.
+// Nowpose.Unity selects the WebSocket implementation.
 [assembly: InternalsVisibleTo("Nowpose.Unity")]
 
-// These exist only in this package's repository.
+// The test assemblies exist only in the repository, not in the package.
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]

@@ -8,13 +8,15 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>A ws:// link, or a wss:// link with a certificate that the device's own store trusts, over the NativeWebSocket package.</summary>
+    /// <summary>
+    /// WebSocket connection over the NativeWebSocket package: ws://, or wss:// with a certificate that the device's certificate store trusts.
+    /// </summary>
     /// <remarks>
-    /// Messages are stamped when that package reads them, not at the next frame. The package delivers whole messages, so some of
-    /// the protocol's limits are not enforced: fragments are not counted, and a message must be complete before it is
-    /// rejected for its length (one that never ends is detected as silence). A binary message is treated as text and is
-    /// rejected only if it is not valid. The package sends no pings at the protocol's interval; the client calls the gateway's time
-    /// service instead. This link cannot check a pin.
+    /// Messages are stamped when the package reads them, not in the next frame. The package delivers whole messages, so this class cannot
+    /// enforce all limits of the protocol: it does not count fragments, and it rejects a long message only after the whole message has arrived
+    /// (a message that never ends is detected by the timeout for silence). A binary message is treated as text and rejected only if its text
+    /// is invalid. The package does not send pings at the protocol's interval; the client calls the gateway's time service instead. This class
+    /// cannot check a certificate pin.
     /// </remarks>
     sealed class NativeWebSocketLink : IWebSocketLink
     {
@@ -41,9 +43,9 @@ namespace Nowpose.Network
         {
             cancel.ThrowIfCancellationRequested();
             _socket = NewSocket();
-            // Completes with the connection and never fails, because failures are raised as events.
+            // The task completes when the connection ends. It never fails: the package raises failures as events.
             _ = _socket.Connect();
-            // A disposal before the connection was started had nothing to cancel.
+            // Dispose may have run before the socket existed, so it could not cancel the connection.
             if (_isDisposed != 0) _socket.CancelConnection();
             using (cancel.Register(Cancel)) await _opening.Task.ConfigureAwait(false);
 
@@ -56,7 +58,7 @@ namespace Nowpose.Network
 
         public async Task SendAsync(string text, CancellationToken cancel)
         {
-            // The package would drop the text silently.
+            // On a socket that is not open, the package drops the text without an error.
             if (_socket.State != WebSocketState.Open) throw new IOException(_error);
             await _socket.SendText(text).OrCancelled(cancel).ConfigureAwait(false);
         }
@@ -70,10 +72,10 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Closes the connection in an orderly way, in the background and within a second.</summary>
+        /// <summary>Closes the connection in the background: with a close handshake of at most one second, then by cancellation.</summary>
         public void Dispose()
         {
-            // First, because an opening that detects the disposal cancels, which would report another end.
+            // Ends the queue first. OpenAsync cancels the connection when it detects the disposal, and would otherwise end the queue with an error.
             _arrived.End(null);
             if (Interlocked.Exchange(ref _isDisposed, 1) != 0) return;
             if (_socket != null) Task.Run(CloseAsync);
@@ -94,7 +96,7 @@ namespace Nowpose.Network
         static WebSocket Make(string url, Dictionary<string, string> headers)
         {
             var before = SynchronizationContext.Current;
-            SynchronizationContext.SetSynchronizationContext(new AtOnce());
+            SynchronizationContext.SetSynchronizationContext(new ImmediateContext());
             try
             {
                 return new WebSocket(url, headers);
@@ -129,7 +131,7 @@ namespace Nowpose.Network
                 }
                 catch (Exception)
                 {
-                    // The connection is closed in any case.
+                    // The connection is cancelled below in any case.
                 }
             }
             _socket.CancelConnection();

@@ -11,12 +11,12 @@ using ReprojectionMode = Nowpose.Latency.ReprojectionMode;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// Experiment: requests that the display corrects frames for one plane, through the tool of a rig and facing the viewer, that moves with
-    /// the predicted tool.
+    /// Experiment: requests planar reprojection from the display. The plane goes through the tool of a rig, faces the viewer, and moves with
+    /// the predicted velocity of the tool.
     /// </summary>
     /// <remarks>
-    /// A request is valid for one frame, so it is repeated in each. When this component is disabled, the runtime returns to its earlier mode.
-    /// The velocity may count motion twice, because the pose is already predicted to the display time.
+    /// A request is valid for one frame, so this component repeats it in each frame. When the component is disabled, the runtime returns to
+    /// its previous mode. The pose of the tool is already predicted to the display time, so a velocity may count its motion twice.
     /// </remarks>
     [AddComponentMenu("Nowpose/Experimental Planar Reprojection")]
     [DisallowMultipleComponent]
@@ -39,10 +39,10 @@ namespace Nowpose.OpenXR
         bool _isMissing;
         int _requestFrame;
 
-        /// <summary>Why the plane is not in use, in one line; null if it is, or the runtime's session has not begun.</summary>
+        /// <summary>Reason why the plane is not in use, in one line; null if the plane is in use or the runtime's session has not started.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Whether to send the velocity of the predicted tool too.</summary>
+        /// <summary>Whether the request contains the velocity of the predicted tool.</summary>
         public bool SendVelocity
         {
             get => _sendVelocity;
@@ -71,7 +71,7 @@ namespace Nowpose.OpenXR
             Problem = null;
         }
 
-        // A request is valid for one frame. The rig may move after this component runs, so a request in the previous frame also counts.
+        // The rig may compute its pose after this Update, so a request from the previous frame is still current.
         void Update()
         {
             if (_check.Imposed == null || Time.frameCount - _requestFrame <= 1) return;
@@ -79,7 +79,7 @@ namespace Nowpose.OpenXR
             Problem = Paused;
         }
 
-        // Called for each computed pose, a second time right before rendering if the session does that.
+        // The rig calls this after each computed pose: once in Update and, if the session does so, again right before rendering.
         void Ask()
         {
             if (_isMissing) return;
@@ -95,7 +95,7 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack the plugin's native library; the frame must continue.
+                // A build may lack the plugin's native library. This frame must continue without it.
                 _isMissing = true;
                 Refuse("is refused: " + fault.Message);
             }
@@ -119,7 +119,7 @@ namespace Nowpose.OpenXR
             _check.Imposed = ReprojectionMode.PlanarManual;
         }
 
-        // A rig that a script moves, or that shows the newest samples, has no predicted velocity.
+        // The velocity is known only if the rig follows a session and shows the displayed pose.
         void FollowVelocity()
         {
             var session = _source.IsFollowing && _source.Shows == RigPose.Displayed ? _source.Session.Session : null;

@@ -10,14 +10,14 @@ using UnityEngine;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// Supplies the session with each frame's display time, as predicted by the OpenXR runtime. Needs Microsoft's Mixed Reality
-    /// OpenXR plugin.
+    /// Supplies the session with the display time of each frame, as predicted by the OpenXR runtime. Needs Microsoft's Mixed Reality OpenXR
+    /// plugin.
     /// </summary>
     /// <remarks>
-    /// The runtime's times are counts of the performance counter of Windows, at that counter's own frequency. They are converted to
-    /// <see cref="System.Diagnostics.Stopwatch"/>, which Unity scales to 10 MHz, and from there to the session's clock. The calibrated L_visu
-    /// is used if the runtime returns no time (in the Editor, before its session runs), if the platform has no such counter, and if the
-    /// session's clock is not based on the stopwatch.
+    /// The runtime's times are counts of Windows' performance counter, at the frequency of that counter. This component converts them to
+    /// counts of <see cref="System.Diagnostics.Stopwatch"/>, which Unity scales to 10 MHz, and then to the session's clock. The session uses
+    /// the calibrated L_visu in these cases: the runtime returns no time (in the Editor, or before the runtime's session runs), the platform
+    /// has no performance counter, or the session's clock is not based on the stopwatch.
     /// </remarks>
     [AddComponentMenu("Nowpose/Display Time")]
     [DisallowMultipleComponent]
@@ -30,15 +30,15 @@ namespace Nowpose.OpenXR
         CounterPairing _pairing;
         bool _isUnusable, _isMissing;
 
-        /// <summary>Opens the counter of the runtime's times; tests replace it.</summary>
+        /// <summary>Opens the counter that the runtime's times are counts of. Tests replace it.</summary>
         internal Func<ICounter> OpenCounter { get; set; } = () => new WindowsPerformanceCounter();
 
-        /// <summary>The counter of the session's clock; tests replace it.</summary>
+        /// <summary>The counter of the session's clock. Tests replace it.</summary>
         internal ICounter Stopwatch { get; set; } = new StopwatchCounter();
 
         /// <summary>
-        /// Returns the predicted display time: for the first computation of a frame predicted from the previous frame, right before rendering
-        /// from this one.
+        /// Returns the predicted display time of this frame. In Update the runtime predicts it from the previous frame; right before rendering,
+        /// from this frame.
         /// </summary>
         public HeadsetTime? LightOf(HeadsetTime frameStart)
         {
@@ -51,20 +51,20 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack the plugin's native library; the frame must continue.
+                // A build may lack the plugin's native library. This frame must continue without it.
                 GiveUp(fault.Message);
                 return null;
             }
         }
 
-        /// <returns>0 if the runtime returns no time.</returns>
+        /// <returns>Count of the performance counter; 0 if the runtime returns no time.</returns>
         static long PredictedCount(FrameTime tick)
         {
             var predicted = OpenXRTime.Current.GetPredictedDisplayTimeInXrTime(tick);
             return predicted > 0 ? OpenXRTime.Current.ConvertXrTimeToQpcTime(predicted) : 0;
         }
 
-        // Measured once, because both counters use the same oscillator.
+        // One measurement is sufficient, because both counters use the same oscillator.
         bool IsPaired()
         {
             if (_pairing != null) return true;

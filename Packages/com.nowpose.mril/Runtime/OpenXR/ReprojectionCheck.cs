@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Latency;
 using Nowpose.Latency.Reprojection;
+using Nowpose.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -14,17 +15,17 @@ using ReprojectionMode = Nowpose.Latency.ReprojectionMode;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// Reports how the display corrects finished frames for head motion, and whether the depth buffer that this needs is submitted.
-    /// Needs Microsoft's Mixed Reality OpenXR plugin.
+    /// Reports how the display reprojects frames, and whether the application submits the depth buffer that depth reprojection needs. Needs
+    /// Microsoft's Mixed Reality OpenXR plugin.
     /// </summary>
-    /// <remarks>No runtime reports the mode in use. It is inferred from the requested mode, and is unknown if that is not sufficient.</remarks>
+    /// <remarks>No runtime reports the mode that it uses. This component infers it from the requested mode; otherwise the mode is unknown.</remarks>
     [AddComponentMenu("Nowpose/Reprojection Check")]
     [DisallowMultipleComponent]
     public sealed class ReprojectionCheck : MonoBehaviour
     {
         const string DepthExtension = "XR_KHR_composition_layer_depth";
 
-        /// <summary>Interval of the checks, because reading the runtime's name allocates a string.</summary>
+        /// <summary>Interval between checks. A check in each frame would allocate: the runtime's name is a new string at each call.</summary>
         static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(250);
 
         [SerializeField, Tooltip("The session that reports the result. Empty: the session on this object or a parent.")]
@@ -37,13 +38,13 @@ namespace Nowpose.OpenXR
         HeadsetTime? _looked;
         bool _isRunning, _isMissing, _isLacking;
 
-        /// <summary>Whether depth is submitted; a change is reported after one second.</summary>
+        /// <summary>Whether the application submits depth. A change is reported after it has lasted for one second.</summary>
         public DepthSubmission Depth => _watch.State;
 
-        /// <summary>How the display corrects frames.</summary>
+        /// <summary>The reprojection mode that the display uses.</summary>
         public ReprojectionMode Mode { get; private set; }
 
-        /// <summary>The mode that another component requests from the runtime in each frame; null for none.</summary>
+        /// <summary>The mode that another component requests from the runtime in each frame; null if no component does.</summary>
         internal ReprojectionMode? Imposed
         {
             get => _imposed;
@@ -81,7 +82,7 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack a plugin's native library; the frame must continue.
+                // A build may lack a plugin's native library. This frame must continue without it.
                 _isMissing = true;
                 _watch.Reset();
                 Report();
@@ -140,7 +141,7 @@ namespace Nowpose.OpenXR
             return Depth == DepthSubmission.Active && Supports(PluginMode.Depth) ? ReprojectionMode.Depth : ReprojectionMode.Unknown;
         }
 
-        /// <returns>Whether the mode is supported; false before the runtime's session has begun. Allocates nothing.</returns>
+        /// <summary>Returns whether the runtime supports a mode; false before the runtime's session has started. Does not allocate.</summary>
         internal static bool Supports(PluginMode mode)
         {
             var modes = ViewConfiguration.Primary?.SupportedReprojectionModes;
@@ -151,7 +152,7 @@ namespace Nowpose.OpenXR
 
         void LogState()
         {
-            var problem = DepthSubmissionWords.ProblemOf(Depth);
+            var problem = DepthSubmissionMessages.ProblemOf(Depth);
             if (problem != null) ConsoleLog.Warn(this, problem);
             else if (Depth == DepthSubmission.Active) ConsoleLog.Info(this, _isLacking ? "depth is submitted again" : "depth is submitted");
             _isLacking = problem != null;

@@ -11,16 +11,18 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.OpenXR
 {
-    /// <summary>Saves spatial anchors over restarts in the store of Windows Mixed Reality; needs Microsoft's Mixed Reality OpenXR plugin.</summary>
+    /// <summary>
+    /// Saves spatial anchors across restarts in the anchor store of Windows Mixed Reality. Needs Microsoft's Mixed Reality OpenXR plugin.
+    /// </summary>
     [AddComponentMenu("Nowpose/Anchor Store")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(ArSpatialAnchors))]
     public sealed class OpenXrAnchorStore : MonoBehaviour, IAnchorStore
     {
-        /// <summary>Interval of the attempts to open the store: the plugin has none before its session runs.</summary>
+        /// <summary>Interval between attempts to open the store. The plugin has no store before its session runs.</summary>
         const float AskEverySeconds = 1;
 
-        const int AskedInVain = 5;
+        const int AttemptsBeforeReport = 5;
 
         const string LoadingAll = "load the stored anchors";
 
@@ -51,7 +53,7 @@ namespace Nowpose.OpenXR
         public bool TryKeep(TrackableId anchor, string name) => Try("keep '" + name + "'", store =>
         {
             if (store.TryPersistAnchor(anchor, name)) return true;
-            // The store may have refused the anchor because the name is in use.
+            // The store refuses an anchor if the name is in use. In that case, replace the earlier anchor.
             if (!IsAmong(store.PersistedAnchorNames, name)) return false;
             store.UnpersistAnchor(name);
             return store.TryPersistAnchor(anchor, name);
@@ -75,7 +77,7 @@ namespace Nowpose.OpenXR
             else if (_anchors.IsRunning && Time.unscaledTime >= _next) Ask();
         }
 
-        // The runtime was restarted, so its store is a new one.
+        // The runtime has restarted, so the old store is no longer valid.
         void Restart(XRAnchorSubsystem subsystem)
         {
             _of = subsystem;
@@ -92,7 +94,7 @@ namespace Nowpose.OpenXR
             try
             {
                 _loading = _anchors.Manager.LoadAnchorStoreAsync();
-                // Observes the exception, which is not reported if this component is destroyed first.
+                // If this component is destroyed before the task fails, nothing else reads the exception; it must not count as unobserved.
                 _loading.ContinueWith(Observe, TaskContinuationOptions.OnlyOnFaulted | TaskContinuationOptions.ExecuteSynchronously);
             }
             catch (Exception fault)
@@ -112,10 +114,10 @@ namespace Nowpose.OpenXR
                 Problem = null;
             }
             else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
-            else if (_asked == AskedInVain) Report("the runtime has no anchor store; anchors are lost at the next start");
+            else if (_asked == AttemptsBeforeReport) Report("the runtime has no anchor store; anchors are lost at the next start");
         }
 
-        // Catches every exception, because the plugin calls native code of the system.
+        // Catches all exceptions: the plugin calls native code of the operating system, and does not document what it throws.
         bool Try(string what, Func<XRAnchorStore, bool> action)
         {
             if (_store == null) return false;

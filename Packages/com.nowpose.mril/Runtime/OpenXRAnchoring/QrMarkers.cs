@@ -7,7 +7,7 @@ using Nowpose.Unity;
 using Nowpose.Unity.Session;
 using Unity.XR.CoreUtils;
 using UnityEngine;
-// AR Foundation has types of the same names from version 6.4 on.
+// These aliases are needed because AR Foundation has types with the same names since version 6.4.
 using ARMarker = Microsoft.MixedReality.OpenXR.ARMarker;
 using ARMarkerManager = Microsoft.MixedReality.OpenXR.ARMarkerManager;
 using ARMarkerType = Microsoft.MixedReality.OpenXR.ARMarkerType;
@@ -15,17 +15,19 @@ using TransformMode = Microsoft.MixedReality.OpenXR.TransformMode;
 
 namespace Nowpose.OpenXR
 {
-    /// <summary>Provides a HoloLens 2's QR codes as markers; needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.</summary>
+    /// <summary>
+    /// Provides the QR codes that a HoloLens 2 detects as markers. Needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.
+    /// </summary>
     /// <remarks>
-    /// The plugin reports a code's pose at its upper left corner, x to the right, y down, z out of the print. Its own mode for the centre
-    /// (<see cref="TransformMode.Center"/>) shifts by half the size along the axes of the room, so it is correct only for an upright code
-    /// that faces one of these axes. This component therefore uses the corner mode, and shifts along the code's own axes.
+    /// The plugin reports the pose of a code at its upper left corner, with x to the right, y down and z out of the print. The plugin's mode
+    /// for the centre (<see cref="TransformMode.Center"/>) shifts this pose by half the size along the axes of the room, which is correct only
+    /// for an upright code that faces one of these axes. This component therefore reads the corner and shifts along the axes of the code.
     /// </remarks>
     [AddComponentMenu("Nowpose/QR Markers")]
     [DisallowMultipleComponent]
     public sealed class QrMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
     {
-        /// <summary>Marker frame in the code's frame, in URDF axes of that frame.</summary>
+        /// <summary>Pose of the marker frame in the plugin's frame of the code, in URDF axes.</summary>
         static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 
         [SerializeField, Tooltip("The session whose clock determines when a code was seen. Empty: the session on this object or a parent.")]
@@ -44,7 +46,7 @@ namespace Nowpose.OpenXR
         MrilSession _source;
         ARMarkerManager _setUp;
 
-        /// <summary>Why no codes are found, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why no codes are found, in one line; null if there is no problem.</summary>
         public string Problem => _codes.Problem;
 
         public void Read(List<MarkerSighting> markers)
@@ -97,8 +99,8 @@ namespace Nowpose.OpenXR
             var rotation = corner.rotation;
             var shift = rotation * new Vector3(code.center.x, code.center.y, 0);
             var isCentre = code.transformMode == TransformMode.Center;
-            // Checks the pose of the device itself, because a shift to the centre would make an unknown pose look valid. The pose at the origin has
-            // no rotation, so the plugin's shift is the same there.
+            // Checks the pose that the device measured: after the shift to the centre, an unknown pose (at the session's origin) would look valid. A
+            // pose at the origin has no rotation, so subtracting the shift also undoes the plugin's own shift.
             var isNowhere = _codes.IsSessionOrigin(corner.position) || (isCentre && _codes.IsSessionOrigin(corner.position - shift));
             var centre = isCentre ? corner.position : corner.position + shift;
             return new MarkerSighting(
@@ -106,18 +108,18 @@ namespace Nowpose.OpenXR
                 isNowhere ? MarkerTracking.None : code.trackingState.OfMarker());
         }
 
-        // Converts to headset time once per sighting; otherwise the same sighting would have a different time in each frame.
+        // Converts the time of a sighting only once. A conversion in each frame would give the same sighting a different time each time.
         static void Follow(ARMarker code, MarkerRecord record, HeadsetTime now, float seconds)
         {
             if (code.lastSeenTime == record.LastSeenSeconds) return;
             record.LastSeenSeconds = code.lastSeenTime;
             var ago = (double)seconds - code.lastSeenTime;
-            // After days of operation, the plugin's time is rounded to more than a frame.
+            // After days of operation, the plugin's time (a float in seconds) is rounded to more than a frame, so the age may become negative.
             record.LastSeen = now - new TimeSpan((long)(Math.Max(0, ago) * TimeSpan.TicksPerSecond));
             if (string.IsNullOrEmpty(record.Payload)) record.Payload = Text(code.GetDecodedString());
         }
 
-        // A code that is found but not decoded yet has no text.
+        // The plugin returns an empty text for a code that it has found but not yet decoded.
         static string Text(string decoded) => string.IsNullOrEmpty(decoded) ? null : decoded;
     }
 }

@@ -16,7 +16,7 @@ Shader "Nowpose/Hologram"
         {
             "com.unity.render-pipelines.universal"
         }
-        // Batching would remove the object space that the stripes use.
+        // Batching would move the vertices to world space, but the stripes need object space.
         Tags
         {
             "RenderPipeline" = "UniversalPipeline" "RenderType" = "Transparent" "Queue" = "Transparent" "IgnoreProjector" = "True"
@@ -27,9 +27,9 @@ Shader "Nowpose/Hologram"
         {
             Name "Hologram"
             Tags { "LightMode" = "UniversalForwardOnly" }
-            // The second pair writes the alpha that a mixed reality capture uses.
+            // The second pair of factors writes the alpha that a mixed reality capture uses.
             Blend SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha
-            // Writes depth although the colour blends, because a HoloLens uses the depth to stabilise its picture.
+            // Writes depth although the colour is blended, because a HoloLens uses the depth to stabilise its picture.
             ZWrite On
             Cull Back
 
@@ -42,7 +42,7 @@ Shader "Nowpose/Hologram"
             ENDHLSL
         }
 
-        // URP's depth prepass draws it for a material with an opaque render queue.
+        // URP's depth prepass uses this pass for materials with an opaque render queue.
         Pass
         {
             Name "DepthOnly"

@@ -19,7 +19,7 @@ struct Fragment
     UNITY_VERTEX_OUTPUT_STEREO
 };
 
-// Without instancing these macros declare a plain buffer of that name, which URP's SRP batcher needs.
+// Without instancing, these macros declare a plain buffer named UnityPerMaterial, which URP's SRP batcher needs.
 UNITY_INSTANCING_BUFFER_START(UnityPerMaterial)
     UNITY_DEFINE_INSTANCED_PROP(float4, _Color)
     UNITY_DEFINE_INSTANCED_PROP(float, _Fade)
@@ -50,14 +50,15 @@ half4 Shade(Fragment fragment) : SV_Target
     float fade = UNITY_ACCESS_INSTANCED_PROP(UnityPerMaterial, _Fade);
     float hatch = UNITY_ACCESS_INSTANCED_PROP(UnityPerMaterial, _Hatch);
 
-    // The light is at the viewer: shapes read the same in a scene without any light. A mirrored object has its normals reversed.
+    // Shades as if the only light were at the viewer, so shapes are recognisable in a scene without lights. The absolute value is needed
+    // because a mirrored object has reversed normals.
     float facing = abs(dot(normalize(fragment.normal), normalize(fragment.view)));
     colour.rgb *= 0.4 + 0.6 * facing;
     colour.a *= NowposeOpacity(fade, hatch, fragment.metres);
     return colour;
 }
 
-// Used by the pass that writes only depth.
+// The fragment shader of the pass that writes only depth.
 half4 ShadeDepth(Fragment fragment) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(fragment);

@@ -1,4 +1,4 @@
-// Transforms with the names that the built-in pipeline and URP share. Both set the matrices of the eye that is drawn.
+// Coordinate transforms with matrices that both the built-in pipeline and URP define, for the eye that is being drawn.
 #ifndef NOWPOSE_SPACES_INCLUDED
 #define NOWPOSE_SPACES_INCLUDED
 
@@ -12,7 +12,7 @@ float4 ToClip(float3 worldPosition)
     return mul(UNITY_MATRIX_VP, float4(worldPosition, 1));
 }
 
-// Returns the normal in the world, not normalised: the cofactors of the matrix are its inverse transpose times its determinant.
+// Returns the normal in world space, not normalised. Uses the cofactor matrix, which is the inverse transpose times the determinant.
 float3 NormalToWorld(float3 normal)
 {
     float3x3 toWorld = (float3x3)UNITY_MATRIX_M;

@@ -1,5 +1,5 @@
-// Draws the letters of a TextMesh. Unlike with the font's own shader, objects in front hide the text. It writes depth, which a HoloLens uses
-// to stabilise its picture. The component Font Texture sets the texture of the font by property block.
+// Draws the letters of a TextMesh. In contrast to the font's own shader, it lets objects in front hide the text, and it writes depth, which a
+// HoloLens uses to stabilise its picture. The component Font Texture sets the texture of the font by property block.
 Shader "Nowpose/Text"
 {
     Properties

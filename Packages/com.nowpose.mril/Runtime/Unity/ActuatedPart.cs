@@ -6,11 +6,11 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Moves this object between two places by a signal, such as the jaw of a gripper, a cylinder or a door.</summary>
+    /// <summary>Moves this object between two poses according to a signal. Example objects: gripper jaw, cylinder, door.</summary>
     /// <remarks>
-    /// The move starts at the stamp of the change and takes the stroke time, so it is in phase with the real part although the message was late
-    /// (<see cref="ActuatedStroke"/>). The place at 0 is that of the object when it is enabled, in its parent's axes. While no value is known, the
-    /// object stays there.
+    /// A move starts at the stamp of the signal's change and takes the stroke time. The object is therefore in phase with the real part even if
+    /// the message arrived late (<see cref="ActuatedStroke"/>). The pose for the value 0 is the object's local pose when this component is
+    /// enabled. The object keeps this pose until the first value is known.
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]
     [DisallowMultipleComponent]
@@ -40,10 +40,10 @@ namespace Nowpose.Unity
         /// <summary>Name of the signal.</summary>
         public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
 
-        /// <summary>Share of the stroke in the newest frame, 0 to 1.</summary>
+        /// <summary>Position within the stroke in the newest frame, from 0 (start) to 1 (end).</summary>
         public float Share { get; private set; }
 
-        /// <summary>Why the signal's value is not current, in one line; null if it is.</summary>
+        /// <summary>Reason why the signal's value is not current, in one line; null if the value is current.</summary>
         public string Fault => _follower == null ? "no session" : _follower.Fault;
 
         void OnEnable()
@@ -67,10 +67,10 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            if (frame.DisplayTime is ControlTime light) Move((float)_stroke.At(light));
+            if (frame.DisplayTime is ControlTime displayTime) Move((float)_stroke.At(displayTime));
         }
 
-        // After a step of the clock the time of the value is unknown, so the part is where the value puts it.
+        // After a step of the control clock, the time of the change is unknown, so the part jumps to the end of its move.
         void Take(SignalTrack signal)
         {
             if (!signal.Since.HasValue) _stroke.Forget(null);

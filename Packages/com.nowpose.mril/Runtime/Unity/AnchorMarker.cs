@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A marker that is fixed to the robot's base, as entered in the Inspector.</summary>
+    /// <summary>A marker fixed to the robot's base, as entered in the Inspector.</summary>
     [Serializable]
     public sealed class AnchorMarker
     {
@@ -42,6 +42,7 @@ namespace Nowpose.Unity
             _positionMetres.x, _positionMetres.y, _positionMetres.z,
             _turnedDegrees.x * Mathf.Deg2Rad, _turnedDegrees.y * Mathf.Deg2Rad, _turnedDegrees.z * Mathf.Deg2Rad);
 
+        /// <summary>Converts the entered values to a marker.</summary>
         /// <exception cref="InputException">The payload is missing, or a number is out of range.</exception>
         public BaseMarker Read() => new BaseMarker(_payload, Place, _sizeMetres);
     }

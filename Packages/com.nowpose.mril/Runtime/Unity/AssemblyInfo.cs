@@ -1,17 +1,16 @@
 using System.Runtime.CompilerServices;
 
-// The importer builds its prefabs in the same way as the rig builds its robot at run time.
+// The URDF importer builds prefabs with the same internal classes with which a rig builds its robot at run time.
 [assembly: InternalsVisibleTo("Nowpose.Editor")]
 
-// The assemblies for optional packages use the same internal helpers for logging and for finding a session.
+// The assemblies for optional packages share internal helpers, for example to log and to find a session.
 [assembly: InternalsVisibleTo("Nowpose.ArFoundation")]
 [assembly: InternalsVisibleTo("Nowpose.OpenXR")]
 [assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]
-// Its components log and find their session in the same way.
 [assembly: InternalsVisibleTo("Nowpose.MRTK3")]
 
-// Prefabs use the panel's dimensions.
+// The tool that builds the prefabs uses the dimensions of the status panel.
 [assembly: InternalsVisibleTo("Nowpose.Prefabs")]
 
-// Plain classes decide the texts of a panel; their tests need no scene.
+// Tests the plain classes of this assembly without a scene.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]

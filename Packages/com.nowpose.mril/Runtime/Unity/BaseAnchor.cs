@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Unity.Anchoring;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Robot;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -9,10 +10,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Places the robot's base frame in the room. All objects that show the robot are below it.</summary>
+    /// <summary>Places the robot's base frame in the room. All objects that show the robot are children of this object.</summary>
     /// <remarks>
-    /// Keeps its initial place until markers that are fixed to the base determine the pose. Marker sources and spatial anchors are found
-    /// below the session, or if there is none, below the root object of this one.
+    /// This object keeps its initial pose until markers fixed to the base determine the pose. The component searches for marker sources and
+    /// spatial anchors below the session's object; without a session, below the root object of the hierarchy.
     /// </remarks>
     [AddComponentMenu("Nowpose/Base Anchor")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -78,23 +79,23 @@ namespace Nowpose.Unity
         /// <summary>Raised when <see cref="State"/> or <see cref="Words"/> changes.</summary>
         public event Action StateChanged;
 
-        /// <summary>Name of the robot cell, under which the headset saves the pose; empty for none.</summary>
+        /// <summary>Name of the robot cell, under which the headset saves the pose. Empty: the pose is not saved.</summary>
         public string Cell => Tracker?.Cell ?? _cell;
 
-        /// <summary>How the base's pose is determined.</summary>
+        /// <summary>The source of the base's current pose: for example by hand, searched, or locked by markers.</summary>
         public BaseAnchorState State => Tracker?.State ?? BaseAnchorState.Placed;
 
-        /// <summary>Description of the state in one line, with what to do.</summary>
+        /// <summary>Describes the state, and what the user must do, in one line.</summary>
         public string Words => _fault ?? Tracker?.Words ?? "placed by hand";
 
-        /// <summary>Details of the markers; null before this component was first enabled, and while its fields are invalid.</summary>
+        /// <summary>Details of the markers. Null before this component is first enabled, and while its fields are invalid.</summary>
         public BaseTracker Tracker { get; private set; }
 
-        /// <summary>Replaces the markers of the Inspector.</summary>
-        /// <remarks>A lock is kept if the cell is the same and the markers of the lock are among the new ones.</remarks>
-        /// <param name="cell">Name of the cell, under which the headset saves the pose over restarts; empty or null not to save it.</param>
-        /// <param name="markers">Empty for a base that is placed by hand.</param>
-        /// <exception cref="InputException">Two markers have the same payload, or there are too many.</exception>
+        /// <summary>Replaces the cell and the markers that were entered in the Inspector.</summary>
+        /// <remarks>The base stays locked if the cell is the same and the new markers include the markers that locked it.</remarks>
+        /// <param name="cell">Name of the cell, under which the headset saves the pose across restarts. Empty or null: the pose is not saved.</param>
+        /// <param name="markers">The markers fixed to the base; empty if the base is placed by hand.</param>
+        /// <exception cref="InputException">Two markers have the same payload, or there are too many markers.</exception>
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
         {
             if (markers == null) throw new ArgumentNullException(nameof(markers));
@@ -106,25 +107,29 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Starts a new search for the base by its markers; until it succeeds, the base keeps its place and its look shows that it is not
-        /// locked.
+        /// Starts a new search for the base by its markers. Until the search succeeds, the base keeps its pose and its appearance shows that it
+        /// is not locked.
         /// </summary>
-        /// <remarks>Without markers, a pose restored from an earlier run is accepted.</remarks>
+        /// <remarks>If there are no markers, this method accepts a pose that was restored from an earlier run.</remarks>
         public void Relock()
         {
             Tracker?.Relock();
             Notify();
         }
 
-        /// <summary>Moves the base frame to a pose in the world at once. Releases a lock by markers; a running search continues.</summary>
-        /// <param name="position">Position of its origin, in metres.</param>
-        /// <param name="rotation">Rotation from Unity's axes (x right, y up, z forward) to the robot's; any length except zero.</param>
+        /// <summary>
+        /// Moves the base frame to a pose in the world, without a transition. Releases a lock by markers; a running search continues.
+        /// </summary>
+        /// <param name="position">Position of the base frame's origin, in metres.</param>
+        /// <param name="rotation">
+        /// Rotation of the base frame in Unity's axes (x right, y up, z forward). The quaternion may have any length except zero.
+        /// </param>
         /// <exception cref="ArgumentException">A value is not finite, or the rotation is zero.</exception>
         public void Place(Vector3 position, Quaternion rotation)
         {
             var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
-            if (!IsFinite(position)) throw new ArgumentException("position " + position + " is not finite", nameof(position));
-            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException("rotation " + rotation + " is not a valid rotation", nameof(rotation));
+            if (!IsFinite(position)) throw new ArgumentException(BaseMessages.PositionNotFinite(position), nameof(position));
+            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException(BaseMessages.RotationInvalid(rotation), nameof(rotation));
             transform.SetPositionAndRotation(
                 position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
             Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));
@@ -132,9 +137,9 @@ namespace Nowpose.Unity
             Notify();
         }
 
-        /// <summary>Adjusts the pose along and about the anchor's own axes.</summary>
-        /// <param name="metres">Offset to the right, up and forward as seen from the robot, in metres.</param>
-        /// <param name="degreesAboutUp">Rotation in degrees, clockwise seen from above, as in Unity.</param>
+        /// <summary>Shifts the base frame along its own axes and rotates it about its own vertical axis.</summary>
+        /// <param name="metres">Offset to the robot's right (x), up (y) and forward (z), in metres.</param>
+        /// <param name="degreesAboutUp">Rotation in degrees; positive is clockwise as seen from above.</param>
         /// <exception cref="ArgumentException">A value is not finite.</exception>
         public void Nudge(Vector3 metres, float degreesAboutUp)
         {
@@ -193,7 +198,7 @@ namespace Nowpose.Unity
             StateChanged?.Invoke();
         }
 
-        // Returns whether there is a new problem although the state is the same, so that each is reported once.
+        // Returns whether a problem, conflict or correction is new since the last call, so that each one is logged once.
         bool HasNewProblem()
         {
             if (Tracker == null) return false;

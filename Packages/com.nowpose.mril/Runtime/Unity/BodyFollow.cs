@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Keeps an object in front of its reader without fixing it to the head: it stays in place until the head has turned or moved too
-    /// far, then glides to the new place. Always upright.
+    /// Keeps an object in front of the wearer. The object stays in place until the head has turned or moved too far; then it glides to a new
+    /// place in front of the wearer. The object is always upright.
     /// </summary>
     [AddComponentMenu("Nowpose/Body Follow")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
@@ -37,7 +37,7 @@ namespace Nowpose.Unity
 
         BodyFollowing _following;
 
-        /// <summary>The transform to follow; null if there is none.</summary>
+        /// <summary>The transform to follow; null if no head is assigned and the scene has no main camera.</summary>
         internal Transform Head => _head != null ? _head : Viewer.Head;
 
         internal bool IsGliding => _following.IsGliding;

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -8,12 +9,12 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// The wearer's actions on a robot cell, as methods that a button, toggle, slider or voice command of any user interface
-    /// can call.
+    /// Provides the wearer's actions on a robot cell as methods. The buttons, toggles, sliders and voice commands of any user interface can
+    /// call them.
     /// </summary>
     /// <remarks>
-    /// One for each session. Finds the objects that it acts on below the session unless they are assigned. <see cref="Changed"/> is raised
-    /// for every change of state, so that a user interface can update.
+    /// Add one component per session. Fields that are not assigned are filled with the first suitable object below the session. A user interface
+    /// can use <see cref="Changed"/> to update what it shows.
     /// </remarks>
     [AddComponentMenu("Nowpose/Cell Actions")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -47,10 +48,10 @@ namespace Nowpose.Unity
         MrilSession _source;
         CellState _lastRaised;
 
-        /// <summary>Raised when a property of this class has changed; at most once a frame.</summary>
+        /// <summary>Raised when one or more properties of this class have changed; at most once per frame.</summary>
         public event Action Changed;
 
-        /// <summary>Whether a connection is requested; the status panel shows whether it is established.</summary>
+        /// <summary>Whether a connection is requested. It may not be established yet; the status panel shows its state.</summary>
         public bool IsConnecting => _source != null && _source.IsConnecting;
 
         public bool IsGhostShown => _ghost != null && _ghost.Visible;
@@ -66,7 +67,7 @@ namespace Nowpose.Unity
         /// <summary>Offset added to the calibrated L_visu, in ms.</summary>
         public float NudgeMs => (float)_nudge.Ms;
 
-        /// <summary>Whether the runtime predicts display times, so that the nudge has no visible effect.</summary>
+        /// <summary>Whether the nudge has no effect, because the runtime predicts the display times.</summary>
         public bool IsNudgeIdle => _nudge.IsIdle;
 
         /// <summary>Connects to the gateway.</summary>
@@ -75,7 +76,7 @@ namespace Nowpose.Unity
             if (Has(_source, "session")) _source.Connect();
         }
 
-        /// <summary>Disconnects from the gateway; the pose is held and marked as such.</summary>
+        /// <summary>Disconnects from the gateway. The robot holds its last pose and is shown as not current.</summary>
         public void Disconnect()
         {
             if (Has(_source, "session")) _source.Disconnect();
@@ -87,13 +88,13 @@ namespace Nowpose.Unity
             else Connect();
         }
 
-        /// <summary>Starts a new search for the base by its markers.</summary>
+        /// <summary>Starts a new search for the robot's base by its markers.</summary>
         public void LockBase()
         {
             if (Has(_anchor, "base anchor")) _anchor.Relock();
         }
 
-        /// <summary>Asks whether to forget the cell in use; it is answered like any other question of the pairing.</summary>
+        /// <summary>Asks the wearer whether to forget the cell in use. The pairing shows this question like its other questions.</summary>
         public void ForgetCell()
         {
             if (Has(_pairing, "cell pairing")) _pairing.AskToForget();
@@ -108,7 +109,7 @@ namespace Nowpose.Unity
 
         public void ToggleOcclusion() => SetOcclusion(!IsOcclusionOn);
 
-        /// <summary>Switches occlusion. Off: the whole gripper is drawn, including parts behind the real arm.</summary>
+        /// <summary>Enables or disables occlusion. If disabled, the whole gripper is drawn, including parts behind the real arm.</summary>
         public void SetOcclusion(bool on) => _occlusion.Set(on);
 
         public void TogglePanel() => SetPanel(!IsPanelShown);
@@ -118,19 +119,24 @@ namespace Nowpose.Unity
             if (Has(_panel, "status panel")) _panel.gameObject.SetActive(shown);
         }
 
-        /// <summary>For a slider: 1 is full opacity, 0 leaves a fifth; a pose that is not current keeps its minimum visibility.</summary>
+        /// <summary>
+        /// Sets the opacity, for a slider. At 1 the robot has its full opacity, at 0 a fifth of it. A pose that is not current keeps a minimum
+        /// visibility.
+        /// </summary>
         public void SetOpacity(float opacity)
         {
             if (Has(_appearance, "pose appearance")) _appearance.Opacity = opacity;
         }
 
-        /// <summary>For a button: changes the opacity by a difference; negative is fainter.</summary>
+        /// <summary>Changes the opacity by a difference, for a button. A negative difference makes the robot fainter.</summary>
         public void ChangeOpacity(float by) => SetOpacity(Opacity + by);
 
-        /// <summary>For a slider: predicts further ahead (positive) or less far, at most 50 ms; another calibration resets it.</summary>
+        /// <summary>
+        /// Sets <see cref="NudgeMs"/>, for a slider, from -50 to 50 ms. A positive value predicts further ahead. A new calibration resets it to 0.
+        /// </summary>
         public void SetNudgeMs(float ms) => _nudge.Ms = ms;
 
-        /// <summary>For a button: changes <see cref="NudgeMs"/> by a difference, in ms.</summary>
+        /// <summary>Changes <see cref="NudgeMs"/> by a difference in ms, for a button.</summary>
         public void ChangeNudgeMs(float by) => SetNudgeMs(NudgeMs + by);
 
         void OnEnable()
@@ -152,7 +158,7 @@ namespace Nowpose.Unity
             _source = null;
         }
 
-        // After the calibration of a restarted session, and before the session computes its frame.
+        // Runs before the session computes its frame. A restarted session has its calibration by then.
         void LateUpdate()
         {
             if (_source == null) return;
@@ -175,7 +181,7 @@ namespace Nowpose.Unity
         bool Has(UnityEngine.Object needed, string kind)
         {
             if (needed != null) return true;
-            ConsoleLog.Warn(this, "cell actions '" + name + "' have no " + kind + "; assign one");
+            ConsoleLog.Warn(this, ComponentMessages.NoAction(name, kind));
             return false;
         }
     }

@@ -11,10 +11,13 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Sets a session up from codes that the wearer looks at: the robot's marker, and once the code that the gateway shows.</summary>
+    /// <summary>
+    /// Sets up a session from codes that the wearer looks at: the marker at the robot and, when pairing for the first time, the code that the
+    /// gateway shows.
+    /// </summary>
     /// <remarks>
-    /// Reads the marker sources on the session's object or below it. Asks the wearer before it contacts a new gateway.
-    /// Accepted cells and this headset's tokens are saved on the device.
+    /// Reads the marker sources on the session's object and its children. Asks the wearer before it contacts a new gateway. Saves accepted cells
+    /// and the tokens of this headset on the device.
     /// </remarks>
     [AddComponentMenu("Nowpose/Cell Pairing")]
     [DisallowMultipleComponent]
@@ -50,48 +53,53 @@ namespace Nowpose.Unity
         string _fileProblem, _name, _path;
         bool _isApplied;
 
-        /// <summary>Raised when question, words, problem or cell have changed.</summary>
+        /// <summary>Raised when <see cref="Question"/>, <see cref="Words"/>, <see cref="Problem"/> or <see cref="Cell"/> has changed.</summary>
         public event Action Changed;
 
-        /// <summary>The question to the wearer, in one line; null if there is none.</summary>
+        /// <summary>The open question to the wearer, in one line; null if there is none.</summary>
         public string Question => Flow?.Question;
 
-        /// <summary>Status in one line for a panel; the question if there is one.</summary>
+        /// <summary>Status in one line for a panel. While a question is open, this is the question.</summary>
         public string Words => Question ?? _fileProblem ?? Flow?.Words ?? "";
 
         /// <summary>The problem in one line; null if there is none.</summary>
         public string Problem => _fileProblem ?? Flow?.Problem;
 
-        /// <summary>The next step of the wearer or the gateway before the session can connect, in one line; null if none is needed.</summary>
-        /// <remarks>Also null while a session is connected by its settings and no cell is paired.</remarks>
+        /// <summary>
+        /// Next step that the wearer or the gateway must take before the session can connect, in one line; null if no step is necessary.
+        /// </summary>
+        /// <remarks>Also null while no cell is paired and the session connects with its own settings.</remarks>
         public string Guidance => Flow == null || Flow.IsSettled || (Question == null && Cell == null && _source.IsConnecting) ? null : Flow.Words;
 
-        /// <summary><see cref="Problem"/> without that of the file, which does not prevent a connection.</summary>
+        /// <summary>Like <see cref="Problem"/>, but without problems of the file, because these do not prevent a connection.</summary>
         internal string Obstacle => Flow?.Problem;
 
-        /// <summary>Name of the cell in use; null for none.</summary>
+        /// <summary>Name of the cell in use; null if no cell is paired.</summary>
         public string Cell => Flow?.Cells.Used?.Cell;
 
-        /// <summary>Accepts the question. Does nothing if there is none.</summary>
+        /// <summary>Answers the open question with yes. Does nothing if no question is open.</summary>
         public void Accept() => Flow?.Accept();
 
-        /// <summary>Declines the question; a gateway stays declined until the application restarts or <see cref="AskToForget"/>.</summary>
+        /// <summary>
+        /// Answers the open question with no. A declined gateway stays declined until the application restarts or <see cref="AskToForget"/> is
+        /// called.
+        /// </summary>
         public void Refuse() => Flow?.Refuse();
 
-        /// <summary>Asks whether to forget the cell in use, by a <see cref="Question"/>.</summary>
-        /// <remarks>Independent of the answer, the pairing asks again about declined gateways and cells when their marker is in view.</remarks>
+        /// <summary>Opens a <see cref="Question"/> that asks whether to forget the cell in use.</summary>
+        /// <remarks>Whatever the answer, the pairing asks again about declined gateways and cells when their markers come into view.</remarks>
         public void AskToForget() => Flow?.AskToForget();
 
-        /// <summary>Forgets the cell in use and its token without a question; the next look at a marker asks again.</summary>
+        /// <summary>Deletes the cell in use and its token without a question. When a marker comes into view, the pairing asks again.</summary>
         public void Forget() => Flow?.Forget();
 
-        /// <summary>Processes the text of a typed or scanned code as if it was in view. Ignores surrounding white space.</summary>
+        /// <summary>Processes the text of a code, typed or scanned elsewhere, as if the code were in view. Ignores surrounding white space.</summary>
         public void ReadCode(string text)
         {
             if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);
         }
 
-        // Null while disabled, and without a session.
+        // Null while this component is disabled or has no session.
         PairingFlow Flow { get; set; }
 
         void OnEnable()
@@ -111,7 +119,7 @@ namespace Nowpose.Unity
             Flow = null;
         }
 
-        // Before the session computes its frame.
+        // Runs before the session computes its frame in LateUpdate.
         void Update()
         {
             if (Flow == null || _source == null) return;
@@ -119,7 +127,7 @@ namespace Nowpose.Unity
             _view.Show(_source, Flow, now);
             Flow.IsTokenRefused = IsTokenRefused(_source);
             var changes = Flow.Tick(now);
-            // Saved before the events, because a listener of anchor or session may throw or disable this component.
+            // Saves before the events: a listener of the anchor or the session may throw or disable this component.
             if ((changes & PairingChange.Kept) != 0) Keep();
             try
             {

@@ -7,10 +7,13 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Raises events when a signal of the control system changes, in the frame whose light shows the time of the change.</summary>
+    /// <summary>
+    /// Raises events when a signal of the control system changes, in the frame whose display time reaches the time of the change.
+    /// </summary>
     /// <remarks>
-    /// A Boolean is 0 or 1. Each change is reported once and in order, even if several become visible in one frame; so is the first known value.
-    /// Assign any method with one parameter, such as <c>GameObject.SetActive</c>, <c>Animator.SetTrigger</c> or <c>TextMesh.text</c>.
+    /// A Boolean has the value 0 or 1. The component reports the first known value and then each change once and in order, even if several
+    /// changes become visible in the same frame. Assign any method with one parameter, such as <c>GameObject.SetActive</c>,
+    /// <c>Animator.SetTrigger</c> or <c>TextMesh.text</c>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
     public sealed class CellSignal : MonoBehaviour
@@ -45,13 +48,13 @@ namespace Nowpose.Unity
         /// <summary>Name of the signal.</summary>
         public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
 
-        /// <summary>The value at the display time; null while none is known.</summary>
+        /// <summary>The value at the display time; null while no value is known.</summary>
         public double? Value => _follower?.Track?.Value;
 
-        /// <summary>Control time from which the signal has had the value; null while unknown.</summary>
+        /// <summary>Control time since which the signal has had its value; null while this time is unknown.</summary>
         public ControlTime? Since => _follower?.Track?.Since;
 
-        /// <summary>Why the value is not current, in one line; null if it is.</summary>
+        /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
         public string Fault => _follower == null ? "no session" : _follower.Fault;
 
         /// <summary>Raised with each new value.</summary>
@@ -80,7 +83,7 @@ namespace Nowpose.Unity
                 _onState.Invoke(isOn);
             }
             _onValue.Invoke((float)value);
-            // A text is made for listeners only, because it allocates.
+            // Formats the text only if there are listeners, because formatting allocates.
             if (_onText.GetPersistentEventCount() > 0) _onText.Invoke(Text(value));
             Changed?.Invoke(value);
         }

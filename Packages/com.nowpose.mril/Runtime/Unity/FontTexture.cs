@@ -1,15 +1,16 @@
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Assigns the texture of its font to a text with the shader <c>Nowpose/Text</c>, even when the font replaces the texture.
+    /// Supplies a text that uses the shader <c>Nowpose/Text</c> with the texture of its font. Updates it when the font replaces its texture.
     /// </summary>
     /// <remarks>
-    /// The font's own material is visible through all objects and writes no depth, so the package's texts use another one. The letters are
-    /// in the texture of the font's material. It is set on the text's renderer by property block, because texts of several fonts may share
-    /// the text's material.
+    /// A font's own material draws text in front of all objects and does not write depth, so the texts of the package use another material.
+    /// The letters are still in the texture of the font's material. This component sets the texture by property block, because texts with
+    /// different fonts may share a material.
     /// </remarks>
     [AddComponentMenu("Nowpose/Font Texture")]
     [ExecuteAlways]
@@ -27,7 +28,7 @@ namespace Nowpose.Unity
         MaterialPropertyBlock _block;
         Texture _shown;
 
-        // Called by the editor for a new component: the text's renderer still has the font's own material.
+        // The editor calls Reset for a new component. At that time, the renderer of the text still has the font's own material.
         void Reset()
         {
             var renderer = GetComponent<Renderer>();
@@ -39,7 +40,7 @@ namespace Nowpose.Unity
             _renderer = GetComponent<Renderer>();
             _shown = null;
             if (_fontMaterial == null && Application.isPlaying)
-                ConsoleLog.Fail(this, "font texture '" + name + "' has no font material, so its letters are blocks; assign the material below the font");
+                ConsoleLog.Fail(this, ComponentMessages.NoFontMaterial(name));
             Apply();
         }
 

@@ -1,9 +1,10 @@
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A second rig that shows the newest samples unchanged, as without Nowpose.</summary>
+    /// <summary>Marks a second rig that shows the newest samples without compensation, for comparison.</summary>
     [AddComponentMenu("Nowpose/Ghost")]
     [RequireComponent(typeof(RobotRig))]
     [DisallowMultipleComponent]
@@ -14,7 +15,7 @@ namespace Nowpose.Unity
 
         RobotRig _own, _other;
 
-        /// <summary>Whether the ghost is shown; a hidden ghost costs no time.</summary>
+        /// <summary>Whether the ghost is shown. A hidden ghost is inactive and needs no computing time.</summary>
         public bool Visible
         {
             get => gameObject.activeSelf;
@@ -22,8 +23,8 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Distance between the two rigs' tools, in metres: the displacement by the compensation. Null while the ghost is
-        /// hidden or a rig shows no robot.
+        /// Distance between the tools of the two rigs in metres, which is the displacement by the compensation. Null while the ghost is hidden
+        /// or one of the rigs shows no robot.
         /// </summary>
         public float? GapMetres
         {
@@ -39,7 +40,7 @@ namespace Nowpose.Unity
             _own = GetComponent<RobotRig>();
             _other = _displayed != null ? _displayed : DisplayedBeside(transform.parent);
             if (_other == null)
-                ConsoleLog.Warn(this, "ghost '" + name + "' has no rig beside it for the comparison; assign one");
+                ConsoleLog.Warn(this, ComponentMessages.GhostWithoutRig(name));
         }
 
         static RobotRig DisplayedBeside(Transform parent)

@@ -1,15 +1,18 @@
 using Nowpose.Frames;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Lets the virtual gripper carry the object within its reach while a signal is on, if no source reports what it grips.</summary>
+    /// <summary>
+    /// Makes a virtual gripper carry the object within its reach while a signal is on, for cells in which no source reports what it grips.
+    /// </summary>
     /// <remarks>
-    /// Objects are those of Tracked Object and Stationary Object in the same session. The poses at the stamp of the signal's change decide, so
-    /// that all headsets show the same. A source that gives the object a parent itself has priority.
+    /// The gripper can carry the objects of Tracked Object and Stationary Object in the same session. Which object is within reach depends on the
+    /// poses at the stamp of the signal's change, so all headsets get the same result. A parent that a source reports for the object has priority.
     /// </remarks>
     [AddComponentMenu("Nowpose/Grip by Reach")]
     [DisallowMultipleComponent]
@@ -37,17 +40,17 @@ namespace Nowpose.Unity
         /// <summary>Name of the signal.</summary>
         public string Signal => string.IsNullOrEmpty(_signal) ? name : _signal;
 
-        /// <summary>Name of the frame of the object that the gripper holds; null for none.</summary>
+        /// <summary>Frame name of the object that the gripper holds; null if it holds none.</summary>
         public string Held => _grip?.Held;
 
-        /// <summary>Why it is unknown what the gripper holds, in one line; null if it is known.</summary>
+        /// <summary>Reason why <see cref="Held"/> is unknown, in one line; null if it is known.</summary>
         public string Fault
         {
             get
             {
                 if (_source == null) return "no rig";
                 if (_followed == null) return "no session";
-                if (_grip == null) return _problem ?? "its robot is unknown";
+                if (_grip == null) return _problem ?? ObjectMessages.RobotUnknown;
                 return _grip.Fault ?? SignalFollower.FaultOf(_followed, Signal);
             }
         }
@@ -59,7 +62,7 @@ namespace Nowpose.Unity
             _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (_source == null)
             {
-                ConsoleLog.Warn(this, "grip by reach '" + name + "' has no rig on a parent; assign one");
+                ConsoleLog.Warn(this, ComponentMessages.GripWithoutRig(name));
                 return;
             }
             _title = "gripper " + name;
@@ -68,7 +71,7 @@ namespace Nowpose.Unity
 
         void OnDisable() => Follow(null);
 
-        // The rig may be enabled later than this object.
+        // The rig may be enabled after this component and then gets its session.
         void LateUpdate()
         {
             if (_source != null && _source.Session != _session) Follow(_source.Session);
@@ -99,7 +102,7 @@ namespace Nowpose.Unity
             var index = _robot.Robot.IndexOfLink(link);
             if (index < 0)
             {
-                _problem = "the robot '" + _robot.Robot.Name + "' has no link '" + link + "'";
+                _problem = ObjectMessages.NoLink(_robot.Robot.Name, link);
                 ConsoleLog.Fail(this, "grip by reach '" + name + "': " + _problem);
                 return;
             }

@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A marker that the user places by hand, instead of one that the device detects.</summary>
+    /// <summary>A marker that the user places by hand, in place of a printed marker that the device detects.</summary>
     /// <remarks>
-    /// The object that moves it (a hand, a controller, a script) reports the start and the end of the move. The base follows during the
-    /// move and is locked at the end.
+    /// The component that moves this object (by hand, by controller or by script) calls <see cref="BeginMove"/> and <see cref="EndMove"/>. The
+    /// robot's base follows the object during the move, and is locked at the end of the move.
     /// </remarks>
     [AddComponentMenu("Nowpose/Hand Placed Marker")]
     [DisallowMultipleComponent]
@@ -23,16 +23,16 @@ namespace Nowpose.Unity
         MrilSession _session;
         HeadsetTime? _placed;
 
-        /// <summary>Whether the marker is being moved.</summary>
+        /// <summary>Whether a move is in progress.</summary>
         public bool IsMoving { get; private set; }
 
-        /// <summary>Text of the marker that it represents; empty for the base frame itself.</summary>
+        /// <summary>Text of the printed marker that this object replaces; empty if the object represents the base frame itself.</summary>
         public string Payload => _payload;
 
-        /// <summary>Starts a move: the base follows the transform.</summary>
+        /// <summary>Starts a move. The base follows this object's transform until <see cref="EndMove"/>.</summary>
         public void BeginMove() => IsMoving = isActiveAndEnabled;
 
-        /// <summary>Ends the move. Does nothing unless the marker is being moved.</summary>
+        /// <summary>Ends the move. Does nothing if no move is in progress.</summary>
         public void EndMove()
         {
             if (!IsMoving) return;
@@ -45,15 +45,15 @@ namespace Nowpose.Unity
         {
             if (!isActiveAndEnabled) return;
             if (IsMoving) _placed = _session.ClockOrDevices().Now;
-            // The initial place in a scene gives no information about the room.
+            // Before the first move, the pose comes from the scene and says nothing about the room.
             if (!(_placed is HeadsetTime placed)) return;
             var pose = UnityPoses.ToRoom(transform.position, transform.rotation);
             markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed));
         }
 
-        /// <summary>Moves the marker with the base unless the user moves it.</summary>
-        /// <param name="place">Pose of the base.</param>
-        /// <param name="markers">Markers of the base; the marker with the same payload determines the pose.</param>
+        /// <summary>Moves this object along with the base. Does nothing during a move by the user.</summary>
+        /// <param name="place">Pose of the base in the scene.</param>
+        /// <param name="markers">Markers of the base. The marker with this object's payload gives the pose relative to the base.</param>
         internal void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
         {
             if (IsMoving) return;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Moves one transform according to one joint, in the axes of the transform's parent.</summary>
+    /// <summary>Moves a transform relative to its parent according to the position of a joint.</summary>
     public sealed class JointDrive
     {
         readonly Transform _moved;
@@ -12,13 +12,15 @@ namespace Nowpose.Unity
         readonly Vector3 _restPosition, _direction;
         readonly Quaternion _rest, _halfTurn;
 
-        /// <param name="moved">The transform to move; its parent represents the joint's parent link.</param>
+        /// <summary>Constructs a drive whose transform is at the joint's origin when the joint position is 0.</summary>
+        /// <param name="moved">The transform to move. Its parent represents the joint's parent link.</param>
         /// <param name="joint">A joint that is not fixed.</param>
         public JointDrive(Transform moved, RobotJoint joint)
             : this(moved, joint, UnityFrame.ToUnity(joint.Origin).Position(), UnityFrame.ToUnity(joint.Origin).Rotation()) { }
 
+        /// <summary>Constructs a drive with a given pose for the joint position 0.</summary>
         /// <param name="moved">The transform to move.</param>
-        /// <param name="joint">A joint that is not fixed; its axis is relative to the transform's own axes.</param>
+        /// <param name="joint">A joint that is not fixed. Its axis is given in the transform's own axes.</param>
         /// <param name="restPosition">Position of the transform at joint position 0, in its parent's axes, in metres.</param>
         /// <param name="restRotation">Rotation of the transform at joint position 0.</param>
         public JointDrive(Transform moved, RobotJoint joint, Vector3 restPosition, Quaternion restRotation)
@@ -34,14 +36,15 @@ namespace Nowpose.Unity
             moved.PlaceLocally(restPosition, restRotation);
         }
 
-        /// <param name="position">Position of the joint, in rad or m.</param>
+        /// <summary>Moves the transform to a joint position.</summary>
+        /// <param name="position">Position of the joint in rad, or in m for a prismatic joint.</param>
         public void Apply(double position)
         {
             if (_slides) _moved.localPosition = _restPosition + _direction * (float)position;
             else _moved.localRotation = Turned(position / 2);
         }
 
-        // Uses half angles directly: a conversion to degrees in float would lose precision at the end of an arm.
+        // Computes the quaternion in double, because Unity's float degrees would cause a visible error at the end of a long arm.
         Quaternion Turned(double half)
         {
             float s = (float)Math.Sin(half), c = (float)Math.Cos(half);

@@ -5,18 +5,19 @@ using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 using Nowpose.Latency.Profile;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Calibrates L_visu by eye: while the robot moves back and forth at constant speed, the user shifts the displayed robot along its path
-    /// until both agree, and marks the shift, forward and backward.
+    /// Calibrates L_visu by eye. While the robot moves back and forth at constant speed, the user shifts the displayed robot along the path
+    /// until it coincides with the real robot, and marks this shift, once for each direction of the motion.
     /// </summary>
     /// <remarks>
-    /// Half the difference of the two shifts divided by the speed is the error of L_visu; half their sum is the error of the base
-    /// position. For users without a camera: accurate to some ms, see <see cref="NudgeCalibration"/>.
+    /// The error of L_visu is half the difference of the two shifts, divided by the speed. The error of the base position is half the sum of the
+    /// shifts. This method needs no camera. Its error is some ms; see <see cref="NudgeCalibration"/>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Latency Nudge")]
     [DisallowMultipleComponent]
@@ -46,7 +47,7 @@ namespace Nowpose.Unity
         Vector3 _home;
         float _offsetMm;
 
-        /// <summary>Shift of the displayed robot along the axis, in mm: −500 to 500. For a slider.</summary>
+        /// <summary>Shift of the displayed robot along the axis in mm, −500 to 500. A slider can set it.</summary>
         public float OffsetMm
         {
             get => _offsetMm;
@@ -57,7 +58,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Axis of the shift; a change discards the marks.</summary>
+        /// <summary>Axis of the shift. A change of the axis discards all marks.</summary>
         public NudgeAxis Axis
         {
             get => _axis;
@@ -69,33 +70,34 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Speed of the displayed tool along the axis in mm/s, negative backward; null while it is unknown.</summary>
+        /// <summary>Speed of the displayed tool along the axis in mm/s, negative for backward motion; null while it is unknown.</summary>
         public double? SpeedMmPerS => _speed.MmPerS;
 
-        /// <summary>Whether the tool moves at constant speed, which a mark requires.</summary>
+        /// <summary>Whether the tool moves at constant speed. Only then a mark is accepted.</summary>
         public bool IsSteady => _speed.IsConstant;
 
         public int ForwardCount => _marks?.ForwardCount ?? 0;
 
         public int BackwardCount => _marks?.BackwardCount ?? 0;
 
-        /// <summary>Why the last mark or result was rejected, in one line; null if it was not.</summary>
+        /// <summary>Reason why the last mark or result was rejected, in one line; null if it was accepted.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Description of the last result, in one line; null before the first.</summary>
+        /// <summary>Describes the last result in one line; null before the first result.</summary>
         public string Report { get; private set; }
 
-        /// <summary>Changes the shift by a difference, in mm. For buttons.</summary>
+        /// <summary>Changes the shift by a difference in mm. A button can call it.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
-        /// <summary>Marks that displayed and real robot agree now. The sign of the speed gives the direction.</summary>
-        /// <returns>Whether the mark was accepted; otherwise <see cref="Problem"/> gives the reason.</returns>
+        /// <summary>Records the current shift as a mark: the displayed and the real robot coincide now.</summary>
+        /// <remarks>The sign of the speed tells whether the mark belongs to the forward or to the backward motion.</remarks>
+        /// <returns>True if the mark was accepted; otherwise <see cref="Problem"/> gives the reason.</returns>
         public bool Mark() => Try(() =>
         {
             var session = NudgedSession();
             if (!(_speed.MmPerS is double speed) || !_speed.IsConstant)
-                throw new InputException("nudge: the tool does not move steadily; mark while it moves at constant speed");
-            // Marks with another L_visu cannot be combined.
+                throw new InputException(NudgeReports.NotSteady);
+            // Marks that were made with different values of L_visu cannot be combined.
             if (_marks == null || session.Visualisation.Length != _usedVisu)
             {
                 _usedVisu = session.Visualisation.Length;
@@ -113,10 +115,12 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Calibrates the session from the marks, saves the result as a profile, and resets the shift. Keeps a known
-        /// render-time limit.
+        /// Calculates L_visu from the marks, calibrates the session with it, saves it in a profile, and resets the shift. The profile keeps a
+        /// known render-time limit.
         /// </summary>
-        /// <returns>Whether it was saved; otherwise <see cref="Problem"/> gives the reason. An unsaved result is still used.</returns>
+        /// <returns>
+        /// True if the profile was saved; otherwise <see cref="Problem"/> gives the reason. The session uses a result even if it could not be saved.
+        /// </returns>
         public bool Apply() => Try(() =>
         {
             var session = NudgedSession();
@@ -124,12 +128,10 @@ namespace Nowpose.Unity
             var profile = ProfileOf(result, session);
             var isKept = _loader == null || _loader.Save(profile);
             session.Calibrate(profile);
-            Report = string.Format(
-                CultureInfo.InvariantCulture, "nudge: L_visu {0:0.0} ms ± {1:0.0} ms from {2} marks; the base is misplaced by {3:0.0} mm along {4}",
-                result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
+            Report = NudgeReports.Result(result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
             ConsoleLog.Info(this, Report);
             Clear();
-            // The result is in use, saved or not: the shift would correct the robot twice.
+            // The session now uses the result, so the remaining shift would correct the robot a second time.
             OffsetMm = 0;
             if (!isKept) throw new InputException(_loader.Problem);
         });
@@ -140,7 +142,7 @@ namespace Nowpose.Unity
             if (_source == null) return;
             if (_loader == null) _loader = _source.GetComponent<LatencyProfileLoader>();
             var rig = _rig != null ? _rig : DisplayedBelow(_source);
-            if (rig == null) ConsoleLog.Warn(this, "latency nudge '" + name + "' has no rig below the session; assign one");
+            if (rig == null) ConsoleLog.Warn(this, ComponentMessages.NudgeWithoutRig(name));
             else
             {
                 _moved = rig.transform;
@@ -188,14 +190,14 @@ namespace Nowpose.Unity
         CompensationSession NudgedSession()
         {
             var session = _source != null ? _source.Session : null;
-            if (session == null) throw new InputException("nudge: there is no session; assign one");
-            // The robot is drawn with the predicted display time, so the constant has no visible effect.
+            if (session == null) throw new InputException(NudgeReports.NoSession);
+            // With display times from the runtime, L_visu does not affect the displayed robot.
             if (session.Statistics(default).IsLightPredicted)
-                throw new InputException("nudge: the runtime predicts display times, so L_visu needs no correction");
+                throw new InputException(NudgeReports.Predicted);
             return session;
         }
 
-        // The render-time limit is independent of the method that measured L_visu.
+        // Keeps the render-time limit of the current profile, because it does not depend on how L_visu was measured.
         static LatencyProfile ProfileOf(in NudgeResult result, CompensationSession session)
         {
             var range = session.Range;

@@ -2,6 +2,7 @@ using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Session;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -11,9 +12,9 @@ namespace Nowpose.Unity
 {
     /// <summary>Loads the latency profile of this device into a session, and saves new profiles on the device.</summary>
     /// <remarks>
-    /// Searches below the persistent data path, then in StreamingAssets, then its asset. A profile that is damaged, of a newer
-    /// version, of another device or of another display rate is rejected with a message of one line, and the next place is searched. The
-    /// profile in use stays.
+    /// Searches the persistent data path, then StreamingAssets, then the assigned text asset. Rejects a profile that is damaged, that has a newer
+    /// version, or that belongs to another device or display rate; it then logs one line and searches the next place. If no place has a valid
+    /// profile, the profile in use remains.
     /// </remarks>
     [AddComponentMenu("Nowpose/Latency Profile Loader")]
     [DisallowMultipleComponent]
@@ -30,22 +31,24 @@ namespace Nowpose.Unity
             + "none.")]
         TextAsset _shipped = null;
 
-        const string Unkept = "a calibration that is not kept";
+        const string NotSaved = LoaderMessages.Unkept;
 
         MrilSession _source;
         CompensationSession _calibrated;
         DisplayConditions _judged;
 
-        /// <summary>The profile in use; null while the session uses the value of its settings.</summary>
+        /// <summary>The profile in use; null while the session uses L_visu from its settings.</summary>
         public LatencyProfile Profile { get; private set; }
 
-        /// <summary>The file or asset of <see cref="Profile"/>, or a note that it is not saved; null before the first.</summary>
+        /// <summary>The file or asset from which <see cref="Profile"/> came, or a note that it is not saved; null before the first profile.</summary>
         public string From { get; private set; }
 
-        /// <summary>Why a profile was rejected or could not be saved, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why a profile was rejected or could not be saved, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Searches again, for a profile that was added since. Keeps the profile in use if none is valid.</summary>
+        /// <summary>
+        /// Searches for a profile again, for example after a file was copied to the device. Keeps the profile in use if none is valid.
+        /// </summary>
         public void Reload()
         {
             var places = Places;
@@ -55,8 +58,10 @@ namespace Nowpose.Unity
             if (profile != null) Use(profile, from);
         }
 
-        /// <summary>Saves a profile on the device, and uses it from the next frame on, even if it cannot be saved.</summary>
-        /// <returns>Whether it was saved; otherwise <see cref="Problem"/> gives the reason. A profile of another device is not used.</returns>
+        /// <summary>Saves a profile on the device, and uses it from the next frame on. A profile of another device is rejected.</summary>
+        /// <returns>
+        /// True if the profile was saved; otherwise <see cref="Problem"/> gives the reason. The profile is used even if it could not be saved.
+        /// </returns>
         public bool Save(LatencyProfile profile)
         {
             Problem = profile.RefusalFor(ThisDevice.Conditions);
@@ -75,7 +80,7 @@ namespace Nowpose.Unity
             Reload();
         }
 
-        // Before the session computes its frame. A restarted session has the L_visu of its settings.
+        // Runs before the session computes its frame. A restarted session has L_visu from its settings and must be calibrated again.
         void Update()
         {
             if (_source == null) return;
@@ -85,7 +90,8 @@ namespace Nowpose.Unity
             _calibrated?.Calibrate(Profile);
         }
 
-        // A display that starts late may report another rate than the profile's. Other mismatches are only warnings of the session.
+        // The display may report its rate only after the profile was loaded. If the rate differs, the profile is invalid. The session itself
+        // warns about other mismatches.
         void Judge(DisplayConditions conditions)
         {
             if (conditions == null || ReferenceEquals(conditions, _judged)) return;
@@ -106,7 +112,7 @@ namespace Nowpose.Unity
             catch (InputException fault)
             {
                 Problem = fault.Message;
-                from = Unkept;
+                from = NotSaved;
             }
             Use(profile, from);
         }
@@ -116,7 +122,7 @@ namespace Nowpose.Unity
             Profile = profile;
             From = from;
             _calibrated = null;
-            ConsoleLog.Info(this, "latency profile: " + CalibrationWords.Of(profile) + "; from " + from);
+            ConsoleLog.Info(this, "latency profile: " + CalibrationMessages.Of(profile) + "; from " + from);
         }
 
         void Fail(string problem)

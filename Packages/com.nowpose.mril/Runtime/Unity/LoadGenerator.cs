@@ -1,16 +1,19 @@
 using Nowpose.Latency;
 using Nowpose.Latency.Load;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Loads the GPU with a wall of a given number of small triangles, to find the end of the constant-latency range.</summary>
+    /// <summary>
+    /// Loads the GPU with a wall of small triangles with an adjustable number of vertices, to find the end of the constant-latency range.
+    /// </summary>
     /// <remarks>
-    /// The wall is at its transform, facing along its z axis, and loads the GPU only while it is in view. It is built in
-    /// steps, within a time budget per frame, so that building makes no frame late. Each part is built once: returning to a
-    /// previous load costs no time.
+    /// The wall is centred on this object and perpendicular to its z axis. It loads the GPU only while it is in view. The component builds the
+    /// wall in small steps within a time budget per frame, so no frame becomes late. It keeps the parts that it has built; a return to an earlier
+    /// load needs no time.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Generator")]
     [DisallowMultipleComponent]
@@ -34,8 +37,11 @@ namespace Nowpose.Unity
 
         LoadPatches _patches;
 
-        /// <summary>Vertices to draw, 0 to 2 000 000; reached after some frames. 1 or 2 more than a multiple of 25 000 are not drawn.</summary>
-        /// <exception cref="InputException">Out of range; the drawn load is unchanged.</exception>
+        /// <summary>
+        /// Number of vertices to draw, 0 to 2 000 000. The wall reaches this number after some frames. One or two vertices more than a multiple of
+        /// 25 000 are not drawn, because they form no triangle.
+        /// </summary>
+        /// <exception cref="InputException">The value is out of range. The load does not change.</exception>
         public int Vertices
         {
             get => _vertices;
@@ -52,15 +58,15 @@ namespace Nowpose.Unity
         /// <summary>Whether all <see cref="Vertices"/> are drawn.</summary>
         public bool IsReady => _patches != null && VerticesShown == LoadMesh.DrawnOf(_vertices);
 
-        /// <summary>Why nothing is drawn, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why nothing is drawn, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
         void OnEnable()
         {
             Problem = null;
-            if (_material == null) Fail("has no material; assign one");
+            if (_material == null) Fail(ComponentMessages.NoMaterial);
             else if (_vertices < 0 || _vertices > LoadMesh.MaxVertices)
-                Fail("has a load of " + _vertices + " vertices; allowed: 0 to " + LoadMesh.MaxVertices);
+                Fail(ComponentMessages.Vertices(_vertices, LoadMesh.MaxVertices));
             else _patches = new LoadPatches(
                 transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(),
                 Mathf.Clamp(_msPerFrame, MinMsPerFrame, MaxMsPerFrame));

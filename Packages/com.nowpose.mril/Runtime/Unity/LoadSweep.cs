@@ -6,6 +6,7 @@ using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
 using Nowpose.Session;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -13,17 +14,19 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Steps through loads and logs, for each frame, the load, the render time and the control time of its timestamp code.</summary>
+    /// <summary>
+    /// Steps through rendering loads. Logs the load, the render time and the control time of the timestamp code for each frame.
+    /// </summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Fig. 11. The codes in a camera's pictures relate the pictures to the log. A load counts once it is complete
-    /// and the clock is synchronised. No frame waits for the disk. Allocates only when the load changes, or when a load takes so
-    /// long that its rows need more space.
+    /// Measures Fig. 11 of Schnierle &amp; Röck 2022: the timestamp codes in the pictures of a camera relate the pictures to the log. The
+    /// duration of a load starts when the load is complete and the clock is synchronised. No frame waits for the disk. The component allocates
+    /// only when the load changes, or when a load takes so long that its rows need more space.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Sweep")]
     [DisallowMultipleComponent]
     public sealed class LoadSweep : MonoBehaviour
     {
-        /// <summary>Capacity for rows: maximum display rate in Hz, and maximum time to build a load, in s.</summary>
+        /// <summary>Expected maximum display rate in Hz and time to build a load in s. They determine the initial capacity for rows.</summary>
         const int MaxHz = 144, SecondsToBuild = 3;
 
         [SerializeField, Tooltip("The session whose frames are logged. Empty: the session on this object or a parent.")]
@@ -87,19 +90,19 @@ namespace Nowpose.Unity
         /// <summary>Whether a sweep is running.</summary>
         public bool IsRunning => _run != null;
 
-        /// <summary>Short description of the progress; null before the first sweep.</summary>
+        /// <summary>Describes the progress in a few words; null before the first sweep.</summary>
         public string Words { get; private set; }
 
-        /// <summary>Path of the current or last log; null before the first.</summary>
+        /// <summary>Path of the current or last log; null before the first sweep.</summary>
         public string Path { get; private set; }
 
-        /// <summary>Whether the render time of the last sweep depends on the load; null until a sweep is complete.</summary>
+        /// <summary>Result of the last sweep: whether the render time depends on the load. Null until a sweep is complete.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
-        /// <summary>Why a requested sweep did not start or ended early, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why a sweep did not start or ended early, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Completes when the log of the last sweep is closed.</summary>
+        /// <summary>Task that completes when the log of the last sweep is closed.</summary>
         internal Task Closed => _closing;
 
         /// <summary>Starts a sweep from the first load, with a new log. Does nothing while a sweep is running.</summary>
@@ -112,19 +115,19 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>();
             _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
-            if (_source == null) Fail("has no session on its object or a parent; assign one");
-            else if (_generator == null) Fail("has no load generator on its object or a child; assign one");
-            else if (_measures == null) Fail("has no render time source at its session; assign one");
+            if (_source == null) Fail(ComponentMessages.NoSession);
+            else if (_generator == null) Fail(ComponentMessages.NoLoadGenerator);
+            else if (_measures == null) Fail(ComponentMessages.NoRenderTimeSource);
             else Begin();
         }
 
-        /// <summary>Ends the sweep without a verdict; the logged rows are still written.</summary>
+        /// <summary>Ends the sweep without a verdict. Still writes the rows that are already logged.</summary>
         public void StopSweep()
         {
             if (!IsRunning) return;
             End();
-            ShowText(SweepWords.Stopped);
-            ConsoleLog.Info(this, "load sweep stopped; its log is " + Path);
+            ShowText(LoadSweepMessages.Stopped);
+            ConsoleLog.Info(this, LoadSweepMessages.StoppedWithLog(Path));
         }
 
         void OnEnable()
@@ -167,10 +170,10 @@ namespace Nowpose.Unity
             _frame = null;
             _logged = (-1, 0);
             _source.Shown += Keep;
-            ConsoleLog.Info(this, SweepWords.Begun(_plan, Path));
+            ConsoleLog.Info(this, LoadSweepMessages.Begun(_plan, Path));
         }
 
-        // The session may have read the conditions before the display reported its rate.
+        // Completes the session's conditions with those of the device: the session may have read them before the display reported its rate.
         DisplayConditions Conditions
         {
             get
@@ -181,19 +184,20 @@ namespace Nowpose.Unity
             }
         }
 
-        // Called twice for a frame that is computed again before rendering.
+        // A frame that is computed again before rendering calls this twice. The second call replaces the first.
         void Keep(DisplayFrame frame) => _frame = new SweepFrame(_source, frame, _run, _generator, _measures);
 
-        // Logs the previous frame, because only now its final code is known.
+        // Logs the previous frame. Its code may have changed until it was rendered.
         void Follow()
         {
-            // Not checked at the start, because components that are enabled together with the sweep may start after it.
+            // Checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
             if (ProblemOfLoad() is string problem)
             {
                 Abandon(problem);
                 return;
             }
-            // Logs frames even while a load is built; otherwise a picture of a missing frame could match a frame one code period later.
+            // Also logs frames while a load is being built. The codes repeat after a period: a picture of a frame missing from the log could be
+            // matched to a frame one period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             ShowPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
@@ -207,7 +211,7 @@ namespace Nowpose.Unity
             if (_run.IsDone)
             {
                 _judging = End();
-                ShowText(SweepWords.Judging);
+                ShowText(LoadSweepMessages.Judging);
                 return;
             }
             _file.EndLoad();
@@ -215,27 +219,27 @@ namespace Nowpose.Unity
             var changes = _conditions.MismatchesWith(now);
             if (changes.Count > 0)
             {
-                Abandon(SweepWords.Changed(changes[0]));
+                Abandon(LoadSweepMessages.Changed(changes[0]));
                 return;
             }
-            // A display reports its rate some frames after the scene begins.
+            // The display reports its rate only some frames after the start of the scene.
             if (double.IsNaN(_displayHz)) _displayHz = now.DisplayHz ?? double.NaN;
             _generator.Vertices = _run.Vertices;
         }
 
-        // Without this check, the sweep would wait forever for a load that cannot be built.
+        // Returns why the load cannot be built. Without this check, the sweep would wait for such a load forever.
         string ProblemOfLoad()
         {
-            if (_generator == null) return "load sweep '" + name + "' has lost its load generator; its log is kept";
+            if (_generator == null) return LoadSweepMessages.NoGenerator(name);
             if (_generator.Problem != null) return _generator.Problem;
-            return _generator.isActiveAndEnabled ? null : "load generator '" + _generator.name + "' is switched off; the sweep needs it";
+            return _generator.isActiveAndEnabled ? null : LoadSweepMessages.GeneratorOff(_generator.name);
         }
 
         void Abandon(string problem)
         {
             End();
             Problem = problem;
-            ShowText(SweepWords.Stopped);
+            ShowText(LoadSweepMessages.Stopped);
             ConsoleLog.Warn(this, problem);
         }
 
@@ -243,7 +247,7 @@ namespace Nowpose.Unity
         {
             _source.Shown -= Keep;
             _run = null;
-            // When the scene is destroyed, the generator may be gone.
+            // When the scene is unloaded, the generator may already be destroyed.
             if (_generator != null) _generator.Vertices = _verticesBefore;
             var closing = _file.CloseAsync();
             _closing = closing;
@@ -260,7 +264,7 @@ namespace Nowpose.Unity
                 ConsoleLog.Warn(this, Problem);
                 return;
             }
-            var message = "load sweep done: " + Verdict.Words + "; log: " + Path;
+            var message = LoadSweepMessages.Done(Verdict.Words, Path);
             if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Info(this, message);
             else ConsoleLog.Warn(this, message);
             ShowText(Verdict.Words);
@@ -272,7 +276,7 @@ namespace Nowpose.Unity
             var phase = !(_frame is SweepFrame frame) || !frame.Control.HasValue ? 1 : frame.IsShown ? 3 : 2;
             if (_logged == (_run.Index, phase)) return;
             _logged = (_run.Index, phase);
-            ShowText(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
+            ShowText(phase == 1 ? LoadSweepMessages.WaitingForClock : phase == 2 ? LoadSweepMessages.Building(_run.Vertices) : LoadSweepMessages.Showing(_run, _plan));
         }
 
         void ShowText(string words)

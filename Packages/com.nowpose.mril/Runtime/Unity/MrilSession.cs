@@ -3,6 +3,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -11,21 +12,20 @@ using UnityEngine.Events;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Runs a session while it is enabled: connects to the gateway, and computes in each frame where the robot is at the
-    /// frame's display time.
+    /// Runs a session while this component is enabled: connects to the gateway, and predicts in each frame where the robot is at the frame's
+    /// display time.
     /// </summary>
     /// <remarks>
-    /// Runs late in LateUpdate, so that the displayed pose is computed as late as possible and after users' scripts.
-    /// Components that show the robot follow <see cref="Shown"/>. No session exists while the application is paused, or has lost the focus
-    /// and does not run in the background. Afterwards a new session synchronises its clock again, so that no earlier data
-    /// can look current.
+    /// The component computes the pose late in LateUpdate, after the scripts of users. Components that show the robot listen to
+    /// <see cref="Shown"/>. The session ends when the application is paused, or loses the focus and does not run in the background. Afterwards a
+    /// new session starts and synchronises its clock again, so old data cannot look current.
     /// </remarks>
     [AddComponentMenu("Nowpose/Session")]
     [DefaultExecutionOrder(ExecutionOrder)]
     [DisallowMultipleComponent]
     public sealed class MrilSession : MonoBehaviour
     {
-        /// <summary>Execution order of this component: after scripts with the default order 0.</summary>
+        /// <summary>Execution order of this component. It runs after scripts with the default order 0.</summary>
         public const int ExecutionOrder = 10_000;
 
         [SerializeField, Tooltip("Address of the gateway and calibration of the display.")]
@@ -54,7 +54,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when the arm is held, because its samples are too old or too few.")]
         UnityEvent _onStale = new UnityEvent();
 
-        // Used until the gateway has described a robot: it has no joints and is not shown.
+        // Stands in until the gateway has described the robot. It has no joints and is not shown.
         static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
 
         readonly SessionWatch _watch = new SessionWatch();
@@ -74,43 +74,48 @@ namespace Nowpose.Unity
         bool _isRunning, _isWanted;
 
         /// <summary>
-        /// Raised when the pose has been computed: once a frame, and again right before rendering if the settings request it. Not raised
-        /// while the robot is unknown. The session reuses the frame object: read it at once.
+        /// Raised after the pose is computed: once per frame, and again right before rendering if the settings request it. Not raised while the
+        /// robot is unknown. The session reuses the frame object, so listeners must not store it.
         /// </summary>
         public event Action<DisplayFrame> Shown;
 
-        /// <summary>Raised when the frames end (paused, disabled, another robot): the pose shown last is not current.</summary>
+        /// <summary>Raised when no more frames follow (session paused, disabled or restarted). The displayed pose is then not current.</summary>
         public event Action Hidden;
 
         /// <summary>Raised when <see cref="Robot"/> changes.</summary>
         public event Action RobotChanged;
 
-        /// <summary>Raised for the same changes as the UnityEvents, for scripts.</summary>
+        /// <summary>Raised for scripts when one of the UnityEvents is raised.</summary>
         public event Action<SessionChange> Changed;
 
-        /// <summary>The running session; null while disabled or paused, or if the settings are invalid. A new one after each pause.</summary>
+        /// <summary>
+        /// The running session. A new session starts after each pause. Null while the component is disabled or paused, and if its settings are
+        /// invalid.
+        /// </summary>
         public CompensationSession Session { get; private set; }
 
-        /// <summary>The asset's robot, or the one that the gateway described, as of the newest start; null before.</summary>
+        /// <summary>The robot of the newest session, from the asset or as described by the gateway; null while it is unknown.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>The last computed frame; null without a session or a robot.</summary>
+        /// <summary>The last computed frame; null while there is no session or the robot is unknown.</summary>
         public DisplayFrame Frame { get; private set; }
 
-        /// <summary>Why this component is enabled but has no session, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why this component, although enabled, could not start a session, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Statistics of the session in this frame; null without a session. The object is reused in later frames.</summary>
+        /// <summary>Statistics of the session in this frame; null without a session. Later frames reuse the object.</summary>
         public SessionStatistics Statistics => Session == null ? null : _statistics.Of(Session, _clock);
 
-        /// <summary>Settings of the session: the asset's, unless set. Setting them restarts the session; null restores the asset's.</summary>
+        /// <summary>
+        /// Settings of the session. Setting this property restarts the session. The default, which null restores, is the settings asset.
+        /// </summary>
         public SessionSettings Settings
         {
             get => _given ?? _used;
             set { _given = value; Restart(); }
         }
 
-        /// <summary>Description of the robot; null to use the gateway's. Setting it restarts the session.</summary>
+        /// <summary>Description of the robot; null to use the description from the gateway. Setting this property restarts the session.</summary>
         public RobotDescriptionAsset RobotAsset
         {
             get => _robot;
@@ -122,40 +127,44 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Headset clock of later sessions; a stopwatch unless set.</summary>
+        /// <summary>Headset clock. The next session uses a new value. The default is a stopwatch.</summary>
         public IHeadsetClock HeadsetClock { get => _nextClock; set => _nextClock = value ?? throw new ArgumentNullException(nameof(value)); }
 
         /// <summary>Whether a connection is requested: from <see cref="Connect"/> until <see cref="Disconnect"/>.</summary>
         public bool IsConnecting => _isWanted;
 
         /// <summary>
-        /// Source of each frame's display time, which takes precedence over the calibrated L_visu; null for none. Used by this and all later
-        /// sessions.
+        /// Source of the display time of each frame. It takes precedence over the calibrated L_visu; null to use L_visu. This session and all later
+        /// sessions use it.
         /// </summary>
         public IDisplayTimeSource DisplayTimeSource { get => _display.TimeSource; set => _display.TimeSource = value; }
 
         /// <summary>
-        /// How the display corrects frames for head motion. Set by components that control or observe the display; kept for every later session.
+        /// Reprojection mode of the display. Components that control or observe the display set it. This session and all later sessions use it.
         /// </summary>
         public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 
-        /// <summary>Whether the depth buffer reaches the display. Set by a component that observes the display; kept for later sessions.</summary>
+        /// <summary>
+        /// Whether the application submits its depth buffer. A component that observes the display sets it. This and all later sessions use it.
+        /// </summary>
         public DepthSubmission DepthSubmission { get => _display.DepthSubmission; set => _display.DepthSubmission = value; }
 
         /// <summary>
-        /// Whether the pose is being computed right before rendering, for the second time in its frame: a runtime predicts the frame's display
-        /// time more accurately then.
+        /// Whether the pose is now being computed right before rendering, for the second time in the frame. A runtime can predict the display time
+        /// more accurately at this point.
         /// </summary>
         public bool IsBeforeRender => _beforeRender != null && _beforeRender.IsNow;
 
-        /// <summary>Connects to the gateway, now and after each pause. Returns at once; reconnects when the connection is lost.</summary>
+        /// <summary>
+        /// Starts to connect to the gateway and returns without delay. Also connects after each pause, and reconnects when the connection is lost.
+        /// </summary>
         public void Connect()
         {
             _isWanted = true;
             Session?.Connect();
         }
 
-        /// <summary>Disconnects from the gateway. The pose is held and marked as such.</summary>
+        /// <summary>Disconnects from the gateway. The robot holds its last pose and is shown as not current.</summary>
         public void Disconnect()
         {
             _isWanted = false;
@@ -169,7 +178,7 @@ namespace Nowpose.Unity
             _beforeRender ??= new BeforeRender(this, ShowAgain);
             _isRunning = true;
             _isWanted |= _connectOnEnable;
-            // A component may not receive messages about pauses while it is disabled.
+            // A disabled component does not receive Unity's messages about pause and focus, so its record may be old.
             _presence = default;
             _beforeRender.Begin();
             Begin();
@@ -218,7 +227,7 @@ namespace Nowpose.Unity
             Begin();
         }
 
-        // A listener may disable this component or change its settings, so events come last, and the code after one checks the state.
+        // Listeners may disable this component or change its settings. Methods therefore raise events last, or check the state again afterwards.
         void Begin()
         {
             if (!_isRunning || _presence.IsAway || Session != null) return;
@@ -263,9 +272,9 @@ namespace Nowpose.Unity
 
         SessionSettings ReadSettings() => _settings != null
             ? _settings.ToSettings()
-            : throw new InputException("session '" + name + "' has no settings; assign a Session Settings asset");
+            : throw new InputException(ComponentMessages.NoSettings(name));
 
-        // Reads the same text only once, so that rigs stay bound to the robot.
+        // Returns the same object for the same text, so rigs stay bound to the robot after a restart.
         RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
 
         void Notify(SessionChange change)

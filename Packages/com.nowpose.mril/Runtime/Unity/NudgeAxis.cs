@@ -1,6 +1,6 @@
 namespace Nowpose.Unity
 {
-    /// <summary>An axis of the robot's base frame in URDF axes.</summary>
+    /// <summary>Axis of the robot's base frame, as in URDF.</summary>
     public enum NudgeAxis
     {
         /// <summary>Forward.</summary>

@@ -2,6 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -9,15 +10,15 @@ namespace Nowpose.Unity
 {
     /// <summary>Draws the path that the tool will take, if the control system publishes its set-points.</summary>
     /// <remarks>
-    /// The line begins at the displayed tool and ends where the plan does, or after the time ahead. It is hidden while the pose is not current,
-    /// while no plan is known, and while the robot does not follow its plan.
+    /// The line starts at the displayed tool. It ends where the plan ends, or at the time given in the Inspector. It is hidden while the pose is
+    /// not current, while no plan is known, and while the robot does not follow its plan.
     /// </remarks>
     [AddComponentMenu("Nowpose/Planned Path")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(LineRenderer))]
     public sealed class PlannedPath : MonoBehaviour
     {
-        /// <summary>Time between two points of the line, s.</summary>
+        /// <summary>Time step between two points of the line, in s.</summary>
         const float Step = 1 / 30f;
 
         [SerializeField, Tooltip("The rig whose robot's path is drawn. Empty: the rig on a parent.")]
@@ -34,7 +35,7 @@ namespace Nowpose.Unity
         LineRenderer _line;
         Vector3[] _places = Array.Empty<Vector3>();
 
-        /// <summary>Time for which the plan is drawn, s; 0 while the line is hidden.</summary>
+        /// <summary>Time from the first to the last point of the line, in s; 0 while the line is hidden.</summary>
         public float DrawnSeconds { get; private set; }
 
         void OnEnable()
@@ -43,10 +44,10 @@ namespace Nowpose.Unity
             _line.useWorldSpace = true;
             _line.widthMultiplier = _widthMetres;
             if (_line.sharedMaterial == null)
-                ConsoleLog.Warn(this, "planned path '" + name + "' has no material, so its line is magenta; assign one in its Line Renderer");
+                ConsoleLog.Warn(this, ComponentMessages.NoLineMaterial(name));
             Hide();
             _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
-            if (_source == null) ConsoleLog.Warn(this, "planned path '" + name + "' has no rig on a parent; assign one");
+            if (_source == null) ConsoleLog.Warn(this, ComponentMessages.PathWithoutRig(name));
             else Follow(_source.Session);
         }
 
@@ -56,7 +57,7 @@ namespace Nowpose.Unity
             _source = null;
         }
 
-        // The rig may be enabled later than this object.
+        // The rig may be enabled after this component and then gets its session.
         void LateUpdate()
         {
             if (_source != null && _source.Session != _session) Follow(_source.Session);
@@ -79,21 +80,21 @@ namespace Nowpose.Unity
         void Show(DisplayFrame frame)
         {
             var robot = _source.Robot;
-            var count = robot != null && frame.DisplayTime is ControlTime light && robot.Frame.State == PoseState.Current
-                ? Plan(robot, light)
+            var count = robot != null && frame.DisplayTime is ControlTime displayTime && robot.Frame.State == PoseState.Current
+                ? Plan(robot, displayTime)
                 : 0;
             if (count < 2) Hide();
             else Draw(count);
         }
 
-        int Plan(SessionRobot robot, ControlTime light)
+        int Plan(SessionRobot robot, ControlTime displayTime)
         {
             var wanted = 1 + (int)Math.Round(_aheadSeconds / Step);
             if (_places.Length != wanted) _places = new Vector3[wanted];
             var count = 0;
             for (; count < wanted; count++)
             {
-                var at = light + ClockTicks.Span(count * Step);
+                var at = displayTime + ClockTicks.Span(count * Step);
                 if (!robot.TryPlanTool(at, out var tool)) break;
                 _places[count] = _source.transform.TransformPoint(UnityFrame.ToUnity(tool).Position());
             }

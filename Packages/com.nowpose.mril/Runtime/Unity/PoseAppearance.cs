@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -9,14 +10,14 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Changes the look of a pose, of the robot or of an object of the cell above, that is not current or whose base is uncertain. Everything below this object is striped and
-    /// fainter, and words state the reason. Before the first joint positions only the words are drawn. Parts of a rig or gripper that no
-    /// longer follows the session are hidden.
+    /// Shows when the pose of a robot or of an object of the cell is not current, or when the base is uncertain. Everything below this object
+    /// then becomes striped and fainter, and a text states the reason. Before the first joint positions arrive, only the text is drawn. The parts
+    /// of a rig or gripper that no longer follows the session are hidden.
     /// </summary>
     /// <remarks>
-    /// Sets <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1) of the materials' shaders, which the package's shaders have, by property
-    /// blocks; the materials are not changed. A material without both gets a lower alpha if it is blended by its alpha. Any other is
-    /// replaced by the substitute, or hidden, while the pose is not current. Disabling this component restores all previous values.
+    /// Sets the shader properties <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1), which the shaders of the package have, by property block. The
+    /// materials do not change. If a material lacks one of these properties and is blended by its alpha, the component lowers the alpha. Parts
+    /// with any other material get the substitute, or are hidden, while the pose is not current. Disabling the component restores all values.
     /// </remarks>
     [AddComponentMenu("Nowpose/Pose Appearance")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
@@ -52,8 +53,8 @@ namespace Nowpose.Unity
         float _opacity = 1;
 
         /// <summary>
-        /// Opacity that the parts keep, so that the wearer can see what is behind them: 1 (full) to 0 (the fifth that a complete fade
-        /// leaves). A pose that is not current stays as visible as <see cref="PoseAppearance"/> makes it, and striped.
+        /// Opacity of the parts, from 0 (a fifth of the full opacity) to 1 (full). A low value lets the wearer see objects behind the parts. A pose
+        /// that is not current stays striped and keeps a minimum visibility.
         /// </summary>
         public float Opacity
         {
@@ -75,7 +76,7 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Whether any part is drawn; the words do not count.</summary>
+        /// <summary>Whether any part is drawn, not counting the text.</summary>
         internal bool IsDrawn
         {
             get
@@ -86,10 +87,10 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Number of renderers, not including the words.</summary>
+        /// <summary>Number of renderers, not counting the text.</summary>
         internal int PartCount => _parts.Count;
 
-        /// <summary>Whether a renderer below this object cannot show a pose that is not current by its own material.</summary>
+        /// <summary>Whether a renderer below this object has a material that cannot mark a pose as not current.</summary>
         internal bool NeedsSubstitute
         {
             get
@@ -101,10 +102,13 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Updates the list of renderers below this object; called automatically when a rig is built, and when enabled.</summary>
+        /// <summary>
+        /// Updates the list of renderers below this object. Call it after renderers were added or removed. The component itself calls it when it is
+        /// enabled and when a rig is built.
+        /// </summary>
         public void Refresh()
         {
-            // If not enabled, as in an edited scene, OnEnable updates the list.
+            // While the component is disabled, there is nothing to update: OnEnable reads the list.
             if (!_isOn) return;
             GetComponentsInChildren(true, _found);
             _found.RemoveAll(IsWords);
@@ -202,7 +206,7 @@ namespace Nowpose.Unity
             SetWords(look.Words);
         }
 
-        /// <summary>A visible carrier that does not follow the session, the rig before its gripper; null for none.</summary>
+        /// <summary>The first active carrier (rig before gripper) that does not follow the session; null if all follow.</summary>
         PoseCarrier Unmoved
         {
             get
@@ -219,24 +223,19 @@ namespace Nowpose.Unity
             if (_words != null) _words.text = words;
         }
 
-        // Also used while the component is edited, outside play mode.
+        // The editor uses this method outside play mode, where the component is not enabled.
         bool IsWords(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
 
-        /// <param name="material">Null for a missing one.</param>
+        /// <param name="material">The material that cannot mark a pose as not current; null if it is missing.</param>
         void Report(Material material, Renderer part)
         {
             var isMissing = material == null;
             if (!_reported.Add(isMissing ? (Object)part : material)) return;
-            var problem = "pose appearance '" + name + "': " + (isMissing
-                ? "a material of '" + part.name + "' is missing"
-                : "material '" + material.name + "' of '" + part.name + "' is opaque, not blended by its alpha, or one of several, "
-                    + "and its shader lacks _Hatch or _Fade") + ". While the pose is not current, the part is ";
-            var remedy = isMissing
-                ? "assign a material to the part"
-                : "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
+            var problem = isMissing ? AppearanceMessages.NoMaterial(part.name) : AppearanceMessages.NotFadeable(material.name, part.name);
+            var remedy = isMissing ? AppearanceMessages.AssignMaterial : AppearanceMessages.ChangeShader;
             if (_materials.Substitute != null)
-                ConsoleLog.Info(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
-            else ConsoleLog.Warn(this, problem + "hidden. Assign a Substitute with _Fade and _Hatch, or " + remedy);
+                ConsoleLog.Info(this, AppearanceMessages.Substituted(name, problem, _materials.Substitute.name, remedy));
+            else ConsoleLog.Warn(this, AppearanceMessages.Hidden(name, problem, remedy));
         }
 
         void Follow(PoseCarrier carrier)
@@ -247,7 +246,7 @@ namespace Nowpose.Unity
             _carriers.Add(carrier);
         }
 
-        // Restores renderers that are no longer below this object.
+        // Restores the renderers that are no longer below this object, and removes them from the list.
         void Leave()
         {
             foreach (var known in new List<Renderer>(_parts.Keys))

@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using Nowpose.Latency;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -8,13 +9,13 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Measures the duration of each frame's render job with the best available source, and reports it to the session: beyond
-    /// the constant-latency range poses are not current.
+    /// Measures the duration of each frame's render job with the best available source, and reports it to the session. Poses are not current
+    /// while this duration is outside the constant-latency range.
     /// </summary>
     /// <remarks>
-    /// In order of preference: the GPU time from the headset's runtime; the GPU time from Unity (Frame Timing Stats in the player
-    /// settings); the time from trigger to GPU completion, by a readback; the CPU time of the cameras (built-in render pipeline
-    /// only), which is unverified because it does not include the GPU. A limit measured with one source is not valid for another.
+    /// The sources, best first: the GPU time from the headset's runtime; the GPU time from Unity (needs Frame Timing Stats in the player
+    /// settings); the time from the trigger to the GPU's completion, measured by a readback; the CPU time of the cameras (built-in render
+    /// pipeline only), which does not include the GPU. A limit that was measured with one source is not valid for another source.
     /// </remarks>
     [AddComponentMenu("Nowpose/Render Time Source")]
     [DisallowMultipleComponent]
@@ -36,10 +37,12 @@ namespace Nowpose.Unity
         CameraTime _cameras;
         HeadsetTime? _trigger;
 
-        /// <summary>Source of the render times; none before thirty measured frames and when no source works.</summary>
+        /// <summary>
+        /// Source of the render times; <see cref="RenderTimeSourceKind.None"/> in the first 30 measured frames and if no source works.
+        /// </summary>
         public RenderTimeSourceKind Source => _choice?.Source ?? RenderTimeSourceKind.None;
 
-        /// <summary>The newest Δt_render; null if none became known in this frame.</summary>
+        /// <summary>The newest Δt_render; null if no new measurement became known in this frame.</summary>
         public TimeSpan? RenderTime => _choice?.RenderTime;
 
         void OnEnable()
@@ -79,7 +82,7 @@ namespace Nowpose.Unity
             Notify();
         }
 
-        // After all other handlers that change transforms: rendering begins now.
+        // Runs after all other handlers, so this is the time at which rendering starts.
         [BeforeRenderOrder(int.MaxValue)]
         void Trigger() => _trigger = _clock.Now;
 
@@ -93,7 +96,7 @@ namespace Nowpose.Unity
             if (IsOfTheGame(camera)) _cameras.End(_clock.Now);
         }
 
-        // Excludes the editor's cameras of scene views and previews, which render in the same frames.
+        // Excludes the cameras of the editor's scene views and previews, which render in the same frames.
         static bool IsOfTheGame(Camera camera) => (camera.hideFlags & HideFlags.DontSave) == 0;
 
         IEnumerator WatchSubmissions()
@@ -101,7 +104,7 @@ namespace Nowpose.Unity
             while (true)
             {
                 yield return _endOfFrame;
-                // The GPU's own time needs no additional readbacks unless it is missing.
+                // If the GPU time of this frame is known, a readback is not necessary.
                 var isGpuTime = Source == RenderTimeSourceKind.DisplayGpuTime || Source == RenderTimeSourceKind.EngineGpuTime;
                 var isNeeded = !isGpuTime || RenderTime == null;
                 if (isNeeded && _trigger is HeadsetTime triggered) _completion.Submitted(triggered);
@@ -118,7 +121,7 @@ namespace Nowpose.Unity
 
         void LogSource()
         {
-            var message = "render time: " + RenderTimeWords.NameOf(Source);
+            var message = "render time: " + RenderTimeNames.NameOf(Source);
             if (Source == RenderTimeSourceKind.None || Source == RenderTimeSourceKind.CameraCpu) _log.Warn(message);
             else _log.Info(message);
         }

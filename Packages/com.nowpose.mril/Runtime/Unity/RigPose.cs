@@ -1,12 +1,12 @@
 namespace Nowpose.Unity
 {
-    /// <summary>The pose of a frame that a rig shows.</summary>
+    /// <summary>Selects the pose that a rig or object shows.</summary>
     public enum RigPose
     {
-        /// <summary>The robot's pose at the display time.</summary>
+        /// <summary>The pose at the display time.</summary>
         Displayed,
 
-        /// <summary>The newest samples unchanged, as without compensation.</summary>
+        /// <summary>The pose of the newest samples, without compensation.</summary>
         Held,
     }
 }

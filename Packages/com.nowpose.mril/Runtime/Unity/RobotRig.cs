@@ -2,16 +2,17 @@ using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Robot;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Shows a robot by transforms that are named and nested as its links, moved by a session or by a script.</summary>
+    /// <summary>Shows a robot with transforms that are named and nested like its links. A session or a script moves them.</summary>
     /// <remarks>
-    /// Its own transform is the robot's base frame. If no child has the name of the robot's root link, and nothing
-    /// is drawn below the rig, it builds the robot from primitives.
+    /// The rig's own transform is the robot's base frame. If no transform below the rig has the name of the root link and nothing is drawn there,
+    /// the rig builds the robot from primitives.
     /// </remarks>
     [AddComponentMenu("Nowpose/Robot Rig")]
     [DisallowMultipleComponent]
@@ -46,16 +47,16 @@ namespace Nowpose.Unity
         bool _isMaterialReported;
         double[] _joints = Array.Empty<double>();
 
-        /// <summary>Raised when the transforms were bound to a robot.</summary>
+        /// <summary>Raised after the transforms were bound to a robot.</summary>
         public event Action Bound;
 
-        /// <summary>Raised whenever the transforms have been moved, possibly twice a frame.</summary>
+        /// <summary>Raised after the transforms were moved. This may happen twice per frame.</summary>
         public event Action Posed;
 
         /// <summary>The displayed robot; null before <see cref="Bind"/>.</summary>
         public RobotModel Model { get; private set; }
 
-        /// <summary>The session that moves this rig; null while disabled, or if a script moves it.</summary>
+        /// <summary>The session that moves this rig; null while the rig is disabled, or if it has no session because a script moves it.</summary>
         public MrilSession Session => _source;
 
         /// <summary>Namespace of the robot in the cell; empty for the session's own robot.</summary>
@@ -64,18 +65,18 @@ namespace Nowpose.Unity
         /// <summary>The robot in the session of the last frame; null while it is unknown or the rig is disabled.</summary>
         internal SessionRobot Robot => _source != null ? _robot.Robot : null;
 
-        /// <summary>State of the shown robot in a frame of the session.</summary>
+        /// <summary>Returns the state of the shown robot's pose in a frame of the session.</summary>
         internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.State : _robot.StateIn(frame);
 
-        /// <summary>Whether this rig shows its robot of the session: false while disabled, or if bound to no robot or another one.</summary>
+        /// <summary>Whether this rig is enabled and bound to the robot that its session moves.</summary>
         public bool IsFollowing => _source != null && Model != null && Model == _robot.ModelIn(_source);
 
         public RigPose Shows => _shows;
 
-        /// <summary>Material of the links up to the flange of a robot built from primitives; null for none.</summary>
+        /// <summary>Material of the links up to the flange, for a robot that the rig builds; null if none is assigned.</summary>
         internal Material ArmMaterial => _armMaterial;
 
-        /// <summary>The joint positions shown last, one per moving joint of the model, rad or m; zeros before the first.</summary>
+        /// <summary>The joint positions of the last <see cref="Apply"/>, one per moving joint of the model, in rad or m; zeros before it.</summary>
         public ReadOnlySpan<double> Joints => _joints;
 
         /// <summary>The tool centre point, or the flange if the robot has no tool; null before <see cref="Bind"/>.</summary>
@@ -84,12 +85,12 @@ namespace Nowpose.Unity
         /// <summary>The link that a tool is mounted on; null before <see cref="Bind"/>.</summary>
         public Transform Flange => _hierarchy?.Flange;
 
-        /// <returns>Null if the robot has no such link, or before <see cref="Bind"/>.</returns>
+        /// <summary>Returns the transform of a link; null if the robot has no such link, and before <see cref="Bind"/>.</summary>
         public Transform Link(string name) => _hierarchy?.Link(name);
 
-        /// <summary>Binds the children as the robot's links, or builds them, and sets all joints to 0.</summary>
+        /// <summary>Binds the transforms below the rig to the links of a robot, or builds them. Sets all joint positions to 0.</summary>
         /// <exception cref="InputException">
-        /// A link is missing, misplaced or scaled, or the children show another robot; the rig is then not bound.
+        /// A link is missing, misplaced or scaled, or the objects below the rig show another robot. The rig is then not bound to any robot.
         /// </exception>
         public void Bind(RobotModel model)
         {
@@ -103,23 +104,26 @@ namespace Nowpose.Unity
             Bound?.Invoke();
         }
 
-        /// <summary>Moves the links.</summary>
-        /// <param name="joints">One per moving joint of the model, mimic joints included, rad or m.</param>
+        /// <summary>Moves the links to joint positions.</summary>
+        /// <param name="joints">One position per moving joint of the model, including mimic joints, in rad or m.</param>
         public void Apply(ReadOnlySpan<double> joints)
         {
-            if (Model == null) throw new InvalidOperationException("rig '" + name + "': bind it to a robot before joints are applied");
+            if (Model == null) throw new InvalidOperationException(RigMessages.NotBound(name));
             if (joints.Length != _joints.Length)
-                throw new ArgumentException(
-                    "rig '" + name + "': " + joints.Length + " values for " + _joints.Length + " moving joints", nameof(joints));
+                throw new ArgumentException(RigMessages.ValueCount(name, joints.Length, _joints.Length), nameof(joints));
             joints.CopyTo(_joints);
             _hierarchy.Apply(joints);
             Posed?.Invoke();
         }
 
-        /// <summary>Builds the robot as a part of its scene or prefab; a rig finds these links and never removes them.</summary>
-        /// <returns>The root link; null if the links already exist.</returns>
-        /// <exception cref="InputException">The children show another robot, or only a part of this one.</exception>
-        /// <param name="plain">Replaces a missing material; must be an asset, because a material in memory is not saved with a prefab.</param>
+        /// <summary>
+        /// Builds the robot as a permanent part of a scene or prefab. At run time, the rig finds these links and never removes them.
+        /// </summary>
+        /// <param name="plain">
+        /// Material that replaces missing materials. It must be an asset, because a prefab does not save a material that exists only in memory.
+        /// </param>
+        /// <returns>The object of the root link; null if the links already exist.</returns>
+        /// <exception cref="InputException">The objects below the rig show another robot, or only a part of this robot.</exception>
         internal GameObject BuildToStay(RobotModel model, Material plain) =>
             RigHierarchy.Find(model, transform) == null ? NewLinks(model, plain, out _) : null;
 
@@ -142,7 +146,7 @@ namespace Nowpose.Unity
         {
             if (_source != null) FollowRobot();
             else if (Model == null)
-                ConsoleLog.Warn(this, "rig '" + name + "' has no session on its object or a parent; assign one, or call Bind and Apply");
+                ConsoleLog.Warn(this, ComponentMessages.RigWithoutSession(name));
         }
 
         void OnDestroy()
@@ -160,7 +164,7 @@ namespace Nowpose.Unity
             _robot.PlaceBase();
         }
 
-        // Not called while objects are being enabled: the engine does not allow children to be removed then.
+        // Must not be called in OnEnable, because Unity does not allow the removal of children while it enables objects.
         void FollowRobot()
         {
             var robot = _robot.ModelIn(_source);
@@ -189,15 +193,12 @@ namespace Nowpose.Unity
             var links = RigBuilder.Build(model, transform, look);
             made = look.Made;
             if (look.LacksMaterial && !_isMaterialReported)
-                Debug.LogWarning(
-                    "[Nowpose] rig '" + name + "' has no material for the robot that it built, so the robot is "
-                    + (made != null ? "drawn by the shader Nowpose/Hologram" : "magenta, because this build does not contain the shader Nowpose/Hologram")
-                    + "; assign Arm Material and Tool Material", this);
+                ConsoleLog.Warn(this, RigMessages.NoMaterial(name, made != null));
             _isMaterialReported |= look.LacksMaterial;
             return links;
         }
 
-        // Detaches the links at once: they are destroyed at the end of the frame, and a search would find them until then.
+        // Destroy takes effect at the end of the frame. The links are detached first, so that a search below the rig does not find them until then.
         void Unbuild()
         {
             if (_built == null) return;

@@ -2,15 +2,18 @@ using System;
 using System.Globalization;
 using Nowpose.Recording;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Records the received data, displayed poses and statistics of a session to a file on the device, for later analysis.</summary>
+    /// <summary>
+    /// Records the received data, the displayed poses and the statistics of a session in a file on the device, for later analysis.
+    /// </summary>
     /// <remarks>
-    /// One file for each session: session and recording restart after a pause and when the gateway describes another robot.
-    /// No frame waits for the disk. Only the frame that begins a file allocates.
+    /// Each session has its own file; a new session starts after a pause and when the gateway describes another robot. No frame waits for the
+    /// disk. Only the frame that starts a file allocates.
     /// </remarks>
     [AddComponentMenu("Nowpose/Session Recording")]
     [DisallowMultipleComponent]
@@ -37,13 +40,13 @@ namespace Nowpose.Unity
         /// <summary>Whether a file is being written; false while the session is paused or its robot is unknown.</summary>
         public bool IsRecording => Recorder != null && Recorder.State == RecordingState.Recording;
 
-        /// <summary>Path of the current or last file; null before the first.</summary>
+        /// <summary>Path of the current or last file; null before the first file.</summary>
         public string Path { get; private set; }
 
-        /// <summary>Why a requested recording does not run, in one line; null unless there is a problem.</summary>
+        /// <summary>Reason why a requested recording does not run, in one line; null if there is no problem.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Starts recording, each session to its own file. Also retries after a problem.</summary>
+        /// <summary>Starts to record the current session and all later sessions. Call it again to retry after a problem.</summary>
         public void StartRecording()
         {
             if (IsRecording) return;
@@ -53,14 +56,14 @@ namespace Nowpose.Unity
             Follow();
         }
 
-        /// <summary>Ends the file; returns at once while the rest is written.</summary>
+        /// <summary>Stops recording. Returns without delay; the rest of the file is written in the background.</summary>
         public void StopRecording()
         {
             _isWanted = false;
             End();
         }
 
-        // Disposed of when this component is disabled, which always precedes its destruction.
+        // OnDisable disposes the recorder. Unity always calls it before a component is destroyed.
         SessionRecorder Recorder { get; set; }
 
         void OnEnable()
@@ -71,7 +74,7 @@ namespace Nowpose.Unity
 
         void OnDisable() => StopRecording();
 
-        // Before the session computes its frame, so that the file contains its first frame.
+        // Runs before the session computes its frame, so the file contains the first frame of the session.
         void Update()
         {
             Follow();
@@ -81,7 +84,7 @@ namespace Nowpose.Unity
         void Follow()
         {
             var session = _isWanted && isActiveAndEnabled && _source != null ? _source.Session : null;
-            // Nothing can be recorded until the gateway has described the robot.
+            // There is nothing to record until the gateway has described the robot.
             if (session != null && session.Robot.MovingJoints.Count == 0) session = null;
             if (session == _recorded) return;
             End();
@@ -103,7 +106,7 @@ namespace Nowpose.Unity
                 Fail("session recording '" + name + "': " + fault.Message);
                 return;
             }
-            ConsoleLog.Info(this, "recording the session to " + Path);
+            ConsoleLog.Info(this, SessionMessages.Recording(Path));
         }
 
         void Report()

@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>User-editable asset with <see cref="SessionSettings"/>. Code never writes to it.</summary>
+    /// <summary>Asset in which the user edits <see cref="SessionSettings"/>. Code never writes to it.</summary>
     [CreateAssetMenu(menuName = "Nowpose/Session Settings", fileName = "Session Settings")]
     public sealed class SessionSettingsAsset : ScriptableObject
     {
@@ -119,8 +119,9 @@ namespace Nowpose.Unity
 
         static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;
 
-        /// <param name="token">Replaces this asset's token; null to use the asset's, empty for none.</param>
-        /// <exception cref="InputException">A value is invalid; the message names this asset, the value and what is allowed.</exception>
+        /// <summary>Checks the values, and returns them as settings.</summary>
+        /// <param name="token">Token that replaces the token of this asset. Null: the asset's token is used. Empty: no token is used.</param>
+        /// <exception cref="InputException">A value is invalid. The message names this asset, the value and the allowed values.</exception>
         public SessionSettings ToSettings(string token = null)
         {
             try

@@ -4,16 +4,19 @@ using Nowpose.Kinematics;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Shows an object that does not move, such as a conveyor or a fixture: placed by its frame on /tf_static, or by hand.</summary>
+    /// <summary>
+    /// Shows an object that does not move, such as a conveyor or a fixture. Its frame on /tf_static or the user's hand determines its place.
+    /// </summary>
     /// <remarks>
-    /// A hand, a controller or a script reports the start and the end of a move. The place is then saved in a file on the device, which is also
-    /// the /tf_static that the gateway publishes with <c>--stationary</c>. A source that publishes the frame has priority whenever its pose
-    /// arrives, so that all headsets agree.
+    /// The component that moves the object (by hand, by controller or by script) calls <see cref="BeginMove"/> and <see cref="EndMove"/>. The place
+    /// is then saved in a file on the device. The gateway can publish the same file on /tf_static with its option <c>--stationary</c>. A published
+    /// pose always has priority over a saved place, so all headsets show the same.
     /// </remarks>
     [AddComponentMenu("Nowpose/Stationary Object")]
     [DisallowMultipleComponent]
@@ -36,30 +39,32 @@ namespace Nowpose.Unity
         /// <summary>Name of the frame.</summary>
         public string Frame => string.IsNullOrEmpty(_frame) ? name : _frame;
 
-        /// <summary>Whether the object is shown where it is, and otherwise why not.</summary>
+        /// <summary>State of the object's pose: current if the object is shown at its real place, otherwise the reason.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
-        /// <summary>Whether the object is being moved by hand.</summary>
+        /// <summary>Whether a move by hand is in progress.</summary>
         public bool IsMoving { get; private set; }
 
-        /// <summary>Path of the file that keeps the places of objects that were placed by hand.</summary>
+        /// <summary>Path of the file with the places of all objects that were placed by hand.</summary>
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
-        /// <summary>Why it is not shown where it is, in one line; null if it is.</summary>
+        /// <summary>Reason why the object is not shown at its real place, in one line; null if it is.</summary>
         public string Fault => _followed == null ? "no session" : _followed.Fault;
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
 
-        /// <summary>Starts a move by hand: the frame follows this transform. Refused while a source or a gripper moves the object.</summary>
+        /// <summary>
+        /// Starts a move by hand, in which the frame follows this transform. Does nothing while a source or a gripper moves the object.
+        /// </summary>
         public void BeginMove()
         {
             if (_followed == null) return;
             if (_followed.IsMoved)
-                ConsoleLog.Warn(this, "stationary object '" + name + "': its source or a gripper moves it, so it cannot be placed by hand");
+                ConsoleLog.Warn(this, ObjectMessages.NotPlaceable(name));
             else IsMoving = true;
         }
 
-        /// <summary>Ends a move and saves the place. Does nothing unless the object is being moved.</summary>
+        /// <summary>Ends a move and saves the place. Does nothing if no move is in progress.</summary>
         public void EndMove()
         {
             if (!IsMoving) return;
@@ -72,7 +77,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _followed = FollowedFrame.Of(
-                this, _session, "stationary object", Frame, missing: "not placed; place it by hand, or publish its frame on /tf_static");
+                this, _session, "stationary object", Frame, missing: ObjectMessages.NotPlaced);
             if (_followed == null) return;
             _saved = Saved();
             _source = this.SessionOr(_session);
@@ -122,12 +127,12 @@ namespace Nowpose.Unity
             catch (InputException fault)
             {
                 var aside = WholeFile.PutAside(SavedPath);
-                ConsoleLog.Warn(this, fault.Message + (aside == null ? "" : "; kept as " + aside) + "; place the objects again");
+                ConsoleLog.Warn(this, ObjectMessages.PlacesLost(fault.Message, aside));
                 return new TransformsMessage();
             }
         }
 
-        // Other objects have their places in the same file.
+        // Keeps the places of the other objects, which are in the same file.
         void Save()
         {
             var (before, file) = (Load(), new TransformsMessage());

@@ -1,14 +1,15 @@
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Shows the status of a session in the scene: clock, latencies, render time, connection and removed error.</summary>
+    /// <summary>Shows the status of a session in the scene: clock, latencies, render time, connection and error reduction.</summary>
     /// <remarks>
-    /// Copies its <c>Cell</c>, a text, into rows of label, value and note. Capital letters are at least 0.5° high from the viewer's
-    /// position, times the scale of this object. The lower edge is 7 font sizes below this object; the message is at the top.
-    /// Stays at its transform; <see cref="BodyFollow"/> on the same object keeps it with the viewer.
+    /// The panel consists of copies of the text object <c>Cell</c>, in rows of label, value and note, with the message at the top. Its lower edge
+    /// is 7 font sizes below this object's position. At scale 1, capital letters are at least 0.5° high for the viewer. The panel does not move by
+    /// itself; add <see cref="BodyFollow"/> to the same object to keep it in view.
     /// </remarks>
     [AddComponentMenu("Nowpose/Status Panel")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
@@ -46,10 +47,12 @@ namespace Nowpose.Unity
 
         internal StatusTexts Texts => _texts;
 
-        /// <summary>The texts and their ground in the scene; null until they were made, and after scripts were compiled in play mode.</summary>
+        /// <summary>
+        /// The texts and their background in the scene; null until they are created, and after scripts were recompiled in play mode.
+        /// </summary>
         internal PanelCells Cells { get; set; }
 
-        /// <summary>Maximum distance at which its letters are high enough, in metres; null before it was drawn for a viewer.</summary>
+        /// <summary>Maximum distance in metres at which the letters are high enough; null before the panel was drawn for a viewer.</summary>
         internal float? LegibleMetres => _distance.Metres > 0 ? _distance.Metres : (float?)null;
 
         void OnEnable()
@@ -58,10 +61,10 @@ namespace Nowpose.Unity
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _due = 0;
-            if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no text to copy; assign a text on a child object");
+            if (_cell == null) ConsoleLog.Fail(this, ComponentMessages.PanelWithoutText(name));
         }
 
-        // Hides numbers that are no longer updated.
+        // Hides the texts, because nothing updates them while this component is disabled.
         void OnDisable() => Cells?.Hide();
 
         void OnDestroy() => Cells?.Destroy();
@@ -81,7 +84,7 @@ namespace Nowpose.Unity
             Resize(LetterSize.At(_distance.Metres));
         }
 
-        // Compensates the scale of the parents; the panel's own scale, which a user sets, still applies.
+        // Compensates for the scale of the parents. The panel's own scale, which the user may set, still applies.
         void Resize(float size)
         {
             var above = transform.parent != null ? Mathf.Abs(transform.parent.lossyScale.x) : 1;
@@ -92,8 +95,8 @@ namespace Nowpose.Unity
             _bar.localPosition = new Vector3(0, PanelCells.LowerEdge * size, 0);
         }
 
-        // Not called while objects are being enabled, because none may be added then. Removes old cells first: when scripts are recompiled in
-        // play mode, the objects remain but the references are lost.
+        // Must not be called in OnEnable, because Unity does not allow new children while it enables objects. Removes old texts first: when Unity
+        // recompiles scripts in play mode, the objects remain but the references are lost.
         void MakeCells()
         {
             PanelCells.RemoveFrom(transform);

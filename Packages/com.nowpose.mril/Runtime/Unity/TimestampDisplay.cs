@@ -1,17 +1,18 @@
 using Nowpose.Session;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Shows the start time of each frame on the control clock, as a code for a camera and as text. A picture of it beside the same code
-    /// of the control system gives the visualisation latency.
+    /// Shows the start time of each frame in control time, as a code for a camera and as text. A picture that shows this code beside the code on
+    /// a display of the control system gives the visualisation latency.
     /// </summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Fig. 9 and Eq. (7): C2(t_MR), mapped to C1. The code belongs to the frame in which it is drawn:
-    /// it changes within <see cref="MrilSession.Shown"/>, even when the session computes a frame again right before rendering.
+    /// Implements Fig. 9 and Eq. (7) of Schnierle &amp; Röck 2022: the shown time is C2(t_MR), converted to C1. It always belongs to the frame in
+    /// which it is drawn, because it changes in <see cref="MrilSession.Shown"/>, also when a frame is computed again right before rendering.
     /// </remarks>
     [AddComponentMenu("Nowpose/Timestamp Display")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]
@@ -37,13 +38,13 @@ namespace Nowpose.Unity
         MrilSession _source;
         TimestampSheet _sheet;
 
-        /// <summary>The displayed control time, that of the frame's start; null while none is displayed.</summary>
+        /// <summary>The displayed time: the start of the frame in control time. Null while no time is displayed.</summary>
         public ControlTime? FrameStart { get; private set; }
 
         void OnEnable()
         {
             _source = this.RequiredSession(_session, "timestamp display");
-            if (_light == null) ConsoleLog.Fail(this, "timestamp display '" + name + "' has no material for its squares; assign one");
+            if (_light == null) ConsoleLog.Fail(this, ComponentMessages.DisplayWithoutMaterial(name));
             if (_source == null) return;
             _source.Shown += Show;
             _source.Hidden += Hide;
@@ -61,7 +62,7 @@ namespace Nowpose.Unity
             _sheet = null;
         }
 
-        // Not in OnEnable, because no objects may be added while objects are being enabled. Shows a message until there is a frame.
+        // Shows a message until the first frame. Not done in OnEnable, because Unity does not allow new children while it enables objects.
         void LateUpdate()
         {
             if (_sheet == null) Hide();

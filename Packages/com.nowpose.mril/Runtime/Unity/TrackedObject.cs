@@ -5,10 +5,11 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Shows an object of the cell where it is at the display time, by the name of its frame on /tf or /tf_static.</summary>
+    /// <summary>Shows an object of the cell where it is at the display time. The object's pose is a frame on /tf or /tf_static.</summary>
     /// <remarks>
-    /// The Base Anchor above this object is the frame <c>world</c>; without one, the session's object is. An object whose parent is a link of a
-    /// robot moves exactly with the displayed robot. Its <see cref="PoseAppearance"/> shows the state of this object, not that of the robot.
+    /// The frame <c>world</c> is the Base Anchor above this object; without one, the Base Anchor below the session, otherwise the session's object.
+    /// If the parent of the frame is a link of a robot, the object moves exactly with the displayed robot. The <see cref="PoseAppearance"/> on this
+    /// object shows the state of the object and not the state of the robot.
     /// </remarks>
     [AddComponentMenu("Nowpose/Tracked Object")]
     [DisallowMultipleComponent]
@@ -35,10 +36,10 @@ namespace Nowpose.Unity
         /// <summary>Name of the frame in which the displayed pose is given, such as a robot's link; null while no pose is known.</summary>
         public string Parent => _followed?.Parent;
 
-        /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>
+        /// <summary>State of the object's pose: current if the object is shown where it is at the display time, otherwise the reason.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
-        /// <summary>Why it is not shown where it is, in one line; null if it is.</summary>
+        /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? "no session" : _followed.Fault;
 
         bool ICellObject.IsUnplaced => false;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Converts Core's numbers to the engine's types. <see cref="UnityFrame"/> converts the axes.</summary>
+    /// <summary>Converts between the poses of Core and the types of Unity. <see cref="UnityFrame"/> converts the axes.</summary>
     public static class UnityPoses
     {
         internal static Vector3 Position(this in UnityPose pose) => new Vector3((float)pose.X, (float)pose.Y, (float)pose.Z);
@@ -11,8 +11,9 @@ namespace Nowpose.Unity
         internal static Quaternion Rotation(this in UnityPose pose) => new Quaternion(
             (float)pose.RotationX, (float)pose.RotationY, (float)pose.RotationZ, (float)pose.RotationW);
 
-        /// <summary>Converts a pose in Unity's world to the room frame: the same origin, URDF axes.</summary>
-        /// <param name="rotation">A rotation of any length except zero.</param>
+        /// <summary>Converts a pose in Unity's world to the room frame, which has the same origin and URDF axes.</summary>
+        /// <param name="position">Position in metres.</param>
+        /// <param name="rotation">Rotation as a quaternion of any length except zero.</param>
         public static RigidTransform ToRoom(Vector3 position, Quaternion rotation) => UnityFrame.FromUnity(
             new UnityPose(position.x, position.y, position.z, rotation.x, rotation.y, rotation.z, rotation.w));
 
@@ -23,14 +24,14 @@ namespace Nowpose.Unity
             return new Pose(pose.Position(), pose.Rotation());
         }
 
-        /// <summary>Sets position and rotation in the parent's axes; the engine's own method for both is missing before 2021.3.11.</summary>
+        /// <summary>Sets position and rotation relative to the parent. Unity's own method for this exists only since 2021.3.11.</summary>
         internal static void PlaceLocally(this Transform moved, Vector3 position, Quaternion rotation)
         {
             moved.localPosition = position;
             moved.localRotation = rotation;
         }
 
-        /// <summary>Moves a transform to a URDF origin in its parent's axes.</summary>
+        /// <summary>Moves a transform to an origin, as in a URDF, relative to its parent.</summary>
         internal static void Place(this Transform moved, in RigidTransform origin)
         {
             var pose = UnityFrame.ToUnity(origin);

@@ -1,15 +1,16 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>The virtual tool: follows the flange of a rig; its fingers move with the robot's joints of the given names.</summary>
+    /// <summary>Makes a virtual tool follow the flange of a rig, and moves its fingers with joints of the robot.</summary>
     /// <remarks>
-    /// On a robot without those joints the fingers do not move. Fingers that are links of the rig, which already moves them,
-    /// are not driven.
+    /// A finger does not move if the robot has no joint with the name given for it. This component does not move fingers that are links of the
+    /// rig, because the rig already moves them.
     /// </remarks>
     [AddComponentMenu("Nowpose/Virtual Gripper")]
     [DisallowMultipleComponent]
@@ -28,15 +29,15 @@ namespace Nowpose.Unity
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
 
-        /// <summary>The rig that the gripper follows; null for none.</summary>
+        /// <summary>The rig that the gripper follows; null if it follows none.</summary>
         public RobotRig Rig => _source;
 
-        /// <summary>The link that the gripper follows; null until the rig is bound to a robot that has it.</summary>
+        /// <summary>The link that the gripper follows; null until the rig is bound to a robot with this link.</summary>
         public Transform Flange => _flange;
 
         internal IReadOnlyList<GripperFinger> Fingers => _fingers;
 
-        /// <summary>Follows a rig from now on in place of the previous one; called automatically when enabled.</summary>
+        /// <summary>Starts to follow a rig, and stops following the previous one. The component calls it when it is enabled.</summary>
         public void Mount(RobotRig rig)
         {
             Unmount();
@@ -46,7 +47,7 @@ namespace Nowpose.Unity
             if (rig.Model != null) Fit();
         }
 
-        /// <summary>Stops following; the fingers return to rest. Called automatically when disabled.</summary>
+        /// <summary>Stops following the rig. The fingers return to their rest poses. The component calls it when it is disabled.</summary>
         public void Unmount()
         {
             Rest();
@@ -61,7 +62,7 @@ namespace Nowpose.Unity
         {
             var rig = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (rig != null) Mount(rig);
-            else ConsoleLog.Fail(this, "gripper '" + name + "' has no rig; move it below a rig, or assign a rig");
+            else ConsoleLog.Fail(this, ComponentMessages.GripperWithoutRig(name));
         }
 
         void OnDisable() => Unmount();
@@ -70,17 +71,16 @@ namespace Nowpose.Unity
         {
             _flange = string.IsNullOrEmpty(_flangeLink) ? _source.Flange : _source.Link(_flangeLink);
             if (_flange == null)
-                ConsoleLog.Fail(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "'; correct Flange Link");
+                ConsoleLog.Fail(this, ComponentMessages.GripperWithoutLink(name, _source.Model.Name, _flangeLink));
             Rest();
             var drives = new List<FingerDrive>();
             var unknown = "";
             foreach (var finger in _fingers)
                 if (TryDrive(finger, ref unknown, out var drive)) drives.Add(drive);
             _drives = drives.ToArray();
-            // Not a warning, because this is correct for a robot without a gripper.
+            // This is not a warning, because a robot without a gripper has no such joints.
             if (unknown.Length > 0)
-                ConsoleLog.Info(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
-                    + ", so its finger does not move");
+                ConsoleLog.Info(this, ComponentMessages.GripperWithoutJoint(name, _source.Model.Name, unknown));
         }
 
         bool TryDrive(GripperFinger finger, ref string unknown, out FingerDrive drive)
@@ -99,7 +99,7 @@ namespace Nowpose.Unity
             return true;
         }
 
-        // Resets the fingers, so that each drive starts from the rest pose, even after scripts were recompiled in play mode.
+        // Moves the fingers to their rest poses, from which new drives start.
         void Rest()
         {
             foreach (var drive in _drives)

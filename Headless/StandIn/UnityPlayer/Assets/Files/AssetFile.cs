@@ -2,7 +2,7 @@ using System.IO;
 
 namespace Nowpose.UnityPlayer.Assets.Files;
 
-/// <summary>An asset with a .meta file. The asset's own file may be missing: the source of a script, for example, is not read.</summary>
+/// <summary>An asset with a .meta file. The file of the asset itself may be missing if it is never read, as for scripts.</summary>
 sealed class AssetFile
 {
     public AssetFile(string guid, string path, string fullPath, string importer)
@@ -15,20 +15,21 @@ sealed class AssetFile
 
     public string Guid { get; }
 
-    /// <summary>Path in Unity's form, with forward slashes: <c>Assets/…</c>, <c>Packages/…</c>.</summary>
+    /// <summary>Path within the project with forward slashes, for example <c>Assets/…</c> or <c>Packages/…</c>.</summary>
     public string Path { get; }
 
     public string FullPath { get; }
 
-    /// <summary>Name of the importer's block in the .meta.</summary>
+    /// <summary>Name of the importer, as in the .meta file.</summary>
     public string Importer { get; }
 
-    /// <summary>File name without its extension, which is Unity's name of the main object of most assets.</summary>
+    /// <summary>File name without extension. In most assets, this is also the name of the main object.</summary>
     public string Name => System.IO.Path.GetFileNameWithoutExtension(Path);
 
-    /// <summary>Extension with its dot, in lower case.</summary>
+    /// <summary>Extension of the file in lower case, with the dot.</summary>
     public string Extension => System.IO.Path.GetExtension(Path).ToLowerInvariant();
 
+    /// <summary>Reads the file of the asset.</summary>
     /// <exception cref="AssetException">The file is missing.</exception>
     public string ReadText()
     {

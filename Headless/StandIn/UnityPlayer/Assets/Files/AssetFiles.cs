@@ -6,7 +6,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Files;
 
-/// <summary>The files of a library, each read and parsed once.</summary>
+/// <summary>Reads and parses the files of a library, each file once.</summary>
 sealed class AssetFiles
 {
     readonly Dictionary<string, IReadOnlyList<UnityDocument>> _documents = new Dictionary<string, IReadOnlyList<UnityDocument>>();
@@ -30,7 +30,7 @@ sealed class AssetFiles
         return documents;
     }
 
-    /// <summary>Gets the objects of a prefab or scene, without the scene's settings.</summary>
+    /// <summary>Returns the objects of a prefab or scene, without the settings of the scene.</summary>
     public ObjectFile Hierarchy(AssetFile file)
     {
         if (_hierarchies.TryGetValue(file.Guid, out var known)) return known ?? throw new AssetException(file.Path + ": is an instance of itself");

@@ -6,7 +6,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.UnityPlayer.Assets.Files;
 
-/// <summary>Index of the assets by GUID and by path. Assets are found by their .meta files.</summary>
+/// <summary>Finds assets by GUID and by path. Lists the assets by their .meta files.</summary>
 sealed class AssetIndex
 {
     const string Meta = ".meta";
@@ -17,8 +17,8 @@ sealed class AssetIndex
     readonly Dictionary<string, AssetFile> _byGuid = new Dictionary<string, AssetFile>(StringComparer.Ordinal);
     readonly Dictionary<string, AssetFile> _byPath = new Dictionary<string, AssetFile>(StringComparer.Ordinal);
 
-    /// <param name="folders">Folders with their names in Unity's paths. Folders hidden from Unity are excluded, except samples.</param>
-    /// <exception cref="AssetException">A .meta file has no GUID, or two have the same.</exception>
+    /// <param name="folders">Folders with their names in asset paths. Subfolders that Unity ignores are excluded, except samples.</param>
+    /// <exception cref="AssetException">A .meta file has no GUID, or two files have the same GUID.</exception>
     public AssetIndex(IEnumerable<(string Name, string FullPath)> folders)
     {
         foreach (var (name, fullPath) in folders) AddFolder(name, fullPath);
@@ -26,7 +26,7 @@ sealed class AssetIndex
 
     public IReadOnlyCollection<AssetFile> Files => _byPath.Values;
 
-    /// <summary>Gets the folders of a Unity project that contain assets, and stand-ins for those of missing packages.</summary>
+    /// <summary>Returns the folders of a Unity project that contain assets or stand-ins for the assets of missing packages.</summary>
     public static IEnumerable<(string Name, string FullPath)> FoldersOf(string projectRoot)
     {
         foreach (var name in new[] { "Assets", "Packages", "Headless/StandIn/ForeignAssets" })
@@ -36,11 +36,11 @@ sealed class AssetIndex
         }
     }
 
-    /// <summary>Null if no asset has this GUID.</summary>
+    /// <summary>Returns the asset with a GUID; null if there is none.</summary>
     public AssetFile ByGuid(string guid) => _byGuid.TryGetValue(guid, out var file) ? file : null;
 
-    /// <summary>Null if there is no such asset.</summary>
-    /// <param name="path">Path in Unity's form, or a full path.</param>
+    /// <summary>Returns the asset with a path; null if there is none.</summary>
+    /// <param name="path">Path within the project, as in Unity, or an absolute path.</param>
     public AssetFile ByPath(string path)
     {
         if (_byPath.TryGetValue(path.Replace('\\', '/'), out var file)) return file;

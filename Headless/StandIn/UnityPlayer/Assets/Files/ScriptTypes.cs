@@ -9,8 +9,8 @@ using Nowpose.UnityPlayer.Assets.Values;
 namespace Nowpose.UnityPlayer.Assets.Files;
 
 /// <summary>
-/// Finds the class of a script file: the one with the file's name, in the assembly of the nearest assembly definition above it (which has
-/// the same name), or in any assembly if there is none.
+/// Finds the class of a script file. The class has the name of the file. Its assembly has the name of the nearest assembly definition in the
+/// folders above; if there is none, it may be any assembly.
 /// </summary>
 sealed class ScriptTypes
 {
@@ -24,14 +24,16 @@ sealed class ScriptTypes
         _assemblyOfFolder = index.Files.Where(f => f.Extension == ".asmdef").ToDictionary(f => FolderOf(f.Path), f => f.Name);
     }
 
-    /// <exception cref="AssetException">The assembly or class does not exist, or Unity would not find it.</exception>
+    /// <summary>Returns the class of a script file.</summary>
+    /// <exception cref="AssetException">The assembly or the class does not exist, or Unity would not find the class.</exception>
     public Type Of(AssetFile script, Type baseType, Place place)
     {
         var type = _types.GetOrAdd(script.Guid, _ => Find(script, place));
         return baseType.IsAssignableFrom(type) ? type : throw place.Error(script.Path + " holds no " + baseType.Name);
     }
 
-    /// <exception cref="AssetException">No script file, or more than one, contains this class.</exception>
+    /// <summary>Returns the script file of a class.</summary>
+    /// <exception cref="AssetException">No script file, or more than one, has the name of the class.</exception>
     public AssetFile FileOf(Type type, Place place)
     {
         var assembly = type.Assembly.GetName().Name;
@@ -51,7 +53,7 @@ sealed class ScriptTypes
             : throw place.Error(script.Path + " has to hold one class " + script.Name + "; there are " + found.Count);
     }
 
-    /// <summary>Gets the assembly; null if there is no assembly definition above the file.</summary>
+    /// <summary>Returns the name of the assembly of a script file; null if there is no assembly definition above the file.</summary>
     string AssemblyOf(AssetFile script)
     {
         for (var folder = FolderOf(script.Path); folder.Length > 0; folder = FolderOf(folder))

@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>The references of one file, to its own objects and to other assets.</summary>
+/// <summary>Resolves the references of one file: to objects of the file itself and to other assets.</summary>
 sealed class FileReferences : IReferences
 {
     readonly LoadedAssets _assets;
@@ -16,8 +16,8 @@ sealed class FileReferences : IReferences
     readonly Dictionary<Transform, int> _roots = new Dictionary<Transform, int>();
 
     /// <param name="assets">All other assets.</param>
-    /// <param name="objects">The file's own objects by fileID.</param>
-    /// <param name="roots">The root objects of its hierarchy, in order.</param>
+    /// <param name="objects">Objects of the file by fileID.</param>
+    /// <param name="roots">Root objects of the file in order.</param>
     public FileReferences(LoadedAssets assets, IReadOnlyDictionary<long, Object> objects, IReadOnlyList<GameObject> roots)
     {
         _assets = assets;

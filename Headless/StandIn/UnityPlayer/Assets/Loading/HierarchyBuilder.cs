@@ -11,8 +11,8 @@ using Object = UnityEngine.Object;
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
 /// <summary>
-/// Creates the objects of a prefab or scene, without a scene and asleep. First all objects with their components and parents, then their
-/// fields, which may refer to any of them.
+/// Creates the objects of a prefab or scene. They are not in a scene yet, and their scripts have not received Awake. First creates all objects
+/// with their components and parents; then sets the fields, which may refer to any of these objects.
 /// </summary>
 sealed class HierarchyBuilder
 {
@@ -30,15 +30,16 @@ sealed class HierarchyBuilder
         _whole = whole;
     }
 
-    /// <summary>The objects by fileID.</summary>
+    /// <summary>The created objects by fileID.</summary>
     public IReadOnlyDictionary<long, Object> Objects => _objects;
 
     public IReadOnlyList<GameObject> Roots { get; private set; }
 
-    /// <param name="assets">Assets that the file may refer to.</param>
-    /// <param name="file">Objects of the file.</param>
-    /// <param name="whole">The prefab whose instance the objects are; null for the objects of the file itself.</param>
-    /// <param name="made">Called with all objects before their fields are read.</param>
+    /// <summary>Creates the objects of a file.</summary>
+    /// <param name="assets">Assets to which the file may refer.</param>
+    /// <param name="file">Descriptions of the objects.</param>
+    /// <param name="whole">Prefab of which the new objects are an instance; null if they are the objects of the file itself.</param>
+    /// <param name="made">Called after the creation of all objects, before their fields are set.</param>
     public static HierarchyBuilder Build(
         LoadedAssets assets, ObjectFile file, PrefabOrigin.Group whole = null, Action<HierarchyBuilder> made = null)
     {

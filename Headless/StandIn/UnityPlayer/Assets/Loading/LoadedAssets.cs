@@ -11,7 +11,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>The assets of a library as objects of one world, each loaded at its first reference.</summary>
+/// <summary>Loads the assets of a library as objects of one world, each asset when it is first referred to.</summary>
 sealed class LoadedAssets
 {
     const long ScriptFileId = 11500000;
@@ -24,7 +24,7 @@ sealed class LoadedAssets
 
     public LoadedAssets(AssetFiles files) => _files = files;
 
-    /// <summary>Gets the main object of an asset; for a prefab, its root.</summary>
+    /// <summary>Returns the main object of an asset. The main object of a prefab is its root.</summary>
     public Object Main(AssetFile file)
     {
         var objects = Load(file);
@@ -52,7 +52,7 @@ sealed class LoadedAssets
             : throw place.Error("refers to " + target + ", which is neither in this file nor an asset");
     }
 
-    /// <summary>Gets the class of a component or ScriptableObject.</summary>
+    /// <summary>Returns the class of a component or ScriptableObject.</summary>
     public Type ScriptAt(FileObject described, Type baseType)
     {
         var reference = described.Reference(ScriptClass.ScriptField);
@@ -70,10 +70,10 @@ sealed class LoadedAssets
         return new AssetReference(ScriptFileId, file.Guid, AssetReference.Imported);
     }
 
-    /// <summary>Creates new objects of a scene at each call.</summary>
+    /// <summary>Creates the objects of a scene. Each call creates new objects.</summary>
     public HierarchyBuilder Instantiate(AssetFile file) => HierarchyBuilder.Build(this, _files.Hierarchy(file));
 
-    /// <summary>Creates an instance of a prefab that keeps its link to the prefab.</summary>
+    /// <summary>Creates an instance of a prefab. It can be saved as a prefab instance.</summary>
     public GameObject InstantiatePrefab(GameObject prefab)
     {
         if (!_references.TryGetValue(prefab, out var reference) || _files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
@@ -103,7 +103,7 @@ sealed class LoadedAssets
         }
         catch (AssetException)
         {
-            // The objects of an invalid file must not be found later.
+            // Removes the objects of an invalid file, so that later calls do not find them.
             _byGuid.Remove(file.Guid);
             throw;
         }
@@ -134,7 +134,7 @@ sealed class LoadedAssets
         }
     }
 
-    /// <summary>Loads a file with one object.</summary>
+    /// <summary>Loads a file that contains one object.</summary>
     void LoadAlone(AssetFile file, long fileId, Func<FileObject, (ObjectClass Class, Object Made)> make, Action<Object> wake)
     {
         var documents = _files.Documents(file);
@@ -168,7 +168,7 @@ sealed class LoadedAssets
         }
     }
 
-    /// <summary>Gets the type in references to the asset; null if only Unity can compute the fileIDs.</summary>
+    /// <summary>Returns the type number in references to an asset; null if only Unity can compute the fileIDs of its objects.</summary>
     static int? TypeOf(AssetFile file)
     {
         return file.Extension switch

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>The objects of a scene, created but not yet awake and not yet in a scene.</summary>
+/// <summary>The objects and settings of a scene file. The objects have not received Awake and are not in a scene yet.</summary>
 sealed class LoadedScene
 {
     public LoadedScene(string name, string path, IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)
@@ -19,6 +19,6 @@ sealed class LoadedScene
     public string Path { get; }
     public IReadOnlyList<GameObject> Roots { get; }
 
-    /// <summary>The settings of the scene as a whole.</summary>
+    /// <summary>Settings of the whole scene.</summary>
     public IReadOnlyList<UnityDocument> Settings { get; }
 }

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>Stores, for an object in a hierarchy, the prefab object of which it is an instance, so that it can be saved as an instance.</summary>
+/// <summary>
+/// Stores the prefab object of which an object in a hierarchy is an instance. With it, the object can be saved as part of a prefab instance.
+/// </summary>
 sealed class PrefabOrigin
 {
     static readonly ConditionalWeakTable<Object, PrefabOrigin> Origins = new ConditionalWeakTable<Object, PrefabOrigin>();
@@ -15,12 +17,12 @@ sealed class PrefabOrigin
         SourceFileId = sourceFileId;
     }
 
-    /// <summary>The same object for all objects of one instance.</summary>
+    /// <summary>The prefab instance to which the object belongs. All objects of an instance share one <see cref="Group"/>.</summary>
     public Group Instance { get; }
 
     public long SourceFileId { get; }
 
-    /// <summary>Gets the origin; null for an object that is not in a prefab instance.</summary>
+    /// <summary>Returns the origin of an object; null if the object does not belong to a prefab instance.</summary>
     public static PrefabOrigin Of(Object target) => Origins.TryGetValue(target, out var origin) ? origin : null;
 
     public static void Set(Object target, Group instance, long sourceFileId) => Origins.Add(target, new PrefabOrigin(instance, sourceFileId));

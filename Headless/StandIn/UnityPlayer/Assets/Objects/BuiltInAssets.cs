@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>Unity's built-in assets by their fileIDs, which are the same in every project.</summary>
+/// <summary>Finds Unity's built-in assets by their fileIDs, which are the same in all projects.</summary>
 static class BuiltInAssets
 {
     const string DefaultResources = "0000000000000000e000000000000000";
@@ -25,17 +25,17 @@ static class BuiltInAssets
 
     static readonly Dictionary<Object, AssetReference> ByObject = ByReference.ToDictionary(b => b.Value, b => b.Key);
 
-    /// <summary>The default font: Arial, or LegacyRuntime from Unity 2022.2 on. The stand-in has no fonts.</summary>
+    /// <summary>Reference to the default font: Arial, or LegacyRuntime since Unity 2022.2. The stand-in has no fonts.</summary>
     public static AssetReference Font => Default(10102);
 
-    /// <summary>The material of that font.</summary>
+    /// <summary>Reference to the material of the default font.</summary>
     public static AssetReference FontMaterial => Default(10100);
 
     public static AssetReference DefaultMaterial => new AssetReference(10303, ExtraResources, AssetReference.BuiltIn);
 
     public static bool Holds(AssetReference reference) => reference.Guid == DefaultResources || reference.Guid == ExtraResources;
 
-    /// <summary>Gets a built-in asset; null if it is unknown here.</summary>
+    /// <summary>Returns a built-in asset; null if the stand-in does not have it.</summary>
     public static Object Find(AssetReference reference) => ByReference.TryGetValue(reference, out var found) ? found : null;
 
     public static bool TryFind(Object builtIn, out AssetReference reference) => ByObject.TryGetValue(builtIn, out reference);

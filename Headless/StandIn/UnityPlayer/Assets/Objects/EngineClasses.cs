@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>The supported engine classes in prefabs and scenes, with their fields in the format of Unity 2021.</summary>
+/// <summary>Classes of Unity that are supported in prefabs and scenes, with their fields in the format of Unity 2021.</summary>
 static class EngineClasses
 {
     static readonly ObjectClass[] All =
@@ -32,10 +32,10 @@ static class EngineClasses
 
     static readonly Dictionary<Type, ObjectClass> ByType = All.Where(c => !(c is OpaqueClass)).ToDictionary(c => c.Type);
 
-    /// <summary>Null if there is none of that number and name.</summary>
+    /// <summary>Returns the class with a number and a name; null if there is none.</summary>
     public static ObjectClass Find(int id, string name) => Array.Find(All, c => c.Id == id && c.Name == name);
 
-    /// <summary>Null for a script or a class that is not in the list.</summary>
+    /// <summary>Returns the class of an object; null for a script and for a class that is not supported.</summary>
     public static ObjectClass Of(Object target)
     {
         if (target is OpaqueComponent opaque) return Array.Find(All, c => c.Name == opaque.ClassName);
@@ -64,7 +64,7 @@ static class EngineClasses
 
     static IEnumerable<Slot> TransformSlots()
     {
-        // Uses the fields, because the properties normalise rotations and values must be written as they were read.
+        // Uses the fields and not the properties, because the properties normalise rotations, but values must be written as they were read.
         foreach (var name in new[] { "m_LocalRotation", "m_LocalPosition", "m_LocalScale" }) yield return Slot.Field(typeof(Transform), name);
         yield return Slot.Constant("m_ConstrainProportionsScale", Nodes.Number(0));
         yield return Slot.Checked("m_Children", (Transform t, IReferences references, Place place) => new YamlSequenceNode(
@@ -84,7 +84,7 @@ static class EngineClasses
         yield return Slot.Field(typeof(RectTransform), "m_Pivot");
     }
 
-    /// <summary>Gets the Euler angles shown by the editor, rounded to 0.001°, which hides rounding differences between machines.</summary>
+    /// <summary>Returns the Euler angles that the editor shows, rounded to 0.001° to make the text independent of the machine.</summary>
     static Vector3 EulerHint(Transform transform)
     {
         var angles = transform.localEulerAngles;
@@ -97,7 +97,9 @@ static class EngineClasses
         return (float)(rounded > 180 ? Math.Round(rounded - 360, 3) : rounded + 0.0);
     }
 
-    /// <summary>Definition of a component's field: a name (serialised by the stand-in), a name with its only value, or a slot.</summary>
+    /// <summary>
+    /// Specifies a field of a component by a name (for a serialised field of the stand-in), by a name and its only allowed value, or by a slot.
+    /// </summary>
     readonly struct FieldSpec
     {
         readonly Func<Type, Slot> _slot;

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>The first fields of objects of many classes.</summary>
+/// <summary>Fields with which objects of many classes start.</summary>
 static class Headers
 {
-    /// <summary>An object of the file's own, not of a prefab instance.</summary>
+    /// <summary>First fields of an object that does not belong to a prefab instance.</summary>
     public static IEnumerable<Slot> Object { get; } = new[]
     {
         Slot.Constant("m_ObjectHideFlags", Nodes.Number(0)),

@@ -9,7 +9,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>Reads and writes materials, with the values of exactly the properties that their shader declares.</summary>
+/// <summary>Reads and writes materials. A file contains exactly the properties that the shader of the material declares.</summary>
 static class MaterialClass
 {
     public const long FileId = 2100000;
@@ -25,7 +25,7 @@ static class MaterialClass
         return shader;
     }
 
-    /// <summary>Sets the shader, with the default values that it declares.</summary>
+    /// <summary>Sets the shader of a material, and sets the properties to the default values that the shader declares.</summary>
     public static void SetShader(Material material, Shader shader)
     {
         material.shader = shader;
@@ -103,7 +103,7 @@ static class MaterialClass
                 : throw place.Error("the properties of its shader are not known here");
         }
 
-        /// <summary>Reads a list in which each item has one name and its value.</summary>
+        /// <summary>Reads a list whose items are pairs of a property name and a value.</summary>
         static void ReadEach<T>(YamlNode node, IReadOnlyDictionary<string, T> declared, Place place, Action<string, YamlNode, Place> set)
         {
             foreach (var entry in place.Sequence(node).Children.SelectMany(i => place.Mapping(i).Children))

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A class of objects in files: its number and name, and its fields in order.</summary>
+/// <summary>A class of objects in files, with its number, its name and its fields in order.</summary>
 class ObjectClass
 {
     readonly Slot[] _slots;
@@ -25,11 +25,11 @@ class ObjectClass
     public int Id { get; }
     public string Name { get; }
 
-    /// <summary>The stand-in's type for it.</summary>
+    /// <summary>Type of the stand-in for this class.</summary>
     public Type Type { get; }
 
-    /// <summary>Sets all fields in the file. The others keep their defaults.</summary>
-    /// <exception cref="AssetException">The class does not have a field, or a value is invalid for it.</exception>
+    /// <summary>Sets the fields of an object that the file contains. The other fields keep their default values.</summary>
+    /// <exception cref="AssetException">The file contains a field that the class does not have, or an invalid value.</exception>
     public void Read(YamlMappingNode fields, Object target, IReferences references, Place place)
     {
         var unread = fields.Children.ToDictionary(f => place.Scalar(f.Key), f => f.Value);

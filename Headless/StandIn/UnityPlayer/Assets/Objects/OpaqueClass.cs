@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>The class of an <see cref="OpaqueComponent"/>.</summary>
+/// <summary>Class of an <see cref="OpaqueComponent"/>.</summary>
 sealed class OpaqueClass : ObjectClass
 {
     public OpaqueClass(int id, string name)

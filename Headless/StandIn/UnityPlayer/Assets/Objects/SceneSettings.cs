@@ -4,7 +4,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>The settings of a scene as a whole. The stand-in does not use them and keeps them unchanged.</summary>
+/// <summary>Settings of a whole scene. The stand-in does not use them, but stores them unchanged.</summary>
 static class SceneSettings
 {
     static readonly Dictionary<int, string> Classes = new Dictionary<int, string>
@@ -53,12 +53,13 @@ NavMeshSettings:
   m_NavMeshData: {fileID: 0}
 ";
 
-    /// <summary>Ambient light of one colour, no sky, no fog, nothing baked.</summary>
+    /// <summary>Settings of a new scene: ambient light of one colour, no sky, no fog, no baked data.</summary>
     public static IReadOnlyList<UnityDocument> Default => UnityDocumentReader.Read(NewScene, "a new scene");
 
     public static bool Holds(UnityDocument document) => Classes.TryGetValue(document.ClassId, out var name) && name == document.ClassName;
 
-    /// <exception cref="AssetException">A scene must have each of them exactly once, before its objects.</exception>
+    /// <summary>Returns the settings among the documents of a scene file.</summary>
+    /// <exception cref="AssetException">The settings are not complete, occur twice, or do not precede the objects.</exception>
     public static IReadOnlyList<UnityDocument> Of(IReadOnlyList<UnityDocument> documents, string file)
     {
         var settings = documents.TakeWhile(Holds).ToList();

@@ -11,14 +11,14 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A class of the user: a component, or a ScriptableObject as an asset.</summary>
+/// <summary>A class in a script: a component or a ScriptableObject.</summary>
 sealed class ScriptClass : ObjectClass
 {
     public const int ClassId = 114;
     public const string ClassName = "MonoBehaviour";
     public const string ScriptField = "m_Script";
 
-    /// <summary>FileID of a ScriptableObject in its own file.</summary>
+    /// <summary>FileID of a ScriptableObject in an asset file.</summary>
     public const long AssetFileId = 11400000;
 
     static readonly ConcurrentDictionary<Type, ScriptClass> Known = new ConcurrentDictionary<Type, ScriptClass>();
@@ -28,7 +28,8 @@ sealed class ScriptClass : ObjectClass
     {
     }
 
-    /// <exception cref="AssetException">It has a field of a type that is not supported yet.</exception>
+    /// <summary>Returns the class for a type.</summary>
+    /// <exception cref="AssetException">The type has a field whose type is not supported.</exception>
     public static ScriptClass Of(Type type) => Known.GetOrAdd(type, t => new ScriptClass(t));
 
     protected override void ReadOther(string name, YamlNode node, Object target, IReferences references, Place place)

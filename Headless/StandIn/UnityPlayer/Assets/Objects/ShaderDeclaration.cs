@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>The declarations in a shader's source: its name and the properties that a material can set.</summary>
+/// <summary>Reads the declarations in the source of a shader: its name, its tags, and the properties that a material can set.</summary>
 sealed class ShaderDeclaration
 {
     static readonly Regex Heads = new Regex("^\\s*Shader\\s+\"([^\"]+)\"", RegexOptions.Multiline | RegexOptions.CultureInvariant);
@@ -31,16 +31,17 @@ sealed class ShaderDeclaration
 
     public string Name { get; }
 
-    /// <summary>Tags of the last SubShader, which is the built-in pipeline's.</summary>
+    /// <summary>Tags of the last SubShader, which is the SubShader for the built-in pipeline.</summary>
     public IReadOnlyDictionary<string, string> Tags { get; }
 
-    /// <summary>Numbers with their defaults.</summary>
+    /// <summary>Number properties with their default values.</summary>
     public IReadOnlyDictionary<string, float> Floats { get; }
 
-    /// <summary>Colours and vectors with their defaults.</summary>
+    /// <summary>Colour and vector properties with their default values.</summary>
     public IReadOnlyDictionary<string, Color> Colours { get; }
 
-    /// <exception cref="AssetException">The text is not a shader. Textures are ignored, because no material of the package has one.</exception>
+    /// <summary>Reads the source of a shader. Ignores texture properties, because no material of the package has a texture.</summary>
+    /// <exception cref="AssetException">The text is not a shader.</exception>
     public static ShaderDeclaration Read(string text, string file)
     {
         text = Comments.Replace(text, "");

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>One field of an object in a file, with its functions for reading and writing.</summary>
+/// <summary>One field of a class in files, with the functions that read and write it.</summary>
 sealed class Slot
 {
     readonly Action<Object, YamlNode, IReferences, Place> _read;
@@ -21,7 +21,7 @@ sealed class Slot
 
     public string Name { get; }
 
-    /// <summary>Creates a field that the stand-in does not use. It must have this value.</summary>
+    /// <summary>Creates a field that the stand-in does not use. In files, it must have the given value.</summary>
     public static Slot Constant(string name, YamlNode value)
     {
         return new Slot(
@@ -33,7 +33,7 @@ sealed class Slot
             (_, _, _) => value);
     }
 
-    /// <summary>Creates a field whose value the object stores itself.</summary>
+    /// <summary>Creates a field that is read and written through a property of the object.</summary>
     public static Slot Property<TObject, TValue>(string name, Func<TObject, TValue> get, Action<TObject, TValue> set, IValueFormat format = null)
         where TObject : Object
     {
@@ -44,7 +44,7 @@ sealed class Slot
             (target, references, place) => format.Write(get((TObject)target), references, place));
     }
 
-    /// <summary>Creates a field whose value follows from the hierarchy. The value in the file is compared with the expected one.</summary>
+    /// <summary>Creates a field whose value follows from the hierarchy. Reading checks that the file contains this value.</summary>
     public static Slot Checked<TObject, TValue>(string name, Func<TObject, TValue> get)
         where TObject : Object
     {
@@ -66,14 +66,14 @@ sealed class Slot
             (target, references, place) => write((TObject)target, references, place));
     }
 
-    /// <summary>Creates a field that only Unity's editor uses; it is written, but not read.</summary>
+    /// <summary>Creates a field that only Unity's editor uses. It is written but not read.</summary>
     public static Slot Hint<TObject>(string name, Func<TObject, IReferences, Place, YamlNode> write)
         where TObject : Object
     {
         return new Slot(name, (_, _, _, _) => { }, (target, references, place) => write((TObject)target, references, place));
     }
 
-    /// <summary>Creates a serialised field of the object's class.</summary>
+    /// <summary>Creates a field for a serialised field of the object's type.</summary>
     public static Slot Field(Type type, string name, IValueFormat format = null)
     {
         var field = SerializedFields.Find(type, name) ?? throw new ArgumentException(type.Name + " has no serialised field " + name, nameof(name));

@@ -7,7 +7,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>Inserts a file's prefab instances and changes all references to existing objects.</summary>
+/// <summary>Replaces the prefab instances in a file with their objects, and updates all references to these objects.</summary>
 sealed class Expansion
 {
     readonly string _file;
@@ -26,7 +26,7 @@ sealed class Expansion
 
     public IEnumerable<FileObject> Objects => _objects.Where(o => _byId.ContainsKey(o.FileId));
 
-    /// <summary>FileIDs of stripped placeholders, with the fileIDs of their objects.</summary>
+    /// <summary>FileIDs of the objects that the stripped placeholders represent, by the fileIDs of the placeholders.</summary>
     public IReadOnlyDictionary<long, long> Stripped => _stripped;
 
     public void Add(UnityDocument document)
@@ -36,7 +36,7 @@ sealed class Expansion
         else Add(new FileObject(document, _file));
     }
 
-    /// <summary>Call this after all documents were added.</summary>
+    /// <summary>Applies the changes of the instances and updates the references. Call this after all documents were added.</summary>
     public void Connect()
     {
         foreach (var document in _strippedDocuments.Values) _stripped.Add(document.FileId, MeaningOf(document));
@@ -71,7 +71,7 @@ sealed class Expansion
         return instance.Map(found.FileId);
     }
 
-    /// <summary>Replaces references to placeholders by references to their objects.</summary>
+    /// <summary>Replaces references to placeholders with references to the objects that they represent.</summary>
     void Redirect(FileObject own)
     {
         foreach (var entry in own.Fields.Children.ToList())
@@ -85,7 +85,7 @@ sealed class Expansion
         }
     }
 
-    /// <summary>Adds the file's children and components of an instance, which the prefab's own lists do not contain.</summary>
+    /// <summary>Adds children and components that the file adds to an instance to the lists of the instance, which come from the prefab.</summary>
     void AddFrom(PrefabInstance instance)
     {
         foreach (var own in _objects.Where(o => o.Link == null))
@@ -93,7 +93,7 @@ sealed class Expansion
             if (TryUp(own, "m_GameObject", instance, out var owner))
                 ListOf(owner, "m_Component").Add(Nodes.Lines(("component", new AssetReference(own.FileId).Write())));
         }
-        // Own objects and other instances are interleaved there.
+        // The added children, which are objects of the file or of other instances, are sorted by their order in the file.
         var hung = _objects.Where(o => o.IsTransform && o.Link?.Instance != instance && TryUp(o, "m_Father", instance, out _));
         foreach (var child in hung.OrderBy(RootOrder).ToList())
         {

@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>One object of a file after the insertion of its prefab instances, with its own copy of the fields.</summary>
+/// <summary>One object of a file in which the prefab instances are replaced with their objects. Has its own copy of the fields.</summary>
 sealed class FileObject
 {
     public FileObject(UnityDocument document, string file)
@@ -27,25 +27,26 @@ sealed class FileObject
     public int ClassId { get; }
     public string ClassName { get; }
 
-    /// <summary>Whether it is a Transform, including that of a canvas.</summary>
+    /// <summary>Whether the object is a Transform or a RectTransform.</summary>
     public bool IsTransform => ClassName is "Transform" or "RectTransform";
 
     public long FileId { get; }
     public YamlMappingNode Fields { get; }
 
-    /// <summary>The prefab object of which it is an instance; null for an object of the file itself.</summary>
+    /// <summary>Prefab object of which this object is an instance; null for an object of the file itself.</summary>
     public PrefabLink Link { get; }
 
     public Place Place => PlaceAs(ClassName);
 
-    /// <summary>Gets the object as it is in an instance of its file.</summary>
+    /// <summary>Returns the object as part of an instance of this prefab.</summary>
     public FileObject In(PrefabInstance instance)
     {
         var fields = (YamlMappingNode)LocalReferences.Map(Fields, instance.Map);
         return new FileObject(ClassId, ClassName, instance.Map(FileId), fields, instance.File, new PrefabLink(instance, FileId));
     }
 
-    /// <param name="name">Name of the object in errors; for a script, its class.</param>
+    /// <summary>Returns the place of the object for error messages.</summary>
+    /// <param name="name">Name of the object in error messages; for a script, the name of its class.</param>
     public Place PlaceAs(string name) => new Place(File + " &" + Numbers.Write(FileId) + " " + name);
 
     public AssetReference Reference(string field)

@@ -7,12 +7,12 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>The document of a prefab instance in a file: its prefab, its parent and its changes.</summary>
+/// <summary>Document of a prefab instance in a file, with its prefab, its parent and its changes.</summary>
 sealed class InstanceDocument
 {
     static readonly string[] Known = { "serializedVersion", "m_TransformParent", "m_Modifications", "m_RemovedComponents" };
 
-    /// <summary>Lists written by Unity 2022.2 and later. They are supported only if empty.</summary>
+    /// <summary>Lists that Unity 2022.2 and newer write. They are supported only if they are empty.</summary>
     static readonly string[] LaterLists = { "m_RemovedGameObjects", "m_AddedGameObjects", "m_AddedComponents" };
 
     readonly Place _place;
@@ -42,10 +42,10 @@ sealed class InstanceDocument
 
     public string SourceGuid => _source.Guid;
 
-    /// <summary>FileID of its parent Transform, 0 for none.</summary>
+    /// <summary>FileID of the parent Transform; 0 if there is none.</summary>
     public long Parent { get; }
 
-    /// <summary>The prefab's own root, known after <see cref="SourcePrefab"/>.</summary>
+    /// <summary>Root Transform of the prefab. It is known after the call of <see cref="SourcePrefab"/>.</summary>
     public FileObject RootTransform { get; private set; }
 
     public ObjectFile SourcePrefab(Func<string, ObjectFile> prefabAt)
@@ -63,9 +63,10 @@ sealed class InstanceDocument
         return source;
     }
 
+    /// <summary>Applies the changes to the objects of the instance.</summary>
     /// <param name="instance">The instance whose objects are changed.</param>
-    /// <param name="objects">All objects of the file; removed components are deleted.</param>
-    /// <param name="resolve">Gets the object's fileID from that of a placeholder.</param>
+    /// <param name="objects">All objects of the file. Removed components are deleted from it.</param>
+    /// <param name="resolve">Returns the fileID of the object that a placeholder represents, given the fileID of the placeholder.</param>
     public void Apply(PrefabInstance instance, Dictionary<long, FileObject> objects, Func<long, long> resolve)
     {
         SetParent(instance, objects, resolve(Parent));

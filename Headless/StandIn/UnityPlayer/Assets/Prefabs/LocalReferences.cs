@@ -5,10 +5,10 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>The references to objects of the same file, at any depth of a value.</summary>
+/// <summary>Finds and changes references to objects of the same file, at any depth of a value.</summary>
 static class LocalReferences
 {
-    /// <summary>Returns a copy with local references replaced by the result of <paramref name="map"/>. Others are kept.</summary>
+    /// <summary>Returns a copy in which the fileIDs of local references are mapped by <paramref name="map"/>. Other references stay.</summary>
     public static YamlNode Map(YamlNode node, Func<long, long> map)
     {
         if (AssetReference.TryRead(node, out var reference))
@@ -28,7 +28,7 @@ static class LocalReferences
         }
     }
 
-    /// <summary>Gets the referenced fileIDs, without 0 (none).</summary>
+    /// <summary>Returns the fileIDs of all local references except 0, which is the empty reference.</summary>
     public static IEnumerable<long> In(YamlNode node)
     {
         if (AssetReference.TryRead(node, out var reference))

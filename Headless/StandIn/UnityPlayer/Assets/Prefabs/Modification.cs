@@ -3,7 +3,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>One value of an object that differs in a prefab instance: a scalar or a reference.</summary>
+/// <summary>One value, a scalar or a reference, in which an object of a prefab instance differs from the prefab.</summary>
 readonly struct Modification
 {
     public Modification(string path, string value, AssetReference reference)

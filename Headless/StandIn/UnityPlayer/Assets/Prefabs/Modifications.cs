@@ -6,13 +6,18 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>Computes the modifications that change one object into another: the inverse of <see cref="PropertyPath.Set"/>.</summary>
+/// <summary>Computes the modifications that change one object into another. This is the inverse of <see cref="PropertyPath.Set"/>.</summary>
 static class Modifications
 {
-    /// <summary>Fields of the hierarchy: an instance has its prefab's, plus its added children.</summary>
+    /// <summary>
+    /// Fields that define the hierarchy. They are not modifications: an instance has the hierarchy of its prefab and added children.
+    /// </summary>
     static readonly HashSet<string> Structure = new HashSet<string> { "m_GameObject", "m_Component", "m_Father", "m_Children" };
 
-    /// <exception cref="AssetException">The sets of fields differ: the prefab's file is from an older version of the class.</exception>
+    /// <summary>Returns the modifications that an object needs in comparison to its prefab.</summary>
+    /// <exception cref="AssetException">
+    /// The objects have different fields, because the prefab was written with an older version of the class.
+    /// </exception>
     public static IEnumerable<Modification> Between(FileObject prefab, YamlMappingNode now)
     {
         return Between(Values(prefab.Fields), Values(now), "", prefab);
@@ -38,7 +43,7 @@ static class Modifications
 
     static IEnumerable<Modification> BetweenFields(YamlMappingNode before, YamlMappingNode now, string path, FileObject prefab)
     {
-        // An element added by an instance has only its modified fields.
+        // A list element that an instance adds contains only the modified fields.
         var isAdded = path.Contains(".Array.data[") && before.Children.Keys.All(now.Children.ContainsKey);
         if (!isAdded && !before.Children.Keys.SequenceEqual(now.Children.Keys))
             throw prefab.Place.Error(path + " has other fields in its prefab's file; write the prefab again first");
@@ -54,13 +59,13 @@ static class Modifications
         for (var i = 0; i < now.Children.Count; i++)
         {
             var item = path + ".Array.data[" + Numbers.Write(i) + "]";
-            // Added elements begin as copies of the last one; those of an empty list are empty.
+            // An added element starts as a copy of the last element of the prefab's list; if the list is empty, it starts empty.
             var changes = count == 0 ? All(now.Children[i], item) : Between(before.Children[Math.Min(i, count - 1)], now.Children[i], item, prefab);
             foreach (var change in changes) yield return change;
         }
     }
 
-    /// <summary>Gets all values except empty texts and null references, which are the defaults.</summary>
+    /// <summary>Returns all values except empty texts and empty references, which are the defaults.</summary>
     public static IEnumerable<Modification> All(YamlNode now, string path)
     {
         if (AssetReference.TryRead(now, out var reference)) return reference.IsNone ? Array.Empty<Modification>() : One(path, "", reference);

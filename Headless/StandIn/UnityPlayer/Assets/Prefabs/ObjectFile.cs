@@ -5,8 +5,8 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>A prefab or scene as one flat set of objects, with its prefab instances inserted and modified.</summary>
-/// <remarks>Its objects are immutable; copy them to change fields.</remarks>
+/// <summary>A prefab or scene as one flat set of objects, in which the objects of its prefab instances are included with their changes.</summary>
+/// <remarks>Do not change the fields of its objects. Copy an object to change its fields.</remarks>
 sealed class ObjectFile
 {
     readonly Dictionary<long, FileObject> _objects;
@@ -20,15 +20,16 @@ sealed class ObjectFile
         _stripped = stripped;
     }
 
-    /// <summary>Name of the file in errors.</summary>
+    /// <summary>Name of the file in error messages.</summary>
     public string Name { get; }
 
-    /// <summary>The objects in the order of the file; those of an instance are at the instance's position.</summary>
+    /// <summary>The objects in the order of the file. The objects of an instance are at the position of the instance.</summary>
     public IReadOnlyList<FileObject> Objects { get; }
 
+    /// <summary>Reads the documents of a prefab or scene.</summary>
     /// <param name="documents">Documents of the file.</param>
-    /// <param name="name">Name of the file in errors.</param>
-    /// <param name="prefabAt">Gets the prefab of a GUID; throws for an unknown one.</param>
+    /// <param name="name">Name of the file in error messages.</param>
+    /// <param name="prefabAt">Returns the prefab with a GUID, and throws if the GUID is unknown.</param>
     public static ObjectFile Read(IReadOnlyList<UnityDocument> documents, string name, Func<string, ObjectFile> prefabAt)
     {
         var expansion = new Expansion(name, prefabAt);
@@ -37,7 +38,8 @@ sealed class ObjectFile
         return new ObjectFile(name, expansion.Objects, expansion.Stripped);
     }
 
-    /// <param name="fileId">FileID of an object of this file or of one of its stripped placeholders.</param>
+    /// <summary>Returns an object; null if there is none with this fileID.</summary>
+    /// <param name="fileId">FileID of an object, or of a stripped placeholder for an object.</param>
     public FileObject Find(long fileId)
     {
         if (_stripped.TryGetValue(fileId, out var meant)) fileId = meant;

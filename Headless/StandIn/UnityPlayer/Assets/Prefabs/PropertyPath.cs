@@ -10,21 +10,22 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>
-/// Changes one value of an object by the path of a prefab instance's modification: <c>m_LocalPosition.x</c>,
+/// Changes one value of an object, given its path as in the modifications of a prefab instance. Examples: <c>m_LocalPosition.x</c>,
 /// <c>_fingers.Array.size</c>, <c>_fingers.Array.data[1].joint</c>.
 /// </summary>
 static class PropertyPath
 {
-    /// <summary>Marks the elements of a list that is empty in the prefab. Their fields are known only from the modifications.</summary>
+    /// <summary>Tag of an element added to a list that is empty in the prefab. Only the modifications tell which fields it has.</summary>
     static readonly TagName Open = new TagName("!open");
 
     static readonly Regex Element = new Regex(@"^data\[(\d+)\]\z", RegexOptions.CultureInvariant);
 
-    /// <param name="fields">Fields of the object; the path must exist, except in new elements.</param>
+    /// <summary>Sets a value.</summary>
+    /// <param name="fields">Fields of the object. They must contain the path, except in new list elements.</param>
     /// <param name="path">Path as in the file.</param>
-    /// <param name="value">New value of a scalar.</param>
-    /// <param name="reference">New value of a reference.</param>
-    /// <param name="place">Place for errors.</param>
+    /// <param name="value">New value if it is a scalar.</param>
+    /// <param name="reference">New value if it is a reference.</param>
+    /// <param name="place">Place for error messages.</param>
     public static void Set(YamlMappingNode fields, string path, string value, AssetReference reference, Place place)
     {
         var steps = path.Split('.');
@@ -84,7 +85,7 @@ static class PropertyPath
             : throw place.At(index).Error("is beyond the end of the list; its length is " + sequence.Children.Count);
     }
 
-    /// <summary>Sets the size of a list. Added elements are copies of the last one.</summary>
+    /// <summary>Sets the size of a list. Added elements are copies of the last element.</summary>
     static void Resize(YamlSequenceNode sequence, string value, Place place)
     {
         if (!int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var size))

@@ -6,13 +6,13 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
-/// <summary>Generates fileIDs from the hierarchy alone: the same objects get the same numbers on every machine.</summary>
+/// <summary>Generates fileIDs from the hierarchy only. The same objects therefore get the same fileIDs on every machine.</summary>
 sealed class FileIds
 {
     readonly HashSet<long> _taken = new HashSet<long>();
 
-    /// <param name="gameObject">An object of any hierarchy.</param>
-    /// <returns>Names from the root down; equal names among siblings are numbered from the second on.</returns>
+    /// <summary>Returns the path of an object: the names from the root to the object.</summary>
+    /// <returns>If siblings have the same name, the second and later ones have a number after the name.</returns>
     public static string PathOf(GameObject gameObject)
     {
         var transform = gameObject.transform;
@@ -27,8 +27,8 @@ sealed class FileIds
         return PathOf(parent.gameObject) + "/" + gameObject.name + (before == 0 ? "" : "#" + before);
     }
 
-    /// <summary>Gets a positive fileID that was not used before.</summary>
-    /// <param name="what">Class, place and, if there are several, number.</param>
+    /// <summary>Returns a new positive fileID.</summary>
+    /// <param name="what">Description of the object: its class, its path and, if there are several, its number.</param>
     public long Next(string what)
     {
         for (var attempt = 0; ; attempt++)

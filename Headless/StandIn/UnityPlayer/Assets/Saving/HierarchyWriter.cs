@@ -8,8 +8,8 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
 /// <summary>
-/// Writes a hierarchy as the text of a prefab or scene, the inverse of <see cref="HierarchyBuilder"/>: each object with all its fields, and
-/// prefab instances with their changes.
+/// Writes a hierarchy as the documents of a prefab or scene: objects with all their fields, and prefab instances with their changes. This is the
+/// inverse of <see cref="HierarchyBuilder"/>.
 /// </summary>
 sealed class HierarchyWriter
 {
@@ -26,10 +26,11 @@ sealed class HierarchyWriter
         _given = given;
     }
 
-    /// <param name="assets">Assets that the hierarchy may refer to.</param>
-    /// <param name="roots">The root objects; one for a prefab.</param>
-    /// <param name="file">Name of the file in errors.</param>
-    /// <param name="given">Required fileIDs of objects; null for none.</param>
+    /// <summary>Writes a hierarchy.</summary>
+    /// <param name="assets">Assets to which the hierarchy may refer.</param>
+    /// <param name="roots">Root objects; a prefab has one.</param>
+    /// <param name="file">Name of the file in error messages.</param>
+    /// <param name="given">FileIDs that some objects must have; null if there are none.</param>
     /// <returns>The documents in the order of the hierarchy.</returns>
     public static IReadOnlyList<UnityDocument> Write(
         LoadedAssets assets, IReadOnlyList<GameObject> roots, string file, IReadOnlyDictionary<Object, long> given = null)

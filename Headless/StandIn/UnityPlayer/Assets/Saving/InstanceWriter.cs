@@ -7,10 +7,10 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
-/// <summary>Finds the differences of a prefab instance from its prefab, and writes the document of the instance.</summary>
+/// <summary>Finds the differences between a prefab instance and its prefab, and writes the document of the instance.</summary>
 sealed class InstanceWriter
 {
-    /// <summary>Fields of the instance's root that are always written, as in Unity.</summary>
+    /// <summary>Fields of the root of an instance that are always written, as in Unity.</summary>
     static readonly string[] Always = { "m_RootOrder", "m_LocalPosition", "m_LocalRotation", "m_LocalEulerAnglesHint", "m_Name" };
 
     readonly PrefabInstance _instance;
@@ -49,13 +49,13 @@ sealed class InstanceWriter
         var saved = _saved[source.FileId];
         var changed = Modifications.Between(source.In(_instance), saved.Fields).ToList();
         if (!IsRoot(saved.Target)) return changed;
-        // Written even if they are unchanged.
+        // These fields are written even if they are unchanged.
         var always = Always.Where(name => Nodes.Find(saved.Fields, name) != null)
             .SelectMany(name => Modifications.All(Nodes.Find(saved.Fields, name), name)).ToList();
         return always.Concat(changed.Where(c => always.All(a => a.Path != c.Path)));
     }
 
-    /// <summary>Whether it is the root Transform or GameObject of the instance.</summary>
+    /// <summary>Returns whether an object is the root Transform or the root GameObject of the instance.</summary>
     bool IsRoot(Object target)
     {
         var transform = target is GameObject gameObject ? gameObject.transform : target as Transform;

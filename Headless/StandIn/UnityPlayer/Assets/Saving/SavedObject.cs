@@ -8,7 +8,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
-/// <summary>An object to be written.</summary>
+/// <summary>An object that is written to a file.</summary>
 sealed class SavedObject
 {
     public SavedObject(Object target, long fileId, PrefabLink link)
@@ -23,13 +23,13 @@ sealed class SavedObject
     public Object Target { get; }
     public long FileId { get; }
 
-    /// <summary>Null for an object of the file itself.</summary>
+    /// <summary>Prefab object of which this object is an instance; null for an object of the file itself.</summary>
     public PrefabLink Link { get; }
 
     public ObjectClass Class { get; }
     public string ClassName { get; }
 
-    /// <summary>The fields, available after <see cref="Write"/>.</summary>
+    /// <summary>Fields of the object. They are available after the call of <see cref="Write"/>.</summary>
     public YamlMappingNode Fields { get; private set; }
 
     public void Write(FileReferences references)
@@ -39,7 +39,7 @@ sealed class SavedObject
 
     public UnityDocument Document() => new UnityDocument(Class.Id, ClassName, FileId, Fields);
 
-    /// <summary>Gets the placeholder of an object of a prefab instance.</summary>
+    /// <summary>Returns the placeholder for an object of a prefab instance.</summary>
     public UnityDocument Stripped()
     {
         var fields = Nodes.Lines(
@@ -55,6 +55,6 @@ sealed class SavedObject
         return new UnityDocument(Class.Id, ClassName, FileId, fields, isStripped: true);
     }
 
-    /// <summary>Gets the reference to the prefab object of which this is an instance.</summary>
+    /// <summary>Returns the reference to the prefab object of which this object is an instance.</summary>
     public AssetReference Source() => new AssetReference(Link.SourceFileId, Link.Instance.SourceGuid, AssetReference.Imported);
 }

@@ -4,7 +4,10 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>A [Serializable] class or struct: its fields by name. Unity cannot store null here and writes an object with default values.</summary>
+/// <summary>
+/// Format of a [Serializable] class or struct: its fields by name. In place of null, which the format does not support, Unity writes an object
+/// with default values.
+/// </summary>
 sealed class ClassFormat : IValueFormat
 {
     readonly Type _type;

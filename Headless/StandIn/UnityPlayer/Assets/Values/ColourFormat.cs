@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>A Color32: its four bytes in one number, red the lowest.</summary>
+/// <summary>Format of a Color32: one number that contains the four bytes. Red is the lowest byte.</summary>
 sealed class ColourFormat : IValueFormat
 {
     const string Version = "serializedVersion";

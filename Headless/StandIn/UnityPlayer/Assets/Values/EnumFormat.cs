@@ -5,7 +5,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>The number of an enum member. A number without a member (with [Flags], without a sum of members) is refused.</summary>
+/// <summary>Format of an enum: the number of a member. Other numbers are invalid, except sums of members if the enum has [Flags].</summary>
 sealed class EnumFormat : IValueFormat
 {
     readonly Type _type;
@@ -17,7 +17,7 @@ sealed class EnumFormat : IValueFormat
         var text = place.Scalar(node);
         if (!Numbers.TryRead(text, out long number)) throw place.Error("\"" + text + "\" is not a number of a " + _type.Name);
         var value = Enum.ToObject(_type, number);
-        // For an undefined value, or a flag without a member, ToString returns the number.
+        // If the value is not a member or a sum of members, ToString returns the number.
         if (Numbers.TryRead(value.ToString(), out long _)) throw place.Error(text + " is not a member of " + _type.Name);
         return value;
     }

@@ -7,11 +7,11 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>The serialised fields of a C# object, read from named values and written as such.</summary>
+/// <summary>Reads and writes the serialised fields of a C# object as named values.</summary>
 static class FieldValues
 {
-    /// <summary>Sets the fields in the file; the others keep their values.</summary>
-    /// <exception cref="AssetException">The class has no such serialised field, or the value is invalid for it.</exception>
+    /// <summary>Sets the fields that the file contains. The other fields keep their values.</summary>
+    /// <exception cref="AssetException">The file contains a field that the class does not serialise, or an invalid value.</exception>
     public static void Read(YamlMappingNode mapping, object target, IReferences references, Place place)
     {
         foreach (var entry in mapping.Children)

@@ -2,13 +2,14 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>The format of the values of one type in Unity's files. <see cref="Read"/> reads what <see cref="Write"/> writes.</summary>
+/// <summary>Format of the values of one type in Unity's files. <see cref="Read"/> is the inverse of <see cref="Write"/>.</summary>
 interface IValueFormat
 {
-    /// <param name="node">The node in the file.</param>
-    /// <param name="current">The previous value, which supplies parts missing in the file; may be null.</param>
+    /// <summary>Reads a value.</summary>
+    /// <param name="node">Node in the file.</param>
+    /// <param name="current">Current value of the field, which supplies the parts that the file does not contain; may be null.</param>
     /// <param name="references">References of the file.</param>
-    /// <param name="place">Place for errors.</param>
+    /// <param name="place">Place for error messages.</param>
     object Read(YamlNode node, object current, IReferences references, Place place);
 
     YamlNode Write(object value, IReferences references, Place place);

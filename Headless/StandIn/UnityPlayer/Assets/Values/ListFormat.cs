@@ -6,7 +6,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>An array or a List: each item after a dash. An empty list or null is <c>[]</c>.</summary>
+/// <summary>Format of an array or a List: each item follows a dash. An empty list and null are written as <c>[]</c>.</summary>
 sealed class ListFormat : IValueFormat
 {
     readonly Type _type;

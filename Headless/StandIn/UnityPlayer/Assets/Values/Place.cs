@@ -2,7 +2,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>A place in a file, as named in errors: <c>Arm.prefab &amp;12 Light.m_Color</c>.</summary>
+/// <summary>A place in a file, for error messages. Example: <c>Arm.prefab &amp;12 Light.m_Color</c>.</summary>
 readonly struct Place
 {
     readonly string _text;
@@ -25,7 +25,7 @@ readonly struct Place
         return node as YamlMappingNode ?? throw Error("has to be named values, not " + Kind(node));
     }
 
-    /// <summary>Unity writes an empty list as <c>[]</c>.</summary>
+    /// <summary>Returns a node as a list. An empty list is also a list node, because Unity writes it as <c>[]</c>.</summary>
     public YamlSequenceNode Sequence(YamlNode node)
     {
         return node as YamlSequenceNode ?? throw Error("has to be a list, not " + Kind(node));

@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>A reference to another object, <c>{fileID: 0}</c> for none.</summary>
+/// <summary>Format of a reference to an object. The empty reference is <c>{fileID: 0}</c>.</summary>
 sealed class ReferenceFormat : IValueFormat
 {
     readonly Type _type;

@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>A value that is one scalar.</summary>
+/// <summary>Format of a value that is one scalar.</summary>
 sealed class ScalarFormat<T> : IValueFormat
 {
     readonly Parser _parse;

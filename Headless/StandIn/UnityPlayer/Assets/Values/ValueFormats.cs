@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>The format of each type that Unity serialises.</summary>
+/// <summary>Finds the format for each type that Unity serialises.</summary>
 static class ValueFormats
 {
     static readonly Dictionary<Type, IValueFormat> Simple = new Dictionary<Type, IValueFormat>
@@ -33,7 +33,8 @@ static class ValueFormats
 
     static readonly ConcurrentDictionary<Type, IValueFormat> Composed = new ConcurrentDictionary<Type, IValueFormat>();
 
-    /// <exception cref="NotSupportedException">Unity supports the type, but this code does not.</exception>
+    /// <summary>Returns the format for a type.</summary>
+    /// <exception cref="NotSupportedException">Unity serialises the type, but this class does not support it.</exception>
     public static IValueFormat For(Type type)
     {
         return Simple.TryGetValue(type, out var format) ? format : Composed.GetOrAdd(type, Compose);
@@ -42,13 +43,13 @@ static class ValueFormats
     static IValueFormat Compose(Type type)
     {
         var item = type.IsArray ? type.GetElementType() : SerializedFields.IsList(type) ? type.GetGenericArguments()[0] : null;
-        // Unity packs the integers of a list into one string of hex digits, which is not needed here.
+        // Not implemented, because it is not needed: Unity writes a list of integers as one string of hexadecimal digits.
         if (item != null && item.IsPrimitive && item != typeof(float) && item != typeof(double))
             throw new NotSupportedException("a list of " + item.Name + " cannot be read or written yet");
         if (item != null) return new ListFormat(type, item);
         if (type.IsEnum) return new EnumFormat(type);
         if (typeof(Object).IsAssignableFrom(type)) return new ReferenceFormat(type);
-        // The remaining engine structs have their own formats in Unity's files.
+        // Unity's structs are excluded, because each has a format of its own in Unity's files.
         if (SerializedFields.IsNested(type) && !(type.IsValueType && type.Assembly == typeof(Object).Assembly)) return new ClassFormat(type);
         throw new NotSupportedException("a " + type.FullName + " cannot be read or written yet");
     }

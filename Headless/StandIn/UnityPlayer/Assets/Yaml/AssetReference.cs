@@ -3,16 +3,18 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>A reference to an object: <c>{fileID: N}</c> in the same file, <c>{fileID: N, guid: G, type: T}</c> in another.</summary>
+/// <summary>
+/// A reference to an object: <c>{fileID: N}</c> if the object is in the same file, <c>{fileID: N, guid: G, type: T}</c> if it is in another file.
+/// </summary>
 readonly struct AssetReference : IEquatable<AssetReference>
 {
-    /// <summary>Type of Unity's built-in assets.</summary>
+    /// <summary>Type number for Unity's built-in assets.</summary>
     public const int BuiltIn = 0;
 
-    /// <summary>Type of an asset in Unity's own format: a material, a ScriptableObject.</summary>
+    /// <summary>Type number for assets in Unity's own format, for example materials and ScriptableObjects.</summary>
     public const int Native = 2;
 
-    /// <summary>Type of an importer's result: a script, a prefab, a shader.</summary>
+    /// <summary>Type number for the result of an importer, for example scripts, prefabs and shaders.</summary>
     public const int Imported = 3;
 
     public AssetReference(long fileId, string guid = null, int type = 0)
@@ -26,14 +28,14 @@ readonly struct AssetReference : IEquatable<AssetReference>
 
     public long FileId { get; }
 
-    /// <summary>32 hex digits, or null for an object of the same file.</summary>
+    /// <summary>GUID of the other file with 32 hexadecimal digits; null for an object of the same file.</summary>
     public string Guid { get; }
 
     public int Type { get; }
 
     public bool IsNone => FileId == 0 && Guid == null;
 
-    /// <summary>Reads a reference. Returns false if the node does not have exactly that form.</summary>
+    /// <summary>Reads a reference. Returns false if the node does not have exactly one of the two forms.</summary>
     public static bool TryRead(YamlNode node, out AssetReference reference)
     {
         reference = default;

@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>Creates nodes in Unity's layout.</summary>
+/// <summary>Creates, finds and copies YAML nodes in Unity's layout.</summary>
 static class Nodes
 {
     public static YamlScalarNode Text(string value) => new YamlScalarNode(value);

@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>Numbers in the format of Unity's files, independent of the machine's language.</summary>
+/// <summary>Reads and writes numbers in the format of Unity's files, independent of the culture of the machine.</summary>
 static class Numbers
 {
     public static string Write(long value) => value.ToString(CultureInfo.InvariantCulture);
 
     public static string Write(ulong value) => value.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>Gets the shortest text that reads back as the same value, with exponents as <c>1e-7</c>.</summary>
+    /// <summary>Returns the shortest text from which the same value can be read. Exponents have the form <c>1e-7</c>.</summary>
     public static string Write(float value) => Exponent(value.ToString("R", CultureInfo.InvariantCulture));
 
     /// <inheritdoc cref="Write(float)"/>

@@ -6,8 +6,9 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>
-/// Writes one scalar like Unity: plain if that reads back the same, otherwise in single quotes, or in double quotes with escapes if it has
-/// line breaks or letters beyond ASCII (Unity decodes those nowhere else). Long text is wrapped at the first blank after column 80.
+/// Writes one scalar as Unity does. A text with line breaks or characters beyond ASCII is written in double quotes with escapes, because Unity
+/// decodes escapes only there. Any other text is written plain if the same text can be read back, otherwise in single quotes. A long text is
+/// wrapped at the first blank after column 80.
 /// </summary>
 static class ScalarText
 {
@@ -17,11 +18,14 @@ static class ScalarText
     static readonly Regex NotPlain = new Regex(@"^-(?: |\z)|^---|[{}\[\],#&*|>'""%@`]|: |:\z|\t", RegexOptions.CultureInvariant);
     static readonly Regex Printable = new Regex(@"^[ -~]*\z", RegexOptions.CultureInvariant);
 
-    /// <summary>The compiler's name of the field behind a property. It is the only text with angle brackets that Unity writes plain.</summary>
+    /// <summary>
+    /// Matches the compiler's name for the field of an automatic property. Unity writes this text plain although it has angle brackets.
+    /// </summary>
     static readonly Regex BackingField = new Regex(@"^<\w+>k__BackingField[\w.\[\]]*\z", RegexOptions.CultureInvariant);
 
-    /// <param name="text">Text so far, up to the scalar on its line.</param>
-    /// <param name="scalar">The scalar. Its style is chosen here.</param>
+    /// <summary>Appends a scalar to a text.</summary>
+    /// <param name="text">Text of the file up to the scalar.</param>
+    /// <param name="scalar">The scalar. This method chooses the style.</param>
     /// <param name="continuation">Indent of continuation lines.</param>
     public static void Append(StringBuilder text, YamlScalarNode scalar, int continuation)
     {
@@ -59,7 +63,7 @@ static class ScalarText
             else
             {
                 NewLine(text, continuation);
-                // A reader drops the blanks at the start of a line unless the first one is escaped.
+                // Escapes a blank at the start of a line, because a reader ignores unescaped blanks there.
                 if (value[i + 1] == ' ') text.Append('\\');
             }
         }

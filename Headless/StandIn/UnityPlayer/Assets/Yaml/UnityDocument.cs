@@ -2,7 +2,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>One object of a file: <c>--- !u!CLASS &amp;FILEID</c>, the name of its class and its fields.</summary>
+/// <summary>One object in a file: the header <c>--- !u!CLASS &amp;FILEID</c>, the name of the class, and the fields.</summary>
 sealed class UnityDocument
 {
     public UnityDocument(int classId, string className, long fileId, YamlMappingNode fields, bool isStripped = false)
@@ -17,12 +17,12 @@ sealed class UnityDocument
     public int ClassId { get; }
     public string ClassName { get; }
 
-    /// <summary>Unique in its file, never 0.</summary>
+    /// <summary>FileID of the object. It is unique in the file and is not 0.</summary>
     public long FileId { get; }
 
     public YamlMappingNode Fields { get; }
 
-    /// <summary>Whether it is a placeholder for an object of a prefab instance, which identifies the object and has no fields of its own.</summary>
+    /// <summary>Whether the document is a placeholder for an object of a prefab instance. A placeholder only identifies the object.</summary>
     public bool IsStripped { get; }
 
     public override string ToString() => "&" + Numbers.Write(FileId) + " " + ClassName;

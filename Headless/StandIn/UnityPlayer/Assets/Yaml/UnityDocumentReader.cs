@@ -7,8 +7,11 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
-/// <summary>Splits a Unity text asset into its objects.</summary>
-/// <remarks>Unity's document headers (<c>stripped</c> after the anchor, one tag prefix for all) are not valid YAML; their contents are.</remarks>
+/// <summary>Reads the objects in a file in Unity's text format.</summary>
+/// <remarks>
+/// The headers of Unity's documents are not valid YAML: they may have <c>stripped</c> after the anchor, and one tag directive is valid for all
+/// documents. The contents of the documents are valid YAML.
+/// </remarks>
 static class UnityDocumentReader
 {
     const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
@@ -16,9 +19,10 @@ static class UnityDocumentReader
     static readonly Regex Heads = new Regex(@"^--- !u!(\d+) &(-?\d+)( stripped)?$", RegexOptions.Multiline | RegexOptions.CultureInvariant);
     static readonly Regex DocumentStarts = new Regex("^---", RegexOptions.Multiline | RegexOptions.CultureInvariant);
 
-    /// <param name="text">The whole file, with LF or CR LF line ends.</param>
-    /// <param name="file">Name of the file in errors.</param>
-    /// <exception cref="AssetException">Not a file that Unity can read: an invalid header, invalid YAML, or a duplicate fileID.</exception>
+    /// <summary>Reads a file.</summary>
+    /// <param name="text">Content of the file, with line ends LF or CR LF.</param>
+    /// <param name="file">Name of the file in error messages.</param>
+    /// <exception cref="AssetException">Unity cannot read the file: it has an invalid header, invalid YAML, or a duplicate fileID.</exception>
     public static IReadOnlyList<UnityDocument> Read(string text, string file)
     {
         text = text.Replace("\r\n", "\n");

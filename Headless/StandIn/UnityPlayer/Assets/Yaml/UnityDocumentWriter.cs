@@ -6,8 +6,8 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>
-/// Writes objects in Unity's text format: two blanks per level, a sequence's dashes at its own field's indent, references and vectors in
-/// braces on one line, an empty scalar as <c>name: </c>.
+/// Writes objects in Unity's text format: an indent of two blanks per level, the dashes of a list at the indent of its field, references and
+/// vectors in braces on one line, and an empty scalar as <c>name: </c>.
 /// </summary>
 sealed class UnityDocumentWriter
 {

@@ -11,7 +11,7 @@ namespace Nowpose.Anchoring
             Radians = radians;
         }
 
-        /// <summary>Whether the same markers are in conflict, regardless of the amount.</summary>
+        /// <summary>Returns whether another conflict is between the same markers, regardless of the deviation.</summary>
         public bool IsOf(MarkerConflict other) => other != null && Marker == other.Marker && Other == other.Other;
 
         /// <summary>The marker that contradicts the others.</summary>
@@ -20,7 +20,7 @@ namespace Nowpose.Anchoring
         /// <summary>Second marker of the conflict if it is unclear which of the two is wrong; otherwise null.</summary>
         public BaseMarker Other { get; }
 
-        /// <summary>Deviation of the marker, or of the two from each other.</summary>
+        /// <summary>Deviation of the marker, or of the two markers from each other, in metres.</summary>
         public double Metres { get; }
 
         public double Radians { get; }

@@ -8,13 +8,13 @@ namespace Nowpose.Anchoring
     /// <summary>One of the markers of a base, with its sightings.</summary>
     public sealed class TrackedMarker
     {
-        /// <summary>Minimum distance of two sightings of the same code that counts as two prints; smaller distances may be noise.</summary>
+        /// <summary>Minimum distance between two sightings of the same code to count as two prints. A smaller distance may be noise.</summary>
         const double ApartMetres = 0.05;
 
-        /// <summary>Minimum number of sightings: fewer do not show the scatter.</summary>
+        /// <summary>Minimum number of sightings for an estimate. Fewer sightings do not show the scatter.</summary>
         const int MinSightings = 8;
 
-        /// <summary>Maximum age of sightings; older ones may be of another position.</summary>
+        /// <summary>Maximum age of sightings. Older sightings may show the marker in another position.</summary>
         static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(15);
 
         readonly AnchoringSettings _settings;
@@ -39,7 +39,7 @@ namespace Nowpose.Anchoring
         /// <summary>Number of ignored sightings for each reason.</summary>
         internal SightingFaults Ignored { get; } = new SightingFaults();
 
-        /// <summary>Reason why the newest sighting was ignored; None when it was accepted, or without a sighting.</summary>
+        /// <summary>Reason why the newest sighting was ignored; None if it was accepted, or if there is no sighting.</summary>
         internal SightingFault Fault { get; private set; }
 
         /// <summary>Time of the newest accepted sighting; null if there is none.</summary>
@@ -69,7 +69,9 @@ namespace Nowpose.Anchoring
         /// <summary>Recent median deviation from the expected rotation, in radians; null with too few sightings.</summary>
         public double? DeviationRadians => Watch.IsKnown ? Watch.Radians : (double?)null;
 
-        /// <summary>Root mean square distance of the poses from their mean at the newest estimate, in metres; null before the first.</summary>
+        /// <summary>
+        /// Root mean square distance of the poses from their mean at the newest estimate, in metres; null before the first estimate.
+        /// </summary>
         public double? SpreadMetres => _mean?.SpreadMetres;
 
         /// <summary>Root mean square angle of the poses to their mean, in radians.</summary>
@@ -80,7 +82,7 @@ namespace Nowpose.Anchoring
         /// <summary>Estimate at the lock, in the frame of the base; valid only if the marker is part of the lock.</summary>
         internal MarkerEstimate Locked { get; private set; }
 
-        /// <summary>Whether the marker may improve a lock.</summary>
+        /// <summary>Whether the marker may be added to a lock.</summary>
         internal bool IsOpen => !IsPart && !IsContradicted;
 
         /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
@@ -100,7 +102,7 @@ namespace Nowpose.Anchoring
         internal bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? belongs)
         {
             LastReported = now;
-            // The clock has gone back.
+            // The clock was set back, so the earlier sightings have no valid times.
             if (_taken is HeadsetTime last && last - now > SightingGate.Ahead)
             {
                 ForgetSeen();
@@ -141,7 +143,7 @@ namespace Nowpose.Anchoring
             else if (Watch.IsWithin(metres, radians)) HasMoved = false;
         }
 
-        /// <summary>Removes the sightings.</summary>
+        /// <summary>Removes the sightings and their results.</summary>
         internal void ForgetSeen()
         {
             _window.Clear();
@@ -157,7 +159,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Makes the marker a part of the lock.</summary>
-        /// <param name="inBase">Its estimate in the frame of the base.</param>
+        /// <param name="inBase">Estimate of the marker's pose in the frame of the base.</param>
         internal void Join(in MarkerEstimate inBase)
         {
             IsPart = true;
@@ -196,7 +198,7 @@ namespace Nowpose.Anchoring
             var isOther = _id != null && sighting.Id != _id && IsFresh(now) && _pose.DistanceTo(sighting.Pose) > ApartMetres;
             if (isOther && belongs is RigidTransform place)
             {
-                // Of two prints with the same code, the one nearer to the expected position is monitored.
+                // If there are two prints with the same code, the print nearer to the expected position is monitored.
                 if (place.DistanceTo(sighting.Pose) >= place.DistanceTo(_pose)) return SightingFault.TwoPlaces;
                 ForgetSeen();
                 return SightingFault.None;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -61,7 +62,7 @@ namespace Nowpose.Frames
             if (isClosed == _isClosed) return;
             Decide(isLast: true);
             (_isClosed, _since, _isFinal) = (isClosed, since ?? default, since == null);
-            Fault = isClosed && since == null ? "closed at an unknown time, so what it holds is unknown" : null;
+            Fault = isClosed && since == null ? FrameMessages.ClosedAtUnknownTime : null;
             if (!isClosed && since == null) Leave();
         }
 
@@ -85,7 +86,7 @@ namespace Nowpose.Frames
                 _tree.TakeFrom(this);
                 _held = -1;
             }
-            if (_isClosed == true) Fault = "its signal restarted while it was closed, so what it holds is unknown";
+            if (_isClosed == true) Fault = FrameMessages.SignalRestarted;
         }
 
         /// <summary>Gives a held object back to its source.</summary>
@@ -120,7 +121,7 @@ namespace Nowpose.Frames
                 (nearest, inHand) = (index, pose);
             }
             _isFinal = isMeasured || isLast;
-            if (_isFinal && handOrigin == PoseOrigin.None) Fault = "the arm had no data when it closed, so what it holds is unknown";
+            if (_isFinal && handOrigin == PoseOrigin.None) Fault = FrameMessages.ArmWithoutData;
             if (nearest != _held) Take(nearest, inHand);
             else if (_isFinal && IsMine) Put(new ReachPlace(this, _linkName, inHand, _since, isReleased: false));
             _inHand = inHand;

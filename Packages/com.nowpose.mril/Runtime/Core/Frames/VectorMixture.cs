@@ -52,10 +52,8 @@ namespace Nowpose.Frames
         readonly ScatterDetector _scatter = new ScatterDetector();
         readonly DistanceLimit _distance = new DistanceLimit(Mixer.TimeConstant);
 
-        // Forecasts that wait for their time: a queue of times, and for each of them one vector per forecast.
-        readonly double[] _due = new double[Capacity];
-        readonly Vector3D[] _expected;
-        int _first, _count;
+        // Forecasts that wait for their time.
+        readonly RecyclingQueue<Expected> _waiting;
         double _newestTime, _newestOrder, _lineUntil;
         Vector3D _newest;
 
@@ -76,7 +74,7 @@ namespace Nowpose.Frames
             _prior[0] = 1;
             _errors = new double[_prior.Length];
             _weights = new MixtureWeights(Regularisation, _prior);
-            _expected = new Vector3D[Capacity * _prior.Length];
+            _waiting = new RecyclingQueue<Expected>(Capacity, () => new Expected(_prior.Length));
             Forget();
         }
 
@@ -139,7 +137,7 @@ namespace Nowpose.Frames
             _recent.Clear();
             _blend.Clear();
             _distance.Clear();
-            _first = _count = 0;
+            _waiting.Clear();
             _newestTime = _newestOrder = _lineUntil = double.NegativeInfinity;
         }
 
@@ -164,16 +162,14 @@ namespace Nowpose.Frames
 
         void Expect(double due, double interval)
         {
-            if (_count == Capacity) DropFirst();
-            var place = (_first + _count++) % Capacity;
-            _due[place] = due;
-            var (first, sum) = (place * _prior.Length, default(Vector3D));
+            var (expected, sum) = (_waiting.Append(), default(Vector3D));
+            expected.Due = due;
             for (var i = 0; i < _prior.Length; i++)
             {
-                _expected[first + i] = Forecast(i, due);
-                sum += _expected[first + i] * _weights.Values[i];
+                expected.Forecasts[i] = Forecast(i, due);
+                sum += expected.Forecasts[i] * _weights.Values[i];
             }
-            _distance.Add(interval, (sum - _expected[first + Line]).Length);
+            _distance.Add(interval, (sum - expected.Forecasts[Line]).Length);
         }
 
         // The truth at the time of a forecast is interpolated between the two newest samples.
@@ -182,32 +178,37 @@ namespace Nowpose.Frames
             var interval = time - _newestTime;
             var forgettingFactor = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.TimeConstant));
             var hasScored = false;
-            for (; _count > 0 && _due[_first] <= time; DropFirst())
+            for (; _waiting.Count > 0 && _waiting[0].Due <= time; _waiting.DropFirst())
             {
-                if (!(interval < MaxInterval) || _due[_first] < _newestTime) continue;
-                var fraction = (_due[_first] - _newestTime) / interval;
-                hasScored |= Score(_first, _newest + (position - _newest) * fraction, forgettingFactor);
+                var expected = _waiting[0];
+                if (!(interval < MaxInterval) || expected.Due < _newestTime) continue;
+                var fraction = (expected.Due - _newestTime) / interval;
+                hasScored |= Score(expected.Forecasts, _newest + (position - _newest) * fraction, forgettingFactor);
             }
             if (hasScored) _weights.Solve(_prior, PriorWeight * (1 - forgettingFactor));
         }
 
-        bool Score(int place, in Vector3D truth, double forgettingFactor)
+        bool Score(Vector3D[] forecasts, in Vector3D truth, double forgettingFactor)
         {
-            var first = place * _prior.Length;
-            for (var i = 0; i < _prior.Length; i++)
-                if (!((_expected[first + i] - truth).Length < MaxError)) return false;
+            foreach (var forecast in forecasts)
+                if (!((forecast - truth).Length < MaxError)) return false;
             for (var component = 0; component < Components; component++)
             {
-                for (var i = 0; i < _prior.Length; i++) _errors[i] = (_expected[first + i] - truth)[component];
+                for (var i = 0; i < _prior.Length; i++) _errors[i] = (forecasts[i] - truth)[component];
                 _weights.Learn(_errors, forgettingFactor);
             }
             return true;
         }
 
-        void DropFirst()
+        sealed class Expected
         {
-            _first = (_first + 1) % Capacity;
-            _count--;
+            public Expected(int forecasts) => Forecasts = new Vector3D[forecasts];
+
+            /// <summary>Time of the forecasts, in s.</summary>
+            public double Due { get; set; }
+
+            /// <summary>One vector per forecast.</summary>
+            public Vector3D[] Forecasts { get; }
         }
     }
 }

@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Colours by material name. A visual may define a colour for others, so all are collected first.</summary>
+    /// <summary>Colours by material name. A visual may define a material that other visuals use, so all are collected first.</summary>
     sealed class UrdfMaterials
     {
         readonly UrdfSource _source;
@@ -40,7 +41,7 @@ namespace Nowpose.Kinematics
             if (colour == null) return null;
             var rgba = _source.Numbers(colour, "rgba");
             if (rgba.Length != 3 && rgba.Length != 4)
-                throw _source.Error(colour, "rgba has " + rgba.Length + " numbers; it needs 4");
+                throw _source.Error(colour, UrdfMessages.Colour(rgba.Length));
             return new VisualColour(rgba[0], rgba[1], rgba[2], rgba.Length == 4 ? rgba[3] : 1);
         }
     }

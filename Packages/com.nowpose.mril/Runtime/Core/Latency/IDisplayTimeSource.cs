@@ -7,9 +7,11 @@ namespace Nowpose.Latency
     /// </remarks>
     public interface IDisplayTimeSource
     {
-        /// <summary>Returns the display time of a frame. Called once per frame on its thread; must be fast and must not allocate or throw.</summary>
+        /// <summary>
+        /// Returns the display time of a frame. Called once per frame on the frame's thread; must be fast and must not allocate or throw.
+        /// </summary>
         /// <param name="frameStart">Start of the frame, never earlier than that of the previous call.</param>
-        /// <returns>Null when the display time of this frame is not known.</returns>
+        /// <returns>Null if the display time of this frame is unknown.</returns>
         HeadsetTime? LightOf(HeadsetTime frameStart);
     }
 }

@@ -5,8 +5,8 @@ namespace Nowpose.Latency
     /// <summary>Selects one of several render-time sources.</summary>
     /// <remarks>
     /// Only a running application shows which sources a device supports, and a source may stop. A source is selected after its 30th
-    /// time if no better source has started to deliver times, and dropped after 30 frames without a time. This keeps the selection
-    /// from alternating, which would restart the range monitor each time. Allocates nothing after construction; single-threaded.
+    /// time if no better source has started to deliver times. It is dropped after 30 frames without a time. This prevents a selection
+    /// that alternates and restarts the range monitor each time. Allocates nothing after construction; single-threaded.
     /// </remarks>
     sealed class RenderTimeChoice
     {
@@ -24,10 +24,10 @@ namespace Nowpose.Latency
             for (var i = 0; i < bestFirst.Length; i++) _candidates[i].Kind = bestFirst[i];
         }
 
-        /// <summary>The selected source; <see cref="RenderTimeSourceKind.None"/> before the first selection and after a drop.</summary>
+        /// <summary>Selected source; <see cref="RenderTimeSourceKind.None"/> before the first selection and after the source was dropped.</summary>
         public RenderTimeSourceKind Source => _inUse == None ? RenderTimeSourceKind.None : _candidates[_inUse].Kind;
 
-        /// <summary>Render time that the selected source delivered in the last ended frame; null when it delivered none.</summary>
+        /// <summary>Render time that the selected source delivered in the newest completed frame; null if it delivered none.</summary>
         public TimeSpan? RenderTime { get; private set; }
 
         /// <summary>Reports a render time that became known in this frame. If one source reports several, the last one is used.</summary>
@@ -38,7 +38,7 @@ namespace Nowpose.Latency
             if (renderTime > TimeSpan.Zero) _candidates[candidate].Newest = renderTime;
         }
 
-        /// <summary>Ends the frame after all its times were reported.</summary>
+        /// <summary>Ends the frame. Call it after all render times of the frame were reported.</summary>
         /// <returns>Whether <see cref="Source"/> has changed.</returns>
         public bool EndFrame()
         {
@@ -52,7 +52,7 @@ namespace Nowpose.Latency
             return Source != before;
         }
 
-        // A source that has just started prevents the selection of worse ones but does not replace the selected one.
+        // A source that has just started prevents the selection of a worse source but does not replace the selected one.
         int FirstThatGivesTimes()
         {
             var end = _inUse == None ? _candidates.Length : _inUse;

@@ -42,7 +42,7 @@ namespace Nowpose.Network
         public static LinkStatus Waiting(string reason) => new LinkStatus(LinkState.Waiting, reason);
 
         /// <param name="what">Name of the connection.</param>
-        /// <param name="failure">The failure; an AggregateException, as of awaited tasks and Mono's TLS streams, is unwrapped.</param>
+        /// <param name="failure">The failure. An AggregateException, which tasks and Mono's TLS streams throw, is unwrapped.</param>
         internal static LinkStatus Waiting(string what, Exception failure)
         {
             var cause = failure is AggregateException ? failure.GetBaseException() : failure;

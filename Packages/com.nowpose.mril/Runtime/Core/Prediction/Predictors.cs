@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using Nowpose.Messages;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
 using Nowpose.Prediction.Candidates;
@@ -51,8 +52,7 @@ namespace Nowpose.Prediction
             if (name == "adaptive") return Adaptive(limits, PredictionParts.All, blend);
             if (name == "gp") return new JointPredictor(new CalibratedProcess(), Kept, PredictionParts.Samples, limits, blend);
             if (!TryReadPolynomial(name, out var degree, out var history))
-                throw new InputException("predictor '" + name + "' is unknown; allowed: " + string.Join(", ", Names)
-                    + ", and linear, quadratic and cubic with -h and a history, for example linear-h4");
+                throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
             return new JointPredictor(new PolynomialForecaster(degree, history), history + 1, PredictionParts.None, limits, blend);
         }
 

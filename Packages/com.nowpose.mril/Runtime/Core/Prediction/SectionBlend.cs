@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Prediction
 {
@@ -33,7 +34,7 @@ namespace Nowpose.Prediction
         public SectionBlend(double blend)
         {
             if (!(blend >= 0) || double.IsPositiveInfinity(blend))
-                throw new ArgumentOutOfRangeException(nameof(blend), blend, "must be 0 s or more");
+                throw new ArgumentOutOfRangeException(nameof(blend), blend, PredictionMessages.NegativeSeconds);
             _maxTimeConstant = blend;
             Reset();
         }

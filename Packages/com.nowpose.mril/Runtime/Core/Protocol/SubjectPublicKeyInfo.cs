@@ -8,7 +8,7 @@ namespace Nowpose.Protocol
         const byte Sequence = 0x30;
         const byte ExplicitVersion = 0xA0;
 
-        /// <param name="info">The key with its tag and length: the bytes that a pin hashes.</param>
+        /// <param name="info">The key with its tag and length: the bytes from which a pin is computed.</param>
         public static bool TryFind(ReadOnlySpan<byte> certificate, out ReadOnlySpan<byte> info)
         {
             info = default;

@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Writes records as lines of a session file. Times are whole nanoseconds on the clock that their name states.</summary>
+    /// <summary>Writes records as lines of a session file. Times are whole nanoseconds on the clock that the name of the field states.</summary>
     sealed class RecordLine
     {
         static readonly LineNames Verdicts = new LineNames(typeof(SyncVerdict));
@@ -25,7 +25,7 @@ namespace Nowpose.Recording
         readonly StatisticsLine _statistics;
 
         /// <param name="joints">Number of moving joints of the robot.</param>
-        /// <param name="statistics">The object that filled the numbers of the statistics.</param>
+        /// <param name="statistics">The object that fills the numbers of the statistics.</param>
         public RecordLine(JsonLine line, int joints, StatisticsLine statistics)
         {
             _line = line;

@@ -40,8 +40,8 @@ namespace Nowpose.Session
         /// <summary>Whether the runtime predicts the display time of each frame, so that the offset has no visible effect.</summary>
         public bool IsIdle => _session != null && _session.IsLightPredicted;
 
-        /// <summary>Call once per frame: applies the offset to a new session and detects a new calibration.</summary>
-        /// <param name="session">Null while there is none; the offset applies to the next one.</param>
+        /// <summary>Applies the offset to a new session, and detects a new calibration. Call it once per frame.</summary>
+        /// <param name="session">Null while there is no session; the offset then applies to the next one.</param>
         public void Follow(CompensationSession session)
         {
             var isOurs = session == _session && (session == null || IsAsApplied);
@@ -50,7 +50,7 @@ namespace Nowpose.Session
             var isKnown = _hasBegun && session.Visualisation.Length == _calibrated.Length;
             _calibrated = session.Visualisation;
             _profile = session.Profile;
-            // An offset that was chosen for another L_visu does not apply to this one.
+            // An offset that was chosen for another L_visu does not apply to this L_visu.
             if (_hasBegun && !isKnown) _ms = 0;
             _ms = Allowed(_ms);
             _hasBegun = true;

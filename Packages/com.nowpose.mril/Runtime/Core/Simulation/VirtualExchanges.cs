@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one at a time, as over TCP. One thread.</summary>
+    /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one at a time, as over TCP. Not thread-safe.</summary>
     sealed class VirtualExchanges
     {
         static readonly TimeSpan LostInterval = ClockTicks.Span(ProtocolLimits.SyncIntervalMs / 1000);
@@ -32,7 +32,7 @@ namespace Nowpose.Simulation
             _next = start;
         }
 
-        /// <summary>Simulates the exchanges until now; none begins before <paramref name="from"/>.</summary>
+        /// <summary>Simulates the exchanges until now. No exchange begins before <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_session != session)

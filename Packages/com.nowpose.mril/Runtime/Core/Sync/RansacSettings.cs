@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Sync
 {
@@ -18,8 +19,7 @@ namespace Nowpose.Sync
             Hypotheses = SettingRange.RequireCount(hypotheses, 1, 10_000, nameof(hypotheses));
             MovingAverage = SettingRange.RequireCount(movingAverage, 1, 10_000, nameof(movingAverage));
             if (!(inlierBoundMs > 0 && inlierBoundMs <= 1000))
-                throw new InputException(FormattableString.Invariant(
-                    $"inlier bound: {inlierBoundMs} ms is out of range; allowed: more than 0 to 1000 ms"));
+                throw new InputException(ClockMessages.InlierBound(inlierBoundMs));
             InlierBound = TimeSpan.FromTicks((long)(inlierBoundMs * TimeSpan.TicksPerMillisecond));
             Seed = seed;
         }

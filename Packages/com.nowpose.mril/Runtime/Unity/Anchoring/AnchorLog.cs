@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Anchoring
 {
-    /// <summary>Logs a change of a base anchor's state.</summary>
+    /// <summary>Logs state changes of a base anchor: as a warning if the user must act, otherwise as information.</summary>
     static class AnchorLog
     {
         public static void Log(Object anchor, BaseAnchorState state, string words, bool isWrong)

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Anchoring
 {
-    /// <summary>The marker sources and spatial anchors below a session, or below the anchor's own root object.</summary>
+    /// <summary>Finds the marker sources and spatial anchors below an object.</summary>
     sealed class AnchorSources
     {
         readonly MarkerSources _sources = new MarkerSources();
@@ -12,7 +12,7 @@ namespace Nowpose.Unity.Anchoring
 
         public bool IsEmpty => _sources.Found.Count == 0 && _anchors.Count == 0;
 
-        /// <summary>The first enabled spatial anchors; null if there are none.</summary>
+        /// <summary>The first enabled provider of spatial anchors; null if there is none.</summary>
         public ISpatialAnchors Anchors
         {
             get
@@ -23,18 +23,18 @@ namespace Nowpose.Unity.Anchoring
             }
         }
 
-        /// <summary>Problem of the first source that has one; null if there is none.</summary>
+        /// <summary>The problem of the first enabled marker source that reports one; null if no source does.</summary>
         public string Problem
         {
             get
             {
                 foreach (var source in _sources.Found)
-                    if (MarkerSources.IsOn(source) && source is IMarkerProblem telling && telling.Problem != null) return telling.Problem;
+                    if (MarkerSources.IsOn(source) && source is IMarkerProblem reporter && reporter.Problem != null) return reporter.Problem;
                 return null;
             }
         }
 
-        /// <summary>Makes the next <see cref="Find"/> search again.</summary>
+        /// <summary>Makes the next <see cref="Find"/> search without delay.</summary>
         public void Forget() => _sources.Forget();
 
         public void Find(Transform root)
@@ -45,7 +45,7 @@ namespace Nowpose.Unity.Anchoring
         /// <inheritdoc cref="MarkerSources.Read"/>
         public List<MarkerSighting> Read() => _sources.Read();
 
-        /// <summary>Moves the hand-placed markers that no hand holds along with the base, so that a hand finds them at their place.</summary>
+        /// <summary>Moves the hand-placed markers along with the base, except those that a hand holds.</summary>
         public void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
         {
             foreach (var source in _sources.Found)

@@ -4,24 +4,26 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Anchoring
 {
-    /// <summary>The marker sources below an object, updated by periodic searches.</summary>
+    /// <summary>Finds the marker sources below an object by periodic searches.</summary>
     sealed class MarkerSources
     {
-        /// <summary>Search interval in s: components may be added and removed, and a search visits all objects.</summary>
+        /// <summary>
+        /// Search interval in s. Sources may be added at any time, but a search visits all objects, so it does not run in each frame.
+        /// </summary>
         const float Seconds = 1;
 
         readonly List<IMarkerSource> _sources = new List<IMarkerSource>();
         readonly List<MarkerSighting> _sightings = new List<MarkerSighting>();
         float _due;
 
-        /// <summary>Result of the last search; sources may have been disabled or destroyed since.</summary>
+        /// <summary>Result of the last search. It may contain sources that have since been disabled or destroyed.</summary>
         public List<IMarkerSource> Found => _sources;
 
-        /// <summary>Makes the next <see cref="Find"/> search again.</summary>
+        /// <summary>Makes the next <see cref="Find"/> search without delay.</summary>
         public void Forget() => _due = 0;
 
-        /// <summary>Searches for the sources, once a second.</summary>
-        /// <returns>Whether it searched.</returns>
+        /// <summary>Searches for the sources unless the last search was less than a second ago. Call once per frame.</summary>
+        /// <returns>True if it searched.</returns>
         public bool Find(Component root)
         {
             if (Time.unscaledTime < _due) return false;
@@ -30,7 +32,8 @@ namespace Nowpose.Unity.Anchoring
             return true;
         }
 
-        /// <returns>The sightings of all enabled sources; the list is reused.</returns>
+        /// <summary>Reads the sightings of all enabled sources.</summary>
+        /// <returns>A list that the next call overwrites.</returns>
         public List<MarkerSighting> Read()
         {
             _sightings.Clear();

@@ -2,11 +2,13 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>C2 mapped to C1: the time in a frame's timestamp code, and in a sweep's log of the same frame.</summary>
+    /// <summary>
+    /// Converts the start of a frame to control time. A frame's timestamp code and its row in the log of a sweep contain this time.
+    /// </summary>
     static class FrameControlTime
     {
-        /// <param name="source">The session of the frame, while the frame is shown.</param>
-        /// <returns>Null unless the clock is synchronised: in holdover its error may be ten times the measured quantity's.</returns>
+        /// <param name="source">The session that computes the frame. Call this method while the frame is current.</param>
+        /// <returns>Null unless the clock is synchronised. In holdover, its error may be ten times as large as the quantity to be measured.</returns>
         public static ControlTime? Of(MrilSession source, DisplayFrame frame)
         {
             if (source.Session == null) return null;

@@ -6,10 +6,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Builds the patches of a load in steps, within a share of each frame's time. Keeps built patches, even when they are hidden.</summary>
+    /// <summary>
+    /// Builds the patches of a rendering load in small steps, within a time budget per frame. Hidden patches are kept for later loads.
+    /// </summary>
     sealed class LoadPatches
     {
-        /// <summary>Vertices computed in one step: 1/25 of a patch.</summary>
+        /// <summary>Number of vertices computed in one step: 1/25 of a patch.</summary>
         const int VerticesPerStep = LoadMesh.PatchVertices / 25;
 
         static readonly int StepKinds = Enum.GetValues(typeof(LoadStep)).Length;
@@ -27,9 +29,9 @@ namespace Nowpose.Unity.Calibration
         LoadStep _next;
         int _asked, _building, _filled;
 
-        /// <param name="width">Width of the whole wall, in units of the parent.</param>
-        /// <param name="clock">Clock that measures the steps.</param>
-        /// <param name="msPerFrame">Time budget of building per frame, in ms; see <see cref="FrameShare"/>.</param>
+        /// <param name="width">Width of the wall that all patches form, in units of the parent.</param>
+        /// <param name="clock">Clock that measures the duration of the steps.</param>
+        /// <param name="msPerFrame">Time budget per frame in ms; see <see cref="FrameShare"/>.</param>
         public LoadPatches(Transform parent, Material material, float width, IHeadsetClock clock, double msPerFrame)
         {
             _clock = clock;
@@ -43,10 +45,10 @@ namespace Nowpose.Unity.Calibration
         /// <summary>Whether all requested vertices are shown.</summary>
         public bool IsComplete { get; private set; } = true;
 
-        /// <summary>Number of vertices that are drawn now.</summary>
+        /// <summary>Number of vertices of all visible patches.</summary>
         public int VerticesShown { get; private set; }
 
-        /// <summary>Requests a load in vertices; hides patches that do not belong to it at once.</summary>
+        /// <summary>Requests a load, given in vertices. Hides the patches that do not belong to it without delay.</summary>
         public void Ask(int vertices)
         {
             if (vertices == _asked) return;
@@ -57,7 +59,7 @@ namespace Nowpose.Unity.Calibration
             Count();
         }
 
-        /// <summary>Continues building within the frame's time budget.</summary>
+        /// <summary>Continues to build the requested load, within the time budget of the frame. Call once per frame.</summary>
         public void Advance()
         {
             if (IsComplete) return;
@@ -81,7 +83,7 @@ namespace Nowpose.Unity.Calibration
 
         int Wanted(int slot) => slot < LoadMesh.PatchesOf(_asked) ? LoadMesh.PatchOf(slot, _asked).Vertices : 0;
 
-        // Executes a step and returns the next one.
+        // Executes one step and returns the next step.
         LoadStep Do(LoadStep step)
         {
             switch (step)

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>One patch of a load in the scene.</summary>
+    /// <summary>One patch of a rendering load, as an object in the scene.</summary>
     sealed class LoadSlot
     {
         readonly GameObject _object;
@@ -21,7 +21,7 @@ namespace Nowpose.Unity.Calibration
             _renderer.enabled = false;
         }
 
-        /// <summary>Number of vertices of its patch, visible or not.</summary>
+        /// <summary>Number of vertices of the completed patch, also while it is hidden; 0 while the patch is being built.</summary>
         public int Vertices { get; private set; }
 
         public bool IsShown
@@ -30,11 +30,11 @@ namespace Nowpose.Unity.Calibration
             set => _renderer.enabled = value;
         }
 
-        /// <summary>Starts a new patch in place of the previous one.</summary>
+        /// <summary>Removes the previous patch and starts a new patch with these vertices.</summary>
         public void SetVertices(Vector3[] vertices, Vector3[] normals, int count)
         {
             Free();
-            // Uses 32-bit indices, so that the GPU reads as many bytes per vertex as with one large mesh.
+            // With 32-bit indices, the GPU reads as many bytes per vertex as it would for one large mesh.
             _mesh = new Mesh { name = "Load Patch", indexFormat = IndexFormat.UInt32 };
             _mesh.SetVertices(vertices, 0, count);
             _mesh.SetNormals(normals, 0, count);

@@ -1,15 +1,15 @@
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Kinds of steps in building a load; their durations differ.</summary>
+    /// <summary>Kinds of steps in which a patch of a rendering load is built. Steps of different kinds have different durations.</summary>
     enum LoadStep
     {
-        /// <summary>Computes some of a patch's vertices and their triangles.</summary>
+        /// <summary>Computes some vertices of a patch and their triangles.</summary>
         Compute,
 
-        /// <summary>Sets the vertices of a patch's mesh.</summary>
+        /// <summary>Copies the vertices to the mesh of the patch.</summary>
         SetVertices,
 
-        /// <summary>Sets the triangles of a patch's mesh.</summary>
+        /// <summary>Copies the triangles to the mesh of the patch.</summary>
         SetTriangles,
 
         /// <summary>Uploads the mesh to the GPU and shows it.</summary>

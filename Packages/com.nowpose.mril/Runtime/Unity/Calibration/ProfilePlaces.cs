@@ -2,12 +2,15 @@ using System.Collections.Generic;
 using System.IO;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Searches for a latency profile in order of preference: saved on the device, shipped as a file, shipped as an asset.</summary>
+    /// <summary>
+    /// Searches for a latency profile in this order: the file saved on the device, the file in StreamingAssets, the text asset in the build.
+    /// </summary>
     sealed class ProfilePlaces
     {
         readonly string _fileName;
@@ -20,13 +23,17 @@ namespace Nowpose.Unity.Calibration
             _asset = asset;
         }
 
-        /// <summary>Path to which <see cref="LatencyProfileLoader.Save"/> writes.</summary>
+        /// <summary>Path of the file that <see cref="LatencyProfileLoader.Save"/> writes.</summary>
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
-        /// <summary>Why the places before the result, or all places, were rejected; one line each.</summary>
+        /// <summary>
+        /// Reasons why the search skipped the places before the one with the result (all places if there is no result), one line each.
+        /// </summary>
         public IReadOnlyList<string> Refusals => _refusals;
 
-        /// <returns>Null if no profile is valid for this device.</returns>
+        /// <summary>Searches for the first profile that is valid for this device.</summary>
+        /// <param name="from">Name of the place with the profile, or of the last place that was searched.</param>
+        /// <returns>Null if there is no valid profile.</returns>
         public LatencyProfile Find(out string from)
         {
             _refusals.Clear();
@@ -37,10 +44,9 @@ namespace Nowpose.Unity.Calibration
         {
             path = Path.Combine(Application.streamingAssetsPath, _fileName);
             if (!path.Contains("://")) return Read(path);
-            // Reported only if there is no other place to search.
+            // Report this place only if there is neither a saved file nor a text asset.
             if (_asset == null && _refusals.Count == 0 && !File.Exists(SavedPath))
-                _refusals.Add("latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the profile "
-                    + "as a text asset, or copy it to " + SavedPath);
+                _refusals.Add(LoaderMessages.InArchive(SavedPath));
             return null;
         }
 

@@ -4,14 +4,16 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>The data of a frame that a sweep keeps until the next frame. If a frame is computed twice, only the second is shown.</summary>
+    /// <summary>
+    /// Data of one frame that a sweep keeps until the next frame. If a frame is computed twice, the second computation replaces the first.
+    /// </summary>
     readonly struct SweepFrame
     {
         readonly double? _renderMs;
         readonly RenderTimeSourceKind _source;
         readonly int _vertices;
 
-        /// <param name="run">The sweep's state while the frame is shown.</param>
+        /// <param name="run">The sweep's state during the frame.</param>
         public SweepFrame(MrilSession session, DisplayFrame frame, SweepRun run, LoadGenerator load, RenderTimeSource renderTime)
         {
             Start = frame.Start;
@@ -24,16 +26,16 @@ namespace Nowpose.Unity.Calibration
 
         public HeadsetTime Start { get; }
 
-        /// <summary>The start on the control clock; null while the clock is not synchronised.</summary>
+        /// <summary>Start of the frame in control time; null while the clock is not synchronised.</summary>
         public ControlTime? Control { get; }
 
-        /// <summary>Whether the load was complete.</summary>
+        /// <summary>Whether the load of the current step was shown completely.</summary>
         public bool IsShown { get; }
 
-        /// <summary>Whether the frame counts for its load.</summary>
+        /// <summary>Whether the sweep uses this frame: its load is shown and its control time is known.</summary>
         public bool IsReady => IsShown && Control.HasValue;
 
-        /// <summary>Makes the frame's row of the log; requires that <see cref="Control"/> is known.</summary>
+        /// <summary>Creates the row of this frame for the log. <see cref="Control"/> must not be null.</summary>
         public SweepRow ToRow(string device, double displayHz) => new SweepRow(Control.Value, _vertices, _renderMs, _source, device, displayHz);
     }
 }

@@ -3,16 +3,16 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Shows a control time as text, seconds with milliseconds, letter by letter; a change of the time allocates nothing.</summary>
+    /// <summary>Shows a control time in seconds, with three decimals, as one text object per character. A new time does not allocate.</summary>
     sealed class TimestampDigits
     {
-        /// <summary>Period of the displayed time in ms, a little more than a day.</summary>
+        /// <summary>Period in ms after which the displayed time starts again at 0: a little more than a day.</summary>
         public const int PeriodMs = 100_000_000;
 
-        /// <summary>Layout of the text; each 0 stands for a digit.</summary>
+        /// <summary>Layout of the text. Each 0 stands for a digit.</summary>
         const string Pattern = "00 000.000 s";
 
-        /// <summary>Distance between letters, as a multiple of the font height: wider than any digit.</summary>
+        /// <summary>Distance between characters, as a multiple of the font height. All digits are narrower.</summary>
         const float Pitch = 0.6f;
 
         static readonly string[] Digits = { "0", "1", "2", "3", "4", "5", "6", "7", "8", "9" };
@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Calibration
                     "Letter " + i, parent, model, place + (i - (Pattern.Length - 1) / 2f) * Pitch * height * Vector3.right, height);
         }
 
-        /// <summary>Copies a text to another position and size.</summary>
+        /// <summary>Copies a text object and gives the copy another position and size.</summary>
         public static PanelCell Copy(string name, Transform parent, TextMesh model, Vector3 place, float height)
         {
             var copy = Object.Instantiate(model, parent);
@@ -43,10 +43,11 @@ namespace Nowpose.Unity.Calibration
             return new PanelCell(copy);
         }
 
-        /// <param name="ms">Time in ms, 0 to <see cref="PeriodMs"/> − 1; leading zeros are not shown.</param>
+        /// <summary>Shows a time without leading zeros.</summary>
+        /// <param name="ms">Time in ms, 0 to <see cref="PeriodMs"/> − 1.</param>
         public void Show(int ms)
         {
-            // Fills the digits from the right; the digit before the decimal point is always shown.
+            // Fills the digits from the right. Always shows the digit before the decimal point.
             for (var i = Pattern.Length - 1; i >= 0; i--)
             {
                 if (Pattern[i] != '0')

@@ -4,17 +4,19 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>A timestamp code as a mesh of 64 squares; only lit squares have triangles, because dark is transparent on the display.</summary>
+    /// <summary>
+    /// Draws a timestamp code of 64 squares as a mesh. Only lit squares have triangles, because a see-through display cannot show dark squares.
+    /// </summary>
     sealed class TimestampMesh
     {
         const int Corners = 4, IndicesPerCell = 6;
 
-        /// <summary>Two triangles of a square's corners, clockwise as seen along +z.</summary>
+        /// <summary>Corner indices of the two triangles of a square, clockwise as seen in the direction of +z.</summary>
         static readonly int[] Square = { 0, 1, 2, 1, 3, 2 };
 
         readonly int[] _indices = new int[TimestampCode.CellCount * IndicesPerCell];
 
-        /// <param name="side">Side of the whole code, in metres; the code is centred.</param>
+        /// <param name="side">Side length of the whole code, in metres. The centre of the code is the origin of the mesh.</param>
         public TimestampMesh(float side)
         {
             var vertices = new Vector3[TimestampCode.CellCount * Corners];
@@ -22,7 +24,7 @@ namespace Nowpose.Unity.Calibration
             for (var i = 0; i < vertices.Length; i++)
             {
                 int cell = i / Corners, corner = i % Corners;
-                // Corners: lower left, upper left, lower right, upper right.
+                // Order of the corners: lower left, upper left, lower right, upper right.
                 float column = cell % TimestampCode.Side + corner / 2, row = cell / TimestampCode.Side + 1 - corner % 2;
                 vertices[i] = new Vector3((column / TimestampCode.Side - 0.5f) * side, (0.5f - row / TimestampCode.Side) * side, 0);
                 normals[i] = Vector3.back;
@@ -36,8 +38,8 @@ namespace Nowpose.Unity.Calibration
 
         public Mesh Mesh { get; }
 
-        /// <summary>Shows a value. Allocates nothing.</summary>
-        /// <param name="value">A value as from <see cref="TimestampCode.ValueOf"/>.</param>
+        /// <summary>Shows a value as a code. Does not allocate.</summary>
+        /// <param name="value">A value returned by <see cref="TimestampCode.ValueOf"/>.</param>
         public void Show(int value)
         {
             Span<bool> cells = stackalloc bool[TimestampCode.CellCount];
@@ -46,7 +48,7 @@ namespace Nowpose.Unity.Calibration
             for (var cell = 0; cell < cells.Length; cell++)
                 if (cells[cell])
                     foreach (var corner in Square) _indices[count++] = cell * Corners + corner;
-            // The bounds do not change, because they include all squares.
+            // The bounds already include all squares, lit or not.
             Mesh.SetTriangles(_indices, 0, count, 0, calculateBounds: false);
         }
     }

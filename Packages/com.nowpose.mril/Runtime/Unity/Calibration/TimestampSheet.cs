@@ -4,12 +4,14 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>The objects of a timestamp display: the code, the time as text below it, and a message while the time is unknown.</summary>
+    /// <summary>
+    /// Creates the objects of a timestamp display: the code and, below it, the time as text or, while the time is unknown, a message.
+    /// </summary>
     sealed class TimestampSheet
     {
         const string Name = "Timestamp";
 
-        /// <summary>Font height as a share of the code's side, and the gap below the code: one of its cells.</summary>
+        /// <summary>Height of the font and gap below the code, both as a fraction of the code's side. The gap is as wide as one cell.</summary>
         const float Height = 0.25f, Gap = 1f / TimestampCode.Side;
 
         readonly GameObject _object;
@@ -19,9 +21,9 @@ namespace Nowpose.Unity.Calibration
         PanelCell _words;
         int _shown = -1;
 
-        /// <param name="model">A text to copy; null for none.</param>
+        /// <param name="model">Text object to copy for the digits and the message; null for a code without text.</param>
         /// <param name="light">Material of the lit squares.</param>
-        /// <param name="side">Side of the code, in metres.</param>
+        /// <param name="side">Side length of the code, in metres.</param>
         public TimestampSheet(Transform parent, TextMesh model, Material light, float side)
         {
             RemoveFrom(parent);
@@ -39,7 +41,7 @@ namespace Nowpose.Unity.Calibration
             _words = TimestampDigits.Copy("Words", _object.transform, model, below, Height * side);
         }
 
-        /// <summary>Shows a time. Allocates nothing.</summary>
+        /// <summary>Shows a time as code and as text. Does not allocate.</summary>
         public void Show(ControlTime time)
         {
             _words.Show("");
@@ -51,7 +53,7 @@ namespace Nowpose.Unity.Calibration
             _digits?.Show(ms);
         }
 
-        /// <summary>Hides code and time, and shows a message.</summary>
+        /// <summary>Hides the code and the time, and shows a message instead.</summary>
         public void Blank(string words)
         {
             _renderer.enabled = false;
@@ -66,7 +68,7 @@ namespace Nowpose.Unity.Calibration
             Object.Destroy(_object);
         }
 
-        // Rounds down as in the code, also before the epoch.
+        // Rounds down like TimestampCode.ValueOf, also for times before the epoch.
         static int WholeMs(ControlTime time)
         {
             var ticks = time.SinceEpoch.Ticks % (TimestampDigits.PeriodMs * System.TimeSpan.TicksPerMillisecond);
@@ -74,7 +76,7 @@ namespace Nowpose.Unity.Calibration
             return (int)(ticks / System.TimeSpan.TicksPerMillisecond);
         }
 
-        // When scripts are recompiled in play mode, the objects remain but the references are lost.
+        // Removes the objects of an earlier instance. When Unity recompiles scripts in play mode, the objects remain but the references are lost.
         static void RemoveFrom(Transform parent)
         {
             var left = parent.Find(Name);

@@ -4,12 +4,16 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Applies a paired cell to session and anchor. Applies only changed values, because each change costs a connection or a lock.</summary>
+    /// <summary>
+    /// Applies a paired cell to a session and a base anchor. Applies only changed values: a change of the connection reconnects the session, and
+    /// a change of the markers may release the lock of the base.
+    /// </summary>
     sealed class AppliedCell
     {
         PairedCell _connected, _anchored;
 
-        /// <summary>Applies the cell to the session; returns false if the session has no settings yet, so that the call must be repeated.</summary>
+        /// <summary>Connects the session to the gateway of the cell; disconnects it if there is no cell that is ready.</summary>
+        /// <returns>False if the session has no settings yet. Call this method again in the next frame.</returns>
         public bool Connect(MrilSession session, PairedCell cell, string headsetName)
         {
             if (cell == null || !cell.IsReady)
@@ -20,13 +24,14 @@ namespace Nowpose.Unity.Cell
             if (_connected != null && IsSameConnection(_connected, cell)) return true;
             if (session.Settings == null) return false;
             session.Settings = session.Settings.With(cell.Newest.ToConnection(cell.Token, headsetName));
-            // Set before the event, because a listener may throw after the connection is made.
+            // Assigned before the call, because a listener of the session's events may throw after the session has connected.
             _connected = cell;
             session.Connect();
             return true;
         }
 
-        /// <param name="anchor">Null for none.</param>
+        /// <summary>Passes the markers of the cell to the base anchor.</summary>
+        /// <param name="anchor">The base anchor; null if the scene has none.</param>
         public void Place(BaseAnchor anchor, PairedCell cell)
         {
             if (anchor == null || IsSamePlace(_anchored, cell)) return;
@@ -34,7 +39,7 @@ namespace Nowpose.Unity.Cell
             if (cell != null)
                 foreach (var code in cell.Codes)
                     if (code.Marker != null) markers.Add(new BaseMarker(code.Text, code.Marker.ToPose(), code.SizeMetres));
-            // A code without an offset does not determine the base, which stays where the user or the scene placed it.
+            // A code without a marker pose does not determine the pose of the base, so the anchor keeps its own markers.
             if (markers.Count > 0 || _anchored != null) anchor.Use(cell?.Cell ?? "", markers);
             _anchored = markers.Count > 0 ? cell : null;
         }

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Cell
 {
     /// <summary>
-    /// Places objects in the frame <c>world</c> of the cell. That frame is the Base Anchor above the objects; without one, the Base Anchor
-    /// of the session; without any, the session's object.
+    /// Places objects in the frame <c>world</c> of the cell. The transform of this frame is the Base Anchor above the object. Without such an
+    /// anchor, it is the Base Anchor below the session; if there is none either, the session's object.
     /// </summary>
     static class CellPlace
     {
@@ -16,11 +16,12 @@ namespace Nowpose.Unity.Cell
             return anchor != null ? anchor.transform : session.transform;
         }
 
-        /// <summary>Returns the pose of an object in the cell, right-handed, metres.</summary>
+        /// <summary>Returns the pose of an object in the frame <c>world</c>, right-handed, in metres.</summary>
         public static RigidTransform PoseIn(Transform world, Transform placed) => UnityPoses.ToRoom(
             world.InverseTransformPoint(placed.position), Quaternion.Inverse(world.rotation) * placed.rotation);
 
-        /// <param name="pose">Pose in the cell, right-handed, metres.</param>
+        /// <summary>Moves an object to a pose in the frame <c>world</c>.</summary>
+        /// <param name="pose">Pose in the frame <c>world</c>, right-handed, in metres.</param>
         public static void PlaceIn(this Transform moved, Transform world, in RigidTransform pose)
         {
             var place = UnityFrame.ToUnity(pose);

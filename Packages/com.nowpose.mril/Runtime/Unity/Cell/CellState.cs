@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>The values that a menu's toggles and sliders show.</summary>
+    /// <summary>Values that the toggles and sliders of a menu show.</summary>
     readonly struct CellState
     {
         public CellState(bool isConnecting, bool isGhostShown, bool isOcclusionOn, bool isPanelShown, float opacity, float nudgeMs, bool isNudgeIdle)

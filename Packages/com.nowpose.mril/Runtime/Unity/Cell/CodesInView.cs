@@ -6,11 +6,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Passes the codes that the marker sources below an object currently see to a pairing.</summary>
+    /// <summary>Passes the codes that are currently in view of the marker sources below an object to a pairing.</summary>
     sealed class CodesInView
     {
-        /// <summary>Maximum age of a sighting: devices scan a code about once a second, and keep reporting codes seen long ago.</summary>
-        static readonly TimeSpan Freshness = TimeSpan.FromSeconds(3);
+        /// <summary>
+        /// Maximum age of a sighting. Devices scan a code about once a second, and continue to report codes that they saw long ago.
+        /// </summary>
+        static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(3);
 
         readonly MarkerSources _sources = new MarkerSources();
 
@@ -22,6 +24,6 @@ namespace Nowpose.Unity.Cell
         }
 
         static bool IsInView(in MarkerSighting sighting, HeadsetTime now) =>
-            sighting.Tracking == MarkerTracking.Placed || (sighting.Tracking != MarkerTracking.None && now - sighting.LastSeen <= Freshness);
+            sighting.Tracking == MarkerTracking.Placed || (sighting.Tracking != MarkerTracking.None && now - sighting.LastSeen <= MaxAge);
     }
 }

@@ -1,13 +1,17 @@
 using Nowpose.Frames;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Follows one frame of the cell over all sessions of a session component, for an object that shows it.</summary>
+    /// <summary>
+    /// Follows one frame of the cell for an object that is shown at this frame. Switches to the new session when the session component
+    /// reconnects.
+    /// </summary>
     sealed class FollowedFrame : IShownPart
     {
         readonly MrilSession _source;
@@ -39,7 +43,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>Whether a pose of the frame is known.</summary>
         public bool IsKnown => _frame != null;
 
-        /// <summary>Whether something moves the frame: its source or a gripper.</summary>
+        /// <summary>Whether the frame can move: its source publishes it as moving, or a gripper holds it.</summary>
         public bool IsMoved => _frame != null && !_frame.IsStationary;
 
         public PoseState State => _session == null ? PoseState.Incomplete : _session.Frames.StateOf(_frame);
@@ -51,17 +55,18 @@ namespace Nowpose.Unity.Cell
                 switch (State)
                 {
                     case PoseState.Current: return null;
-                    case PoseState.Incomplete: return _frame == null ? _missing : "its parent is unknown";
-                    case PoseState.Held: return _frame.State == FrameState.ParentNotCurrent ? "its parent is not current" : "its poses have stopped";
-                    default: return PoseWords.Of(State);
+                    case PoseState.Incomplete: return _frame == null ? _missing : ObjectMessages.ParentUnknown;
+                    case PoseState.Held: return _frame.State == FrameState.ParentNotCurrent ? ObjectMessages.ParentNotCurrent : ObjectMessages.PosesStopped;
+                    default: return PoseMessages.Of(State);
                 }
             }
         }
 
+        /// <summary>Starts to follow a frame in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the warning if it has no session.</param>
-        /// <param name="isGhost">Whether the object is shown a second time, so that it is not listed again.</param>
-        /// <param name="missing">Why it is not current while no pose is known.</param>
-        /// <returns>Null without a session.</returns>
+        /// <param name="isGhost">Whether the object is a second view of a frame that another object shows. It is then not listed again.</param>
+        /// <param name="missing">The text of <see cref="Fault"/> while no pose is known.</param>
+        /// <returns>Null if the component has no session.</returns>
         public static FollowedFrame Of(
             Component component, MrilSession assigned, string kind, string name, bool isGhost = false, string missing = "no pose received")
         {
@@ -69,7 +74,7 @@ namespace Nowpose.Unity.Cell
             return source == null ? null : new FollowedFrame(source, CellPlace.WorldOf(component, source), name, isGhost, missing);
         }
 
-        /// <summary>Ends following.</summary>
+        /// <summary>Stops following the frame.</summary>
         public void Leave()
         {
             if (!_isGhost) _source.Parts.Remove(this, _name);
@@ -77,8 +82,8 @@ namespace Nowpose.Unity.Cell
             _frame = null;
         }
 
-        /// <summary>Follows the session of the component. Call it once for each frame, before the other methods.</summary>
-        /// <returns>Whether it is another session than before.</returns>
+        /// <summary>Reads the current session of the component. Call once per frame, before the other methods.</summary>
+        /// <returns>True if the session is not the session of the last call.</returns>
         public bool Update()
         {
             var isNew = _source.Session != _session;
@@ -92,7 +97,7 @@ namespace Nowpose.Unity.Cell
             return isNew;
         }
 
-        /// <summary>Places the frame where a transform is, until a source publishes it. Does nothing without a session.</summary>
+        /// <summary>Places the frame at the pose of a transform, until a source publishes the frame. Does nothing without a session.</summary>
         public void PlaceBy(Transform placed)
         {
             if (_session == null) return;
@@ -101,8 +106,8 @@ namespace Nowpose.Unity.Cell
             else ConsoleLog.Fail(placed, Title + " cannot be placed: " + reason);
         }
 
-        /// <summary>Moves a transform to the frame's pose; it stays where it is while that is unknown.</summary>
-        /// <param name="shows">Whether the pose at the display time or the newest received one is shown.</param>
+        /// <summary>Moves a transform to the frame's pose. Does nothing while the pose is unknown.</summary>
+        /// <param name="shows">Selects the pose at the display time or the newest received pose.</param>
         public void Place(Transform moved, RigPose shows)
         {
             if (_frame == null || State == PoseState.Incomplete) return;

@@ -2,13 +2,13 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>A component that shows an object at a frame of the cell. The object's look shows the state of the frame.</summary>
+    /// <summary>A component that shows an object at a frame of the cell. The appearance of the object shows the state of the frame.</summary>
     interface ICellObject
     {
-        /// <summary>Whether the object is shown where it is at the display time, and otherwise why not.</summary>
+        /// <summary>State of the object's pose: current if the object is shown where it is at the display time, otherwise the reason.</summary>
         PoseState State { get; }
 
-        /// <summary>Whether it is shown where it is in the scene, because it has neither been placed by hand nor by a source.</summary>
+        /// <summary>Whether the object is still at its pose from the scene, because neither a hand nor a source has placed it.</summary>
         bool IsUnplaced { get; }
     }
 }

@@ -1,11 +1,14 @@
 using Nowpose.Kinematics;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>The robot of a session that a rig shows: the session's own, or one in a namespace, which the rig adds to each session.</summary>
+    /// <summary>
+    /// The robot of a session that a rig shows: the session's own robot, or a robot in a namespace. The rig adds the latter to each session.
+    /// </summary>
     sealed class RigRobot
     {
         readonly RobotRig _rig;
@@ -16,7 +19,7 @@ namespace Nowpose.Unity.Cell
         SessionRobot _robot;
 
         /// <param name="name">Namespace of the robot; empty for the session's own robot.</param>
-        /// <param name="description">Description of a robot in a namespace.</param>
+        /// <param name="description">Description of a robot in a namespace; not used for the session's own robot.</param>
         /// <param name="world">Frame <c>world</c> of the cell.</param>
         public RigRobot(RobotRig rig, string name, RobotDescriptionAsset description, Transform world)
         {
@@ -28,19 +31,19 @@ namespace Nowpose.Unity.Cell
 
         bool IsOwn => string.IsNullOrEmpty(_name);
 
-        /// <summary>The robot's model; null while it is unknown.</summary>
-        /// <param name="source">The session, whose own robot it may be.</param>
+        /// <summary>Returns the model of the robot; null while it is unknown.</summary>
+        /// <param name="source">The component that has the session.</param>
         public RobotModel ModelIn(MrilSession source) => IsOwn ? source.Robot : _robot?.Robot;
 
-        /// <summary>The robot in the session of the last frame; null while it is unknown.</summary>
+        /// <summary>The robot in the session of the last frame; null while the session has no such robot.</summary>
         public SessionRobot Robot => _robot;
 
-        /// <summary>State of the robot's pose in the session's frame.</summary>
+        /// <summary>Returns the state of the robot's pose in a frame of the session.</summary>
         public PoseState StateIn(DisplayFrame frame) => IsOwn ? frame.State : _robot == null ? PoseState.Incomplete : _robot.Frame.State;
 
-        /// <summary>Finds the robot in the session, or adds it.</summary>
-        /// <param name="frame">Frame of the session's own robot.</param>
-        /// <returns>The robot's frame; null if it has none.</returns>
+        /// <summary>Finds the robot in the session, or adds it, and returns its display frame.</summary>
+        /// <param name="frame">Display frame of the session's own robot.</param>
+        /// <returns>Null if the robot could not be added.</returns>
         public DisplayFrame FrameIn(CompensationSession session, DisplayFrame frame)
         {
             if (session != _session)
@@ -51,7 +54,7 @@ namespace Nowpose.Unity.Cell
             return IsOwn ? frame : _robot?.Frame;
         }
 
-        /// <summary>Moves the rig with the robot's base, if a frame of the cell has the name of the robot's root link.</summary>
+        /// <summary>Moves the rig to the robot's base if the cell has a frame with the name of the robot's root link.</summary>
         public void PlaceBase()
         {
             if (_robot != null && _session.Frames.HasBaseOf(_robot)) _rig.transform.PlaceIn(_world, _robot.RootPose);
@@ -62,7 +65,7 @@ namespace Nowpose.Unity.Cell
             try
             {
                 if (_description == null)
-                    throw new InputException("robot namespace '" + _name + "': has no description; assign a Robot Description to the rig '" + _rig.name + "'");
+                    throw new InputException(RigMessages.NoDescription(_name, _rig.name));
                 return session.Robots.Add(_name, _description.Read());
             }
             catch (InputException fault)

@@ -9,11 +9,11 @@ namespace Nowpose.Unity.Cell
         /// <summary>Kind and name, such as "object workpiece_1".</summary>
         string Title { get; }
 
-        /// <summary>Why it is not current, in one line; null if it is.</summary>
+        /// <summary>Reason why the part is not current, in one line; null if it is current.</summary>
         string Fault { get; }
     }
 
-    /// <summary>The objects and signals of the cell that components show, and the faults of those that are not current.</summary>
+    /// <summary>Lists the objects and signals of the cell that components show, with the faults of the parts that are not current.</summary>
     sealed class ShownParts
     {
         readonly List<IShownPart> _parts = new List<IShownPart>();
@@ -24,28 +24,29 @@ namespace Nowpose.Unity.Cell
 
         public int Count => _parts.Count;
 
-        /// <summary>Names of the frames of the shown objects; an object that is shown twice has its name twice.</summary>
+        /// <summary>Frame names of the shown objects. A frame that two objects show is listed twice.</summary>
         public IReadOnlyList<string> Objects => _objects;
 
-        /// <summary>Number of those that are not current, at the last <see cref="Update"/>.</summary>
+        /// <summary>Number of parts that were not current at the last <see cref="Update"/>.</summary>
         public int FaultCount => _faults.Count;
 
         /// <summary>
-        /// Number of parts and, if some of them are not current, the number of those. The same text while both numbers are unchanged.
+        /// The number of parts; if some parts are not current, the number of these parts instead. The string is the same object until a fault or
+        /// the number of parts changes.
         /// </summary>
         public string Summary { get; private set; } = "";
 
-        /// <summary>Title and fault of each part that is not current; null if all are. Constant while nothing changes.</summary>
+        /// <summary>Title and fault of each part that is not current; null if all are current. The same object until a fault changes.</summary>
         public string Faults { get; private set; }
 
-        /// <summary>Title and fault of the first part that is not current; empty if all are.</summary>
+        /// <summary>Title and fault of the first part that is not current; empty if all are current.</summary>
         public string FirstFault { get; private set; } = "";
 
         public void Add(IShownPart part) => _parts.Add(part);
 
         public void Remove(IShownPart part) => _parts.Remove(part);
 
-        /// <summary>Adds an object, which a gripper can take by its reach.</summary>
+        /// <summary>Adds an object at a frame. A gripper can grip this object when it is within reach.</summary>
         public void Add(IShownPart part, string frame)
         {
             Add(part);
@@ -58,7 +59,7 @@ namespace Nowpose.Unity.Cell
             _objects.Remove(frame);
         }
 
-        /// <summary>Reads the state of all parts. Allocates only when it has changed.</summary>
+        /// <summary>Reads the faults of all parts. Allocates only when a fault or the number of parts has changed.</summary>
         public void Update()
         {
             _faults.Clear();

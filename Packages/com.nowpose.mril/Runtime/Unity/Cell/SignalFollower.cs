@@ -7,7 +7,9 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Follows one signal over all sessions of a session component. Allocates nothing in a frame.</summary>
+    /// <summary>
+    /// Follows one signal. Switches to the new session when the session component reconnects. Does not allocate in a frame.
+    /// </summary>
     sealed class SignalFollower : IShownPart
     {
         readonly MrilSession _source;
@@ -28,19 +30,19 @@ namespace Nowpose.Unity.Cell
             _source.Parts.Add(this);
         }
 
-        /// <summary>The signal; null while no value is known.</summary>
+        /// <summary>The signal; null until its first value is known.</summary>
         public SignalTrack Track { get; private set; }
 
-        /// <summary>Why the value is not current, in one line; null if it is.</summary>
+        /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
         public string Fault => FaultOf(_session, _name);
 
         string IShownPart.Title => _title;
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
         /// <param name="kind">Kind of the component, for the warning if it has no session.</param>
-        /// <param name="changed">Called with each change when it becomes visible, in order, and with the value at the start.</param>
-        /// <param name="restarted">Called when the times of the signal are no longer valid, with the value that stays; null for nothing.</param>
-        /// <returns>Null without a session.</returns>
+        /// <param name="changed">Called for the value at the start and then for each change, in order, when the change becomes visible.</param>
+        /// <param name="restarted">Called when the times of the signal become invalid; its value remains. May be null.</param>
+        /// <returns>Null if the component has no session.</returns>
         public static SignalFollower Of(
             Component component, MrilSession assigned, string kind, string name, Action<SignalTrack> changed, Action<SignalTrack> restarted = null)
         {
@@ -48,12 +50,12 @@ namespace Nowpose.Unity.Cell
             return source == null ? null : new SignalFollower(source, name, changed, restarted);
         }
 
-        /// <summary>Returns why a signal's value is not current, in one line; null if it is.</summary>
-        /// <param name="session">Null for none.</param>
+        /// <summary>Returns the reason why a signal's value is not current, in one line; null if the value is current.</summary>
+        /// <param name="session">The session that receives the signal; may be null.</param>
         public static string FaultOf(CompensationSession session, string name) =>
             session == null ? "no session" : session.Signals.FaultOf(name, session.SampleLink.State == LinkState.Connected);
 
-        /// <summary>Ends following.</summary>
+        /// <summary>Stops following the signal.</summary>
         public void Leave()
         {
             _source.Parts.Remove(this);

@@ -1,8 +1,9 @@
 using Nowpose.Anchoring;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The look of a pose whose base is uncertain: the joints may be correct, but the whole robot may be displaced.</summary>
+    /// <summary>Changes the look of a pose while the pose of the base is uncertain. The whole robot may then be displaced.</summary>
     readonly struct BaseLook
     {
         readonly BaseAnchorState _state;
@@ -14,7 +15,7 @@ namespace Nowpose.Unity.Rendering
             _isBeingPlaced = isBeingPlaced;
         }
 
-        /// <param name="anchor">Null for none: without an anchor, the robot was placed by hand.</param>
+        /// <param name="anchor">The anchor of the base; null if there is none. Without an anchor, the user has placed the robot by hand.</param>
         public static BaseLook Of(BaseAnchor anchor) =>
             anchor != null ? new BaseLook(anchor.State, anchor.Tracker != null && anchor.Tracker.IsBeingPlaced) : default;
 
@@ -24,14 +25,14 @@ namespace Nowpose.Unity.Rendering
         {
             switch (_state)
             {
-                // No fade while the base is being placed, because the user compares it with the robot.
+                // While the user places the base, there is no fade: the user must compare the displayed robot with the real robot.
                 case BaseAnchorState.Searching:
                     return _isBeingPlaced
-                    ? look.Also("being placed", "the base follows a marker that is being moved", 0)
-                    : look.Also("base not locked", "no marker has located the base", 0.8f);
-                case BaseAnchorState.Restored: return look.Also("base not confirmed", "the base has its pose from an earlier run; look at a marker to confirm it", 0);
-                case BaseAnchorState.Moved: return look.Also("base or marker moved", "a marker is not at its expected place", 0.5f);
-                case BaseAnchorState.Lost: return look.Also("base lost", "the headset has lost its position", 0.5f);
+                    ? look.Also("being placed", BaseMessages.FollowsMarker, 0)
+                    : look.Also("base not locked", BaseMessages.NotLocated, 0.8f);
+                case BaseAnchorState.Restored: return look.Also("base not confirmed", BaseMessages.Restored, 0);
+                case BaseAnchorState.Moved: return look.Also(BaseMessages.MovedLabel, BaseMessages.Moved, 0.5f);
+                case BaseAnchorState.Lost: return look.Also("base lost", BaseMessages.Lost, 0.5f);
                 default: return look;
             }
         }

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>CPU time of a frame's cameras: from the start of the first to the end of the last.</summary>
+    /// <summary>Measures the CPU time of a frame's cameras, from the start of the first camera to the end of the last.</summary>
     struct CameraTime
     {
         HeadsetTime? _begun, _ended;
@@ -11,7 +11,7 @@ namespace Nowpose.Unity.Rendering
 
         public void End(HeadsetTime at) => _ended = at;
 
-        /// <summary>Returns the time of the ended frame and resets it; zero if no camera rendered.</summary>
+        /// <summary>Returns the time of the last frame, and resets it; zero if no camera rendered.</summary>
         public TimeSpan Take()
         {
             var length = _ended - _begun;

@@ -4,10 +4,12 @@ using UnityEngine.XR;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Reports the conditions of this device to a session: at its start, and again when the display starts to report its rate.</summary>
+    /// <summary>
+    /// Reports the conditions of this device to a session, when the session starts and again when the display starts to report its rate.
+    /// </summary>
     sealed class DeviceWatch
     {
-        /// <summary>The display starts some frames after the scene, so it is checked again at intervals.</summary>
+        /// <summary>Interval between checks in frames, and maximum number of checks. The display starts some frames after the scene.</summary>
         const int FramesBetweenLooks = 60, MaxLooks = 10;
 
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
@@ -19,7 +21,7 @@ namespace Nowpose.Unity.Rendering
             session.Conditions = ThisDevice.Conditions;
         }
 
-        /// <summary>Called once a frame. Allocates only if the rate has changed.</summary>
+        /// <summary>Checks the display rate at intervals. Call once per frame. Allocates only if the rate has changed.</summary>
         public void Follow(CompensationSession session)
         {
             if (_frames >= FramesBetweenLooks * MaxLooks || ++_frames % FramesBetweenLooks != 0) return;

@@ -6,13 +6,13 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Unity.Rendering
 {
     /// <summary>
-    /// Measures the time from the trigger of a render job until the program detects that the GPU has finished it: a readback that is
-    /// requested after the job completes after it.
+    /// Measures the time from the trigger of a render job to its completion on the GPU. For this it requests a readback after the job: the GPU
+    /// works in order, so the readback completes after the job.
     /// </summary>
-    /// <remarks>The engine checks for finished readbacks once a frame, so the resolution of the times is one frame.</remarks>
+    /// <remarks>The engine checks for completed readbacks once per frame, so the resolution is one frame.</remarks>
     sealed class GpuCompletion
     {
-        /// <summary>Maximum readbacks in progress, more than a GPU queues frames; further frames are not measured.</summary>
+        /// <summary>Maximum number of readbacks in progress: more than the frames that a GPU queues. Frames beyond it are not measured.</summary>
         const int MaxInFlight = 4;
 
         readonly IHeadsetClock _clock;
@@ -36,7 +36,8 @@ namespace Nowpose.Unity.Rendering
             return newest;
         }
 
-        /// <summary>Reports that a render job was submitted to the GPU.</summary>
+        /// <summary>Starts a measurement. Call it when a render job has been submitted to the GPU.</summary>
+        /// <param name="triggered">Time at which rendering started.</param>
         public void Submitted(HeadsetTime triggered)
         {
             if (_inFlight == MaxInFlight || !SystemInfo.supportsAsyncGPUReadback) return;
@@ -45,14 +46,14 @@ namespace Nowpose.Unity.Rendering
             AsyncGPUReadback.Request(_texture, 0, _onRead);
         }
 
-        /// <summary>Releases the texture. Readbacks in progress may still complete; their times are ignored.</summary>
+        /// <summary>Releases the texture. Readbacks in progress may still complete, but nothing uses their times.</summary>
         public void Release()
         {
             if (_texture != null) Object.Destroy(_texture);
             _texture = null;
         }
 
-        // Without the upload, the texture might not exist on the GPU and could not be read.
+        // Apply uploads the texture; without the upload it may not exist on the GPU, so the readback would fail.
         static Texture2D Uploaded()
         {
             var texture = new Texture2D(1, 1) { hideFlags = HideFlags.HideAndDontSave };
@@ -60,7 +61,7 @@ namespace Nowpose.Unity.Rendering
             return texture;
         }
 
-        // A GPU works in order, so the oldest request is complete.
+        // Readbacks complete in order, so this is the oldest one.
         void Read(AsyncGPUReadbackRequest request)
         {
             var triggered = _triggers[_first];

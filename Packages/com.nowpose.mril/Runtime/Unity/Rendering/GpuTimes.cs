@@ -5,7 +5,7 @@ using UnityEngine.XR;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>GPU time of the newest frame as reported by the driver; zero if it is not reported.</summary>
+    /// <summary>Reads the GPU time of the newest frame. Its methods return zero if the driver does not report this time.</summary>
     sealed class GpuTimes
     {
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
@@ -19,14 +19,16 @@ namespace Nowpose.Unity.Rendering
                 ? Length(seconds) : TimeSpan.Zero;
         }
 
-        /// <summary>Returns the time reported by Unity if Frame Timing Stats are on in the player settings; some frames late.</summary>
+        /// <summary>
+        /// Returns the time reported by Unity, which is some frames old. Needs Frame Timing Stats enabled in the player settings.
+        /// </summary>
         public TimeSpan OfEngine()
         {
             FrameTimingManager.CaptureFrameTimings();
             return FrameTimingManager.GetLatestTimings(1, _timings) > 0 ? Length(_timings[0].gpuFrameTime / 1000) : TimeSpan.Zero;
         }
 
-        // Some drivers report invalid values; values that cannot be a frame's duration count as unknown.
+        // Some drivers report invalid values. A value that cannot be the duration of a frame counts as not reported.
         static TimeSpan Length(double seconds) =>
             seconds > 0 && seconds < 10 ? new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)) : TimeSpan.Zero;
     }

@@ -3,8 +3,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Controls the parts of a cell that write depth at the real arm: if on, they hide virtual objects behind the arm.</summary>
-    /// <remarks>Applies to displayed rigs only; identifies the parts by their material, including those of a robot that a rig builds later.</remarks>
+    /// <summary>Enables or disables occlusion: invisible parts at the pose of the real arm, which hide the virtual objects behind the arm.</summary>
+    /// <remarks>
+    /// Applies only to rigs that show the displayed pose. Identifies the parts by their material, including the parts of robots built later.
+    /// </remarks>
     sealed class Occlusion
     {
         readonly List<RobotRig> _rigs = new List<RobotRig>();
@@ -14,7 +16,8 @@ namespace Nowpose.Unity.Rendering
 
         public bool IsOn { get; private set; } = true;
 
-        /// <param name="material">Null for the arm material of each rig.</param>
+        /// <summary>Starts to control the parts below a session.</summary>
+        /// <param name="material">Material of the parts; null for the arm material of each rig.</param>
         public void Begin(MrilSession session, Material material)
         {
             _material = material;
@@ -24,7 +27,7 @@ namespace Nowpose.Unity.Rendering
             Apply();
         }
 
-        /// <summary>Ends the control and shows all hidden parts.</summary>
+        /// <summary>Stops controlling the parts, and enables all parts that this object has disabled.</summary>
         public void End()
         {
             Show();

@@ -3,16 +3,18 @@ using System.Reflection;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Reads settings of Unity's OpenXR plug-in, com.unity.xr.openxr, if a project has it.</summary>
+    /// <summary>Reads a setting of Unity's OpenXR plug-in (com.unity.xr.openxr), if the project has this plug-in.</summary>
     /// <remarks>
-    /// Uses reflection, because the setting exists from version 1.15 on and a project need not have the plug-in. Managed code stripping may
-    /// remove the property, which no other code calls, but not the serialised field behind it.
+    /// Uses reflection, because the plug-in is optional and only version 1.15 and newer have the setting. If managed code stripping has removed
+    /// the property, which no other code calls, the serialised field behind it is still present.
     /// </remarks>
     static class OpenXrRenderSettings
     {
         const string TypeName = "UnityEngine.XR.OpenXR.OpenXRSettings, Unity.XR.OpenXR";
 
-        /// <summary>Latency Optimization: PrioritizeRendering or PrioritizeInputPolling; null if the plug-in or the setting is missing.</summary>
+        /// <summary>
+        /// Value of Latency Optimization: PrioritizeRendering or PrioritizeInputPolling. Null if the plug-in or the setting is missing.
+        /// </summary>
         public static string LatencyOptimization => LatencyOptimizationOf(Type.GetType(TypeName, throwOnError: false));
 
         /// <param name="settings">The plug-in's settings class; null if the plug-in is missing.</param>
@@ -28,7 +30,7 @@ namespace Nowpose.Unity.Rendering
             }
             catch (TargetInvocationException)
             {
-                // A build may lack the plug-in's native library; the session must still work.
+                // A build may lack the plug-in's native library. The session must work without it.
                 return null;
             }
         }

@@ -1,8 +1,11 @@
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The object that moves a drawn part to the session's pose: the gripper that contains it, else the rig.</summary>
+    /// <summary>
+    /// The component that moves a drawn part to the pose of the session: the gripper that contains the part, otherwise the rig that does.
+    /// </summary>
     sealed class PoseCarrier
     {
         readonly RobotRig _rig;
@@ -18,36 +21,37 @@ namespace Nowpose.Unity.Rendering
             _wasFollowing = IsFollowing;
         }
 
-        /// <summary>Whether it follows the session; false if it was destroyed.</summary>
+        /// <summary>Whether the component follows the session; false if it was destroyed.</summary>
         public bool IsFollowing => IsGripper
             ? _gripper != null && _gripper.Flange != null && _gripper.Rig != null && _gripper.Rig.IsFollowing
             : _rig != null && _rig.IsFollowing;
 
-        /// <summary>Whether its parts are active in the scene.</summary>
+        /// <summary>Whether the component's object is active in the scene.</summary>
         public bool IsActive => _owner != null && _owner.activeInHierarchy;
 
-        /// <summary>Returns the look while it does not follow the session: its parts stay at an old pose, which may be anywhere.</summary>
+        /// <summary>Returns the look of a part while its carrier does not follow the session. The part is then at an old pose.</summary>
         public PoseLook Unmoved(PoseLook look) => IsGripper
-            ? look.With("gripper not moved", "the gripper is disabled or is not attached to a link of a moving rig")
-            : look.With("rig not moved", "the rig is disabled or cannot show the robot");
+            ? look.With("gripper not moved", PoseMessages.GripperUnattached)
+            : look.With("rig not moved", PoseMessages.RigDisabled);
 
         bool IsGripper => _gripper is object;
 
         bool IsDestroyed => IsGripper ? _gripper == null : _rig == null;
 
-        /// <param name="before">Carrier of the part at the last call; null for none.</param>
+        /// <summary>Finds the carrier of a part.</summary>
+        /// <param name="before">Result of the last call for this part; null at the first call.</param>
         /// <returns>Null if the part never had a carrier.</returns>
         public static PoseCarrier Of(Transform part, PoseCarrier before)
         {
             var found = Above(part);
-            // A destroyed carrier without successor stays responsible: its parts are still visible, and not current.
+            // If the carrier was destroyed and has no replacement, keep it: its parts are still visible, but no longer current.
             var isLeft = before != null && before.IsDestroyed && (found == null || before.IsGripper && !found.IsGripper);
             return isLeft ? before : found;
         }
 
         public bool IsSameAs(PoseCarrier other) => ReferenceEquals(_rig, other._rig) && ReferenceEquals(_gripper, other._gripper);
 
-        /// <returns>Whether it has started or stopped following since the last call.</returns>
+        /// <summary>Returns whether the component has started or stopped following the session since the last call.</summary>
         public bool HasTurned()
         {
             var isFollowing = IsFollowing;

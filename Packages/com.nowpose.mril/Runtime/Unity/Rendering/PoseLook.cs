@@ -1,20 +1,21 @@
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The look of a pose. One that is not current is clearly different: striped, with words, and usually fainter.</summary>
+    /// <summary>The look of a pose. A pose that is not current is striped, has a text, and is usually fainter than a current pose.</summary>
     readonly struct PoseLook
     {
-        /// <summary>No frames are computed; the last pose stays visible.</summary>
-        public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
+        /// <summary>Look of the last pose while no more frames are computed.</summary>
+        public static readonly PoseLook Abandoned = new PoseLook("no session", PoseMessages.SessionPaused, 0.8f);
 
-        /// <summary>An object that waits for its place; visible, so that a hand can take it.</summary>
-        public static readonly PoseLook Unplaced = new PoseLook("not placed", "neither a hand nor a source has placed it", 0.5f);
+        /// <summary>Look of an object that has not been placed yet. It is visible, so that the user can grasp it.</summary>
+        public static readonly PoseLook Unplaced = new PoseLook("not placed", PoseMessages.NotPlaced, 0.5f);
 
         /// <summary>
-        /// Minimum fade of a striped look: a part smaller than a stripe (1 cm) may be between two stripes, so that only the fade is visible.
+        /// Minimum fade of a striped look. A part that is smaller than a stripe (1 cm) may lie between two stripes; then only the fade marks it.
         /// </summary>
         const float MinFadeWithStripes = 0.2f;
 
@@ -27,32 +28,33 @@ namespace Nowpose.Unity.Rendering
             IsDrawn = isDrawn;
         }
 
-        /// <summary>Whether anything except the words is drawn.</summary>
+        /// <summary>Whether the parts are drawn. The text is always drawn.</summary>
         public bool IsDrawn { get; }
 
-        /// <summary>0 (unchanged) to 1 (hardly visible); larger for a less certain pose.</summary>
+        /// <summary>Fade from 0 (unchanged) to 1 (hardly visible). It is larger for a less certain pose.</summary>
         public float Fade { get; }
 
         public bool IsHatched { get; }
 
-        /// <summary>The words to show; empty if there are none.</summary>
+        /// <summary>The text to show; empty for a current pose.</summary>
         public string Words { get; }
 
-        /// <summary>Why the look is not plain; empty if it is.</summary>
+        /// <summary>Reason for the look; empty for a current pose.</summary>
         public string Reason { get; }
 
-        /// <param name="outsideRange">The response outside the constant-latency range.</param>
+        /// <summary>Returns the look for the state of a pose.</summary>
+        /// <param name="outsideRange">Response of the session outside the constant-latency range.</param>
         public static PoseLook Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
             var reason = StatusTexts.ReasonOf(pose);
             switch (pose)
             {
                 case PoseState.Current: return new PoseLook("", reason, 0, isHatched: false);
-                case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose, outsideRange), reason, FadeOf(outsideRange));
-                case PoseState.Held: return new PoseLook(PoseWords.Of(pose), reason, 0.5f);
-                case PoseState.Unsynchronised: return new PoseLook(PoseWords.Of(pose), reason, 0.8f);
-                // The robot is not drawn, because the joints are at zero instead of the robot's positions.
-                default: return new PoseLook(PoseWords.Of(pose), reason, 0.8f, isDrawn: false);
+                case PoseState.OutsideRange: return new PoseLook(PoseMessages.Of(pose, outsideRange), reason, FadeOf(outsideRange));
+                case PoseState.Held: return new PoseLook(PoseMessages.Of(pose), reason, 0.5f);
+                case PoseState.Unsynchronised: return new PoseLook(PoseMessages.Of(pose), reason, 0.8f);
+                // The joint positions are unknown, so the rig is at zero. The robot must not be drawn in this pose.
+                default: return new PoseLook(PoseMessages.Of(pose), reason, 0.8f, isDrawn: false);
             }
         }
 
@@ -66,15 +68,19 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>Returns the fade for a reduced opacity; a pose that is not current never gets fainter than the faintest of these looks.</summary>
-        /// <param name="opacity">0 to 1 (unchanged).</param>
+        /// <summary>
+        /// Returns the fade for a reduced opacity. The opacity does not make a pose that is not current fainter than the faintest of these looks.
+        /// </summary>
+        /// <param name="opacity">Opacity from 0 to 1 (not reduced).</param>
         public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, Abandoned.Fade) : 1 - opacity);
 
-        /// <summary>Adds a reason: at least the given fade, striped, with the earlier words first.</summary>
+        /// <summary>
+        /// Returns a striped look with an additional reason. Its fade is the larger of the two; its text starts with the earlier text.
+        /// </summary>
         public PoseLook Also(string words, string reason, float fade) => new PoseLook(
             Words.Length > 0 ? Words + ", " + words : words, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);
 
-        /// <summary>Replaces the words, for parts that do not follow the pose and are not drawn.</summary>
+        /// <summary>Returns this look with another text and reason.</summary>
         public PoseLook With(string words, string reason) => new PoseLook(words, reason, Fade, IsDrawn, IsHatched);
     }
 }

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Determines how a material can show that a pose is not current.</summary>
+    /// <summary>Describes how a material can mark a pose as not current.</summary>
     readonly struct PoseMaterial
     {
         public static readonly PoseMaterial Patterned = new PoseMaterial(PoseMeans.Pattern, 0);
@@ -13,15 +13,15 @@ namespace Nowpose.Unity.Rendering
         public static readonly int HatchId = Shader.PropertyToID("_Hatch");
 
         /// <summary>
-        /// Tag of a SubShader or material. <c>Ignore</c>: it writes no colour, so it looks the same in every state. <c>Alpha</c>: the alpha
-        /// of its colour is its opacity, which cannot be detected if the shader contains a fixed blend factor.
+        /// Tag of a SubShader or material, and its values. <c>Ignore</c>: the material writes no colour, so no marking is necessary. <c>Alpha</c>:
+        /// the alpha of the colour is the opacity. The tag is necessary for shaders with a fixed blend factor, which cannot be read.
         /// </summary>
         const string Tag = "PoseAppearance", Ignored = "Ignore", Alpha = "Alpha";
 
-        /// <summary>Render queues beyond this one are drawn back to front, which blended materials need.</summary>
+        /// <summary>Last render queue for opaque materials. Unity draws later queues from back to front, as blended materials need.</summary>
         const int LastOpaqueQueue = 2500;
 
-        /// <summary>Value of <c>_SrcBlend</c> with which the alpha determines the visibility: <c>SrcAlpha</c>.</summary>
+        /// <summary>Value of <c>_SrcBlend</c> for the blend factor <c>SrcAlpha</c>, with which the alpha is the opacity.</summary>
         const float SourceAlpha = 5;
 
         static readonly int SourceBlendId = Shader.PropertyToID("_SrcBlend");
@@ -36,23 +36,24 @@ namespace Nowpose.Unity.Rendering
 
         public PoseMeans Means { get; }
 
-        /// <summary>Property whose alpha is the opacity, for <see cref="PoseMeans.Alpha"/>.</summary>
+        /// <summary>Id of the shader property whose alpha is the opacity; used for <see cref="PoseMeans.Alpha"/> only.</summary>
         public int Colour { get; }
 
-        /// <param name="material">Null for none, which Unity draws magenta.</param>
+        /// <summary>Returns how a material can mark a pose as not current.</summary>
+        /// <param name="material">The material; null if it is missing, in which case Unity draws the part in magenta.</param>
         public static PoseMaterial Of(Material material)
         {
             if (material == null) return Helpless;
             if (material.HasProperty(FadeId) && material.HasProperty(HatchId)) return Patterned;
             var tag = material.GetTag(Tag, false, "");
             if (tag == Ignored) return NotNeeded;
-            // URP's shaders have both properties, and draw with the base colour.
+            // URP's shaders have both colour properties, and use only the base colour.
             var colour = material.HasProperty(BaseColourId) ? BaseColourId : ColourId;
             var isBlended = (tag == Alpha || IsBlendedByAlpha(material)) && material.HasProperty(colour);
             return isBlended ? new PoseMaterial(PoseMeans.Alpha, colour) : Helpless;
         }
 
-        // The queue alone is not sufficient: a premultiplied material (One) and an opaque one with a late queue ignore a lower alpha.
+        // The render queue alone is not sufficient: materials with premultiplied alpha and opaque materials in a late queue ignore the alpha.
         static bool IsBlendedByAlpha(Material material) =>
             material.renderQueue > LastOpaqueQueue && material.HasProperty(SourceBlendId) && material.GetFloat(SourceBlendId) == SourceAlpha;
     }

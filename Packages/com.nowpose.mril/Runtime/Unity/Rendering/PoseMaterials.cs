@@ -3,31 +3,32 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Caches the properties of the materials of a pose's parts, because reading a material's tag allocates.</summary>
+    /// <summary>Caches how each material can mark a pose as not current, because reading the tag of a material allocates.</summary>
     sealed class PoseMaterials
     {
         readonly Dictionary<Material, PoseMaterial> _known = new Dictionary<Material, PoseMaterial>();
         readonly List<Material> _list = new List<Material>();
 
-        /// <summary>Replaces a material that cannot show that the pose is not current; null for none.</summary>
+        /// <summary>Material that replaces materials that cannot mark a pose as not current; null if there is none.</summary>
         public Material Substitute { get; private set; }
 
-        /// <summary>Clears the cache, because a material may have a new shader.</summary>
-        /// <param name="substitute">Null for none. A substitute that cannot show the state itself is not used.</param>
+        /// <summary>Clears the cache, because materials may have new shaders, and sets the substitute.</summary>
+        /// <param name="substitute">New substitute or null. It is ignored if it cannot mark a pose as not current itself.</param>
         public void Begin(Material substitute)
         {
             _known.Clear();
             Substitute = substitute != null && PoseMaterial.Of(substitute).Means == PoseMeans.Pattern ? substitute : null;
         }
 
-        /// <summary>Gets the renderer's materials; the list is valid until the next call.</summary>
+        /// <summary>Gets the materials of a renderer, in a list that the next call overwrites.</summary>
         public List<Material> In(Renderer renderer)
         {
             renderer.GetSharedMaterials(_list);
             return _list;
         }
 
-        /// <param name="material">Null for none.</param>
+        /// <summary>Returns how a material can mark a pose as not current.</summary>
+        /// <param name="material">The material; null if it is missing.</param>
         public PoseMaterial Of(Material material)
         {
             if (material == null) return PoseMaterial.Helpless;
@@ -35,11 +36,11 @@ namespace Nowpose.Unity.Rendering
             return known;
         }
 
-        /// <summary>Determines how a renderer with these materials can show that a pose is not current.</summary>
+        /// <summary>Returns how a renderer with these materials can mark a pose as not current.</summary>
         public PoseMaterial Of(List<Material> materials)
         {
             if (materials.Count == 1) return Of(materials[0]);
-            // A property block has one colour for all materials of a renderer, so Alpha is not possible with several.
+            // A property block sets one colour for all materials of a renderer, so Alpha needs a renderer with only one material.
             var all = PoseMaterial.NotNeeded;
             foreach (var material in materials)
             {
@@ -50,7 +51,7 @@ namespace Nowpose.Unity.Rendering
             return all;
         }
 
-        /// <summary>Returns the materials to draw with: those that cannot show the state are replaced.</summary>
+        /// <summary>Returns a copy of the materials in which the substitute replaces those that cannot mark a pose as not current.</summary>
         public Material[] SubstitutesFor(Material[] own)
         {
             var drawn = new Material[own.Length];

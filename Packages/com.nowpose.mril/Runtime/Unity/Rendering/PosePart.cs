@@ -3,13 +3,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>One renderer of a shown pose, and its original look.</summary>
+    /// <summary>One renderer whose look shows the state of a pose. Stores and restores the original look of the renderer.</summary>
     sealed class PosePart
     {
-        /// <summary>Share of its opacity that a part loses at a fade of 1, as in NowposePose.hlsl.</summary>
-        const float FadedAway = 0.8f;
+        /// <summary>Fraction of the opacity that a part loses at a fade of 1, as in NowposePose.hlsl.</summary>
+        const float OpacityLoss = 0.8f;
 
-        /// <summary>Minimum fade of a part without stripes, so that it looks different in every state with stripes.</summary>
+        /// <summary>Minimum fade of a part that cannot show stripes, in the states that stripes mark on other parts.</summary>
         const float MinFadeWithoutStripes = 0.5f;
 
         readonly Renderer _renderer;
@@ -22,7 +22,7 @@ namespace Nowpose.Unity.Rendering
         float _ownFade, _ownHatch;
         bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
 
-        /// <param name="block">Temporary block, shared by all parts.</param>
+        /// <param name="block">Temporary block that all parts share.</param>
         public PosePart(Renderer renderer, MaterialPropertyBlock block, PoseMaterials materials)
         {
             _renderer = renderer;
@@ -32,13 +32,13 @@ namespace Nowpose.Unity.Rendering
 
         public bool IsDrawn => _isPoseDrawn && !_isHidden;
 
-        /// <summary>The carrier of the part; null if it never had one.</summary>
+        /// <summary>The rig or gripper that moves the part; null if the part never had one.</summary>
         public PoseCarrier Carrier { get; private set; }
 
-        /// <summary>Whether its materials cannot show a pose that is not current.</summary>
+        /// <summary>Whether one of the part's materials cannot mark a pose as not current.</summary>
         public bool IsHelpless => _material.Means == PoseMeans.None;
 
-        /// <summary>The first material of a helpless part that cannot show a pose that is not current; null for a missing one.</summary>
+        /// <summary>The first material of a part that cannot mark a pose as not current; null if that material is missing.</summary>
         public Material Helpless
         {
             get
@@ -49,7 +49,7 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>Updates the carrier, and stores the original look on the first call.</summary>
+        /// <summary>Updates the carrier and the list of materials. The first call also stores whether the renderer was hidden.</summary>
         public void Take()
         {
             Carrier = PoseCarrier.Of(_renderer.transform, Carrier);
@@ -66,10 +66,10 @@ namespace Nowpose.Unity.Rendering
             Show(look, opacity);
         }
 
-        /// <summary>Shows that the session has ended. A part that was hidden before stays hidden.</summary>
+        /// <summary>Shows the look after the end of the session. A hidden part stays hidden.</summary>
         public void Abandon(float opacity) => Show(PoseLook.Abandoned, opacity);
 
-        /// <summary>Restores the original look.</summary>
+        /// <summary>Restores the original look of the renderer.</summary>
         public void GiveBack()
         {
             if (_isTaken && _renderer != null)
@@ -85,7 +85,7 @@ namespace Nowpose.Unity.Rendering
             _isPoseDrawn = true;
         }
 
-        // Uses the first of several materials: a property block of the user's applies to all of them.
+        // Returns the user's value of a property: from the renderer's property block, otherwise from its first material.
         float Own(int property)
         {
             if (_block.HasFloat(property)) return _block.GetFloat(property);
@@ -117,7 +117,7 @@ namespace Nowpose.Unity.Rendering
             _renderer.forceRenderingOff = _isOwnOff || !IsDrawn;
         }
 
-        // The user may have assigned other materials since the last frame, even while the substitutes were drawn; they become the part's own.
+        // The user may have assigned other materials since the last frame, also while the part had the substitutes. The part then keeps them.
         void Examine()
         {
             var materials = _materials.In(_renderer);
@@ -159,7 +159,8 @@ namespace Nowpose.Unity.Rendering
                 _renderer.SetPropertyBlock(_ownBlocks[i].isEmpty ? null : _ownBlocks[i], i);
         }
 
-        // Uses a block per material: the renderer's own block would also affect the user's materials, whose _Fade may mean the opposite.
+        // Uses one block per material. The block of the whole renderer would also affect the user's materials, in which _Fade may have another
+        // meaning.
         void SetSubstitutePattern(float fade)
         {
             for (var i = 0; i < _substitutes.Length; i++)
@@ -206,7 +207,7 @@ namespace Nowpose.Unity.Rendering
             _renderer.SetPropertyBlock(_block);
         }
 
-        /// <param name="fade">0 restores the colour.</param>
+        /// <param name="fade">Fade from 0 (restores the original colour) to 1.</param>
         void SetAlpha(float fade)
         {
             if (fade <= 0 && !_isAlphaSet) return;
@@ -218,9 +219,9 @@ namespace Nowpose.Unity.Rendering
             }
             _isAlphaSet = fade > 0;
             var colour = _ownColour ?? _renderer.sharedMaterial.GetColor(_material.Colour);
-            colour.a *= 1 - FadedAway * fade;
+            colour.a *= 1 - OpacityLoss * fade;
             _block.SetColor(_material.Colour, colour);
-            // A colour cannot be removed from a block, and would override later changes of the material's colour.
+            // Removes the whole block if the part had none: a colour in the block would override later changes of the material's colour.
             _renderer.SetPropertyBlock(_isAlphaSet || _hadBlock ? _block : null);
         }
 

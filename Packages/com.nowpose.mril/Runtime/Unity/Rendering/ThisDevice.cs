@@ -7,18 +7,20 @@ using UnityEngine.XR;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The conditions of this device for which a calibration is valid. Allocates, so it must not be read in each frame.</summary>
+    /// <summary>Reads the conditions of this device, for which a calibration is valid. Allocates; do not call it in each frame.</summary>
     static class ThisDevice
     {
         const string BuiltInPipeline = "built-in";
 
-        /// <summary>Conditions of device, display and player. The display may report its rate some frames after the scene begins.</summary>
+        /// <summary>
+        /// Conditions of device, display and player. The display may report its rate only some frames after the start of the scene.
+        /// </summary>
         public static DisplayConditions Conditions => new DisplayConditions(
             OneLine(SystemInfo.deviceModel), DisplayHz(new List<XRDisplaySubsystem>()), SystemInfo.graphicsDeviceType.ToString(),
             SystemInfo.renderingThreadingMode.ToString(), RenderPipeline, latencyOptimization: OpenXrRenderSettings.LatencyOptimization);
 
-        /// <summary>Returns the refresh rate in Hz; null if no display runs, or if it does not report its rate.</summary>
-        /// <param name="displays">Temporary list, overwritten with the current displays.</param>
+        /// <summary>Returns the refresh rate in Hz; null if no display runs or the display does not report its rate.</summary>
+        /// <param name="displays">Temporary list. This method overwrites it with the current displays.</param>
         public static double? DisplayHz(List<XRDisplaySubsystem> displays)
         {
             SubsystemManager.GetSubsystems(displays);
@@ -26,7 +28,7 @@ namespace Nowpose.Unity.Rendering
                 ? hertz : (double?)null;
         }
 
-        /// <summary>Replaces characters that a profile does not accept: a session must not fail because of a device name.</summary>
+        /// <summary>Replaces the characters of a device name that a profile does not accept, because they must not prevent a session.</summary>
         internal static string OneLine(string name) =>
             InputException.OneLine(name, DisplayConditions.MaxTextLength);
 

@@ -3,10 +3,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>Draws the axes of a URDF frame in the editor's view: x forward in red, y left in green, z up in blue, with their letters.</summary>
+    /// <summary>
+    /// Draws the axes of a URDF frame in the editor's scene view, each with its letter: x (forward) in red, y (left) in green, z (up) in blue.
+    /// </summary>
     static class FrameGizmo
     {
-        // Strokes of the letters in a unit square, from the lower left corner: two points per stroke.
+        // Strokes of the letters, two points per stroke, in a unit square with the origin at its lower left corner.
         static readonly Vector2[] X = { new Vector2(0, 0), new Vector2(1, 1), new Vector2(0, 1), new Vector2(1, 0) };
 
         static readonly Vector2[] Y =
@@ -19,8 +21,9 @@ namespace Nowpose.Unity.Robot
             new Vector2(0, 1), new Vector2(1, 1), new Vector2(1, 1), new Vector2(0, 0), new Vector2(0, 0), new Vector2(1, 0),
         };
 
-        /// <param name="frame">A transform whose axes are the frame's in Unity's convention.</param>
-        /// <param name="metres">Length of an axis.</param>
+        /// <summary>Draws the axes of a frame.</summary>
+        /// <param name="frame">Transform that represents the frame in Unity's axes.</param>
+        /// <param name="metres">Length of an axis in metres.</param>
         public static void Draw(Transform frame, float metres)
         {
             Gizmos.matrix = Matrix4x4.TRS(frame.position, frame.rotation, new Vector3(metres, metres, metres));
@@ -29,10 +32,10 @@ namespace Nowpose.Unity.Robot
             DrawAxis((0, 0, 1), Color.blue, Z);
         }
 
-        /// <summary>Draws a printed code: its edges, and a line from its centre towards the side from which it is read.</summary>
-        /// <param name="frame">A transform whose axes are the frame's in Unity's convention.</param>
-        /// <param name="code">Marker frame in that frame.</param>
-        /// <param name="metres">Length of an edge.</param>
+        /// <summary>Draws a printed code: its edges, and a line out of the print from its centre.</summary>
+        /// <param name="frame">Transform that represents the base frame in Unity's axes.</param>
+        /// <param name="code">Pose of the marker frame in the base frame.</param>
+        /// <param name="metres">Length of an edge in metres.</param>
         public static void DrawCode(Transform frame, in RigidTransform code, float metres)
         {
             var pose = UnityPoses.ToWorld(code);
@@ -52,7 +55,7 @@ namespace Nowpose.Unity.Robot
             var tip = UnityFrame.DirectionToUnity(axis).Vector();
             Gizmos.color = colour;
             Gizmos.DrawLine(Vector3.zero, tip);
-            // The letter is upright and beside the tip of the axis, so that it is readable from the front and from behind.
+            // Draws the letter upright beside the tip of the axis.
             var corner = tip * 1.1f - new Vector3(0.05f, 0.05f, 0);
             for (var i = 0; i < letter.Length; i += 2)
                 Gizmos.DrawLine(corner + (Vector3)letter[i] * 0.1f, corner + (Vector3)letter[i + 1] * 0.1f);

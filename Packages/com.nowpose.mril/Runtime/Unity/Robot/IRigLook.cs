@@ -3,16 +3,16 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>Supplies the materials and meshes of a built rig.</summary>
+    /// <summary>Supplies materials and meshes for a robot that a rig builds.</summary>
     interface IRigLook
     {
-        /// <param name="colour">The URDF's colour; null if it specifies none.</param>
-        /// <param name="isTool">Whether the flange carries the link.</param>
+        /// <summary>Returns the material of a visual.</summary>
+        /// <param name="colour">Colour in the URDF; null if the URDF specifies none.</param>
+        /// <param name="isTool">Whether the visual belongs to a link that the flange carries.</param>
         Material MaterialOf(VisualColour? colour, bool isTool);
 
-        /// <returns>
-        /// An object that shows the mesh in the visual's frame, in Unity's axes and at the URDF's scale 1; null if the mesh cannot be used.
-        /// </returns>
+        /// <summary>Creates an object that shows a mesh in the visual's frame, in Unity's axes, without the scale given in the URDF.</summary>
+        /// <returns>Null if the mesh cannot be used.</returns>
         GameObject MeshOf(LinkVisual visual, bool isTool);
     }
 }

@@ -3,28 +3,28 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>A look of two materials without meshes, because a headset does not have the mesh files.</summary>
-    /// <remarks>Ignores the URDF's colours, because a dark colour is invisible on an additive display.</remarks>
+    /// <summary>Draws a robot with two materials and without meshes, because the headset does not have the mesh files of the URDF.</summary>
+    /// <remarks>Ignores the colours in the URDF, because a dark colour is invisible on an additive display.</remarks>
     sealed class PlainLook : IRigLook
     {
         const string ShaderName = "Nowpose/Hologram";
 
         readonly Material _arm, _tool;
 
-        /// <param name="arm">Material of the links up to the flange; null to create one when needed.</param>
-        /// <param name="tool">Material of the links that the flange carries; null to create one when needed.</param>
+        /// <param name="arm">Material of the links up to the flange; if null, a material is created when it is needed.</param>
+        /// <param name="tool">Material of the links that the flange carries; if null, a material is created when it is needed.</param>
         public PlainLook(Material arm, Material tool)
         {
             _arm = arm;
             _tool = tool;
         }
 
-        /// <summary>Whether a missing material was requested.</summary>
+        /// <summary>Whether a material was needed that was not supplied.</summary>
         public bool LacksMaterial { get; private set; }
 
         /// <summary>
-        /// Material created in place of a missing one; the caller destroys it. Null if none was needed, or if the build does not contain the
-        /// package's shader: Unity then draws the parts magenta.
+        /// Material created in place of a missing one. The caller must destroy it. Null if no material was missing, or if the build does not contain
+        /// the package's shader; in the latter case, Unity draws the parts in magenta.
         /// </summary>
         public Material Made { get; private set; }
 
@@ -39,8 +39,7 @@ namespace Nowpose.Unity.Robot
 
         public GameObject MeshOf(LinkVisual visual, bool isTool) => null;
 
-        // Creates its own material, because only GameObject.CreatePrimitive returns Unity's default one, and that method throws in a build
-        // without colliders.
+        // Unity's default material is available only through GameObject.CreatePrimitive, which throws in a build without colliders.
         static Material NewMaterial()
         {
             var shader = Shader.Find(ShaderName);

@@ -3,16 +3,17 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>Builds a robot from its description: objects named and nested as its links, with their visuals.</summary>
-    /// <remarks>A link that consists only of meshes, none of which can be used, is drawn as bars to its child joints.</remarks>
+    /// <summary>Builds the objects of a robot from its description. They are named and nested like its links, and show its visuals.</summary>
+    /// <remarks>If none of a link's visuals can be used, because all are meshes without files, bars to the child joints represent the link.</remarks>
     static class RigBuilder
     {
         const string Visual = "visual";
 
         const float BarMetres = 0.03f;
 
-        /// <returns>The root link's object; the links are named and nested as in the URDF, at joint position 0.</returns>
-        /// <param name="parent">The transform of the robot's base frame.</param>
+        /// <summary>Builds the robot with all joints at position 0.</summary>
+        /// <param name="parent">Transform of the robot's base frame.</param>
+        /// <returns>The object of the root link.</returns>
         public static GameObject Build(RobotModel model, Transform parent, IRigLook look)
         {
             var links = new Transform[model.Links.Count];
@@ -60,7 +61,8 @@ namespace Nowpose.Unity.Robot
             shown.SetParent(parent, worldPositionStays: false);
         }
 
-        // Unity identifies the objects of an imported file by their name paths, and a visual must not be taken for a link.
+        // Unity identifies the objects of an imported file by the path of their names, so the name must be unique below the parent. It must also
+        // differ from all link names, because the rig finds links by name.
         static string FreeName(Transform parent, RobotModel model)
         {
             for (var i = 1; ; i++)
@@ -70,7 +72,7 @@ namespace Nowpose.Unity.Robot
             }
         }
 
-        // The cylinder's axis is Unity's y, which is the URDF's z.
+        // Unity's cylinder has its axis along y.
         static void ShowBar(Vector3 end, Transform parent, RobotModel model, Material material)
         {
             if (end == Vector3.zero) return;
@@ -95,7 +97,7 @@ namespace Nowpose.Unity.Robot
             return child;
         }
 
-        // Sizes are full extents, for a mesh its scale; the engine's cylinder is 2 m high, its other shapes measure 1 m.
+        // A visual's size is its full extent in URDF axes, or the scale of a mesh. Unity's cylinder is 2 m high; its other shapes measure 1 m.
         static Vector3 SizeOf(LinkVisual visual)
         {
             var (x, y, z) = visual.Size;

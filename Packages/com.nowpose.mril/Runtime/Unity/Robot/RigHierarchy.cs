@@ -1,20 +1,22 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>The transforms that are named and nested as the links of a robot, and the drives that move them.</summary>
+    /// <summary>The transforms that are named and nested like the links of a robot, and the drives that move these transforms.</summary>
     sealed class RigHierarchy
     {
-        // Above rounding errors. The engine's own comparison of rotations tolerates a sixth of a degree.
-        const float Slack = 1e-5f;
+        // Tolerance above rounding errors. Unity's == is not used, because it tolerates rotations of a sixth of a degree.
+        const float Tolerance = 1e-5f;
 
         readonly RobotModel _model;
         readonly Transform[] _links;
         readonly JointDrive[] _drives;
 
-        /// <param name="links">One per link of the model, in its order. All except the root are moved to joint position 0.</param>
+        /// <summary>Constructs the hierarchy, and moves all links except the root to joint position 0.</summary>
+        /// <param name="links">One transform per link of the model, in the order of the model.</param>
         RigHierarchy(RobotModel model, Transform[] links)
         {
             _model = model;
@@ -31,7 +33,7 @@ namespace Nowpose.Unity.Robot
         public Transform Tool => Link(_model.ToolLink.Name);
         public Transform Flange => Link(_model.FlangeLink.Name);
 
-        /// <summary>Whether all links exist; false after one was destroyed.</summary>
+        /// <summary>Whether all links exist; false if one was destroyed.</summary>
         public bool IsWhole
         {
             get
@@ -42,21 +44,25 @@ namespace Nowpose.Unity.Robot
             }
         }
 
-        /// <returns>Null if the robot has no such link.</returns>
+        /// <summary>Returns the transform of a link; null if the robot has no such link.</summary>
         public Transform Link(string name)
         {
             var index = _model.IndexOfLink(name);
             return index < 0 ? null : _links[index];
         }
 
-        /// <param name="joints">One per moving joint of the model, rad or m.</param>
+        /// <summary>Moves the links to joint positions.</summary>
+        /// <param name="joints">One position per moving joint of the model, in rad or m.</param>
         public void Apply(ReadOnlySpan<double> joints)
         {
             for (var i = 0; i < _drives.Length; i++) _drives[i].Apply(joints[i]);
         }
 
-        /// <returns>Null if no transform below has the name of the robot's root link, and nothing is drawn there.</returns>
-        /// <exception cref="InputException">The root link or other drawn objects exist, but not all links as nested in the URDF.</exception>
+        /// <summary>Finds the transforms of a robot below a rig.</summary>
+        /// <returns>Null if no transform below the rig has the name of the root link, and nothing is drawn below the rig.</returns>
+        /// <exception cref="InputException">
+        /// The root link exists, but another link is missing, misplaced or scaled; or the root link is missing, but something is drawn below the rig.
+        /// </exception>
         public static RigHierarchy Find(RobotModel model, Transform rig)
         {
             var root = Below(rig, model.Root.Name);
@@ -78,7 +84,7 @@ namespace Nowpose.Unity.Robot
             return new RigHierarchy(model, links);
         }
 
-        // Rejects drawn objects, because another, motionless robot would be taken for this one. A tool may already be below the rig.
+        // Rejects drawn objects other than tools: the wearer could mistake another, motionless robot below the rig for this robot.
         static void RequireEmpty(RobotModel model, Transform rig, Transform at)
         {
             for (var i = 0; i < at.childCount; i++)
@@ -86,40 +92,35 @@ namespace Nowpose.Unity.Robot
                 var child = at.GetChild(i);
                 if (child.TryGetComponent<RobotRig>(out _) || child.TryGetComponent<VirtualGripper>(out _)) continue;
                 if (child.TryGetComponent<MeshFilter>(out _))
-                    throw new InputException("robot '" + model.Name + "': no object below '" + rig.name + "' has the name of its root link '"
-                        + model.Root.Name + "', but '" + at.name + "' is drawn there; name an object after each link of the URDF, "
-                        + "or remove this object so that the rig builds the robot");
+                    throw new InputException(RigMessages.NoRootLink(model.Name, rig.name, model.Root.Name, at.name));
                 RequireEmpty(model, rig, child);
             }
         }
 
-        // Objects between two links may group but not move, because a joint's origin is relative to the direct parent.
+        // Rejects transformed objects between two links, because the origin of a joint is relative to the parent link.
         static void RequireUnmoved(RobotModel model, Transform link, Transform parent)
         {
             for (var at = link.parent; at != parent; at = at.parent)
             {
-                if (at.localPosition.magnitude > Slack || IsTurned(at.localRotation) || IsScaled(at))
-                    throw new InputException("robot '" + model.Name + "': '" + at.name + "' is between the links '" + parent.name + "' and '"
-                        + link.name + "' and is moved, turned or scaled; reset its transform");
+                if (at.localPosition.magnitude > Tolerance || IsTurned(at.localRotation) || IsScaled(at))
+                    throw new InputException(RigMessages.MovedBetween(model.Name, at.name, parent.name, link.name));
             }
             if (IsScaled(link))
-                throw new InputException("robot '" + model.Name + "': link '" + link.name
-                    + "' is scaled, and so are its children; scale the visible object instead");
+                throw new InputException(RigMessages.ScaledLink(model.Name, link.name));
         }
 
-        static bool IsTurned(Quaternion q) => new Vector3(q.x, q.y, q.z).magnitude > Slack;
+        static bool IsTurned(Quaternion q) => new Vector3(q.x, q.y, q.z).magnitude > Tolerance;
 
-        static bool IsScaled(Transform at) => (at.localScale - Vector3.one).magnitude > Slack;
+        static bool IsScaled(Transform at) => (at.localScale - Vector3.one).magnitude > Tolerance;
 
         static InputException Missing(RobotModel model, RobotLink link, Transform rig)
         {
             var joint = link.ParentJoint;
             var where = Below(rig, link.Name) == null ? "is missing" : "is elsewhere";
-            return new InputException("robot '" + model.Name + "': below link '" + joint.ParentLink + "' in '" + rig.name + "' link '" + link.Name
-                + "' of joint '" + joint.Name + "' " + where + "; name an object after each link of the URDF and nest the objects in the same way");
+            return new InputException(RigMessages.MissingLink(model.Name, joint.ParentLink, rig.name, link.Name, joint.Name, where));
         }
 
-        // Skips other rigs: objects below them belong to them.
+        // Does not search below other rigs, because the objects there belong to those rigs.
         static Transform Below(Transform parent, string name)
         {
             for (var i = 0; i < parent.childCount; i++)

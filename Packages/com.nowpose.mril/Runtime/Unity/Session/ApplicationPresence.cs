@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Tracks whether the application is in the foreground, from the engine's messages.</summary>
+    /// <summary>Tracks, from Unity's messages, whether the application is paused or without focus.</summary>
     readonly struct ApplicationPresence
     {
         readonly bool _isPaused, _isUnfocused;
@@ -13,8 +13,8 @@ namespace Nowpose.Unity.Session
             _isUnfocused = isUnfocused;
         }
 
-        /// <summary>Whether it is paused, or without focus and not running in the background.</summary>
-        /// <remarks>In the editor, frames continue while the Inspector has the focus instead of the game view.</remarks>
+        /// <summary>Whether the application is paused, or has no focus and does not run in the background.</summary>
+        /// <remarks>A lost focus does not count in the editor, where frames continue while, for example, the Inspector has the focus.</remarks>
         public bool IsAway => _isPaused || (_isUnfocused && !Application.runInBackground && !Application.isEditor);
 
         public ApplicationPresence Paused(bool isPaused) => new ApplicationPresence(isPaused, _isUnfocused);

@@ -5,14 +5,15 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Calls an action right before each frame is rendered. The engine calls all handlers of this event in sequence, so exceptions are logged.</summary>
+    /// <summary>Calls an action right before each frame is rendered, and logs its exceptions.</summary>
+    /// <remarks>An exception must not leave the handler, because it would prevent the handlers of other components.</remarks>
     sealed class BeforeRender
     {
         readonly Object _context;
         readonly Action _action;
         readonly UnityAction _handler;
 
-        /// <param name="context">The object that the console selects when an exception is clicked.</param>
+        /// <param name="context">The object that a click on a logged exception selects.</param>
         public BeforeRender(Object context, Action action)
         {
             _context = context;
@@ -20,7 +21,7 @@ namespace Nowpose.Unity.Session
             _handler = Run;
         }
 
-        /// <summary>Whether the action is running.</summary>
+        /// <summary>Whether the action is running now.</summary>
         public bool IsNow { get; private set; }
 
         public void Begin() => Application.onBeforeRender += _handler;

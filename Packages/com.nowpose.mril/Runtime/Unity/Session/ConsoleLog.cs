@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Logs lines with the package's prefix. The context is the object that a click on the line selects.</summary>
+    /// <summary>Logs lines with the prefix of the package. The parameter context is the object that a click on the line selects.</summary>
     static class ConsoleLog
     {
-        /// <summary>Prefix of all lines; together with a constant text it causes no allocation.</summary>
+        /// <summary>Prefix of all lines. Concatenated with a constant, it does not allocate.</summary>
         public const string Prefix = "[Nowpose] ";
 
         public static void Info(Object context, string message) => Debug.Log(Prefix + message, context);

@@ -1,35 +1,35 @@
 using Nowpose.Kinematics;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Reports each description of the gateway once, because the gateway sends it again after each reconnection.</summary>
+    /// <summary>Reports each robot description from the gateway once. The gateway sends the same description after each reconnection.</summary>
     struct DescriptionWatch
     {
         RobotModel _newest;
         UrdfHash _reported;
         string _fault;
 
-        /// <summary>The robot that the gateway describes; null before the first description, and if an asset describes the robot.</summary>
+        /// <summary>The robot as described by the gateway; null before the first description, and if an asset describes the robot.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>Processes the session's newest description.</summary>
-        /// <param name="shown">The robot of the session; null for none.</param>
-        /// <param name="asset">Asset that describes the robot instead of the gateway; null for none.</param>
-        /// <returns>Whether <see cref="Robot"/> has changed, so that the session must restart.</returns>
+        /// <summary>Processes the newest description that the session has received.</summary>
+        /// <param name="shown">The robot of the session; null while it is unknown.</param>
+        /// <param name="asset">Asset that describes the robot in place of the gateway; null if there is none.</param>
+        /// <returns>True if <see cref="Robot"/> has changed. The session must then restart.</returns>
         public bool Follow(CompensationSession session, RobotModel shown, RobotDescriptionAsset asset, SessionLog log)
         {
             if (IsNews(session.RobotDescriptionFault))
-                log.Warn("the gateway's robot description cannot be used: " + session.RobotDescriptionFault);
+                log.Warn(SessionMessages.DescriptionUnusable(session.RobotDescriptionFault));
             var described = session.DescribedRobot;
             if (!IsNews(described, shown)) return false;
             if (asset != null)
             {
-                log.Warn("the gateway describes robot '" + described.Name + "' with a URDF that differs from asset '" + asset.name
-                    + "'; the displayed robot may differ from the real one");
+                log.Warn(SessionMessages.DescriptionDiffers(described.Name, asset.name));
                 return false;
             }
-            log.Info("the gateway describes robot '" + described.Name + "'");
+            log.Info(SessionMessages.Description(described.Name));
             Robot = described;
             return true;
         }

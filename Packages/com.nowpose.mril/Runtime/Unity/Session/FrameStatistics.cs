@@ -2,7 +2,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Statistics of a session, computed at most once per frame and only when they are read. The object is reused.</summary>
+    /// <summary>Computes the statistics of a session when they are read, at most once per frame.</summary>
     sealed class FrameStatistics
     {
         readonly SessionStatistics _statistics = new SessionStatistics();
@@ -15,7 +15,7 @@ namespace Nowpose.Unity.Session
             return _statistics;
         }
 
-        /// <summary>A new frame has begun.</summary>
+        /// <summary>Marks the statistics as out of date. Call it once per frame.</summary>
         public void Expire() => _isFilled = false;
     }
 }

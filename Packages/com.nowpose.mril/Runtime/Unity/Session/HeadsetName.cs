@@ -2,18 +2,20 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>The name of this headset at a gateway; it must be unique there.</summary>
+    /// <summary>Determines the name of this headset, which must be unique at a gateway.</summary>
     static class HeadsetName
     {
-        /// <summary>Maximum length in a gateway's list, in characters.</summary>
+        /// <summary>Maximum length in characters in the gateway's list of headsets.</summary>
         const int MaxLength = 64;
 
-        /// <summary>Returns the chosen name or the device's name in its system settings, cut to 64 characters. Main thread only.</summary>
-        /// <param name="chosen">Null or empty for the device's name.</param>
+        /// <summary>
+        /// Returns the chosen name, or the device's name in its system settings, truncated to 64 characters. Call it on the main thread only.
+        /// </summary>
+        /// <param name="chosen">The chosen name; null or empty selects the device's name.</param>
         public static string Of(string chosen)
         {
             var name = (string.IsNullOrEmpty(chosen) ? SystemInfo.deviceName ?? "" : chosen).Trim();
-            // Adapts an unsuitable device name silently, because the name is not a setting of this package.
+            // Does not report an unsuitable name, because the name of the device is not a setting of this package.
             if (name.Length == 0) return "headset";
             if (name.Length <= MaxLength) return name;
             return name.Substring(0, char.IsHighSurrogate(name[MaxLength - 1]) ? MaxLength - 1 : MaxLength);

@@ -3,7 +3,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>The display as components report it, for the running session and all later ones.</summary>
+    /// <summary>Stores the properties of the display that components report, and passes them to the running session and all later sessions.</summary>
     sealed class KeptDisplay
     {
         CompensationSession _session;
@@ -41,7 +41,8 @@ namespace Nowpose.Unity.Session
             }
         }
 
-        /// <param name="session">A new session; null when it has ended.</param>
+        /// <summary>Passes the stored properties to a new session.</summary>
+        /// <param name="session">The new session; null if the session has ended.</param>
         public void Follow(CompensationSession session)
         {
             _session = session;

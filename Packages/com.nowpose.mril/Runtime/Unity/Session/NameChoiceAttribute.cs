@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Shows a string field in the Inspector as a drop-down of names; the name itself is serialised.</summary>
+    /// <summary>Shows a string field in the Inspector as a drop-down list of names. The field serialises the name.</summary>
     abstract class NameChoiceAttribute : PropertyAttribute
     {
-        /// <summary>The names to choose from. The field may contain another one, for example from an older asset or a script.</summary>
+        /// <summary>The names in the list. The field may contain another name, for example from an older asset or a script.</summary>
         public abstract IReadOnlyList<string> Names { get; }
     }
 

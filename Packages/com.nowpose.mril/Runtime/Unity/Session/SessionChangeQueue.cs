@@ -4,10 +4,12 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Raises changes in their order: one that a listener causes is raised after all listeners have received the current one.</summary>
+    /// <summary>
+    /// Raises changes in order. If a listener causes another change, it is raised after all listeners have received the current change.
+    /// </summary>
     sealed class SessionChangeQueue
     {
-        // The initial capacity is sufficient, so that no frame allocates.
+        // The initial capacity is large enough, so no frame allocates.
         readonly Queue<SessionChange> _changes = new Queue<SessionChange>(4);
         readonly Action<SessionChange> _raise;
 

@@ -2,14 +2,16 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Logs changes of a session: once per change, never per frame.</summary>
+    /// <summary>Logs the changes of a session, each change once.</summary>
     sealed class SessionLog
     {
         readonly Object _context;
@@ -18,14 +20,17 @@ namespace Nowpose.Unity.Session
         int _beyondLimits;
         IReadOnlyList<ConditionMismatch> _mismatches = Array.Empty<ConditionMismatch>();
 
-        /// <param name="context">The object that the console selects when the line is clicked.</param>
+        /// <param name="context">The object that a click on a logged line selects.</param>
         public SessionLog(Object context) => _context = context;
 
         public void Info(string message) => ConsoleLog.Info(_context, message);
         public void Warn(string message) => ConsoleLog.Warn(_context, message);
         public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
-        /// <summary>Logs changes of the connections, limits, profile and versions. Allocates only if there is a change.</summary>
+        /// <summary>
+        /// Logs changes of the connections, of the limits, of the conditions of the latency profile, and of the versions. Call it in each frame; it
+        /// allocates only if something has changed.
+        /// </summary>
         public void Follow(CompensationSession session)
         {
             Follow(session.SyncLink, "clock sync", ref _sync);
@@ -34,36 +39,38 @@ namespace Nowpose.Unity.Session
             _followed = session;
             for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
             Follow(session.ProfileMismatches);
-            // Each connection reports it again: the same mismatch is logged once.
+            // Each reconnection reports a version mismatch again. Log the same mismatch only once.
             var versions = session.VersionMismatch;
             if (versions != null && versions != _versions) Warn(_versions = versions);
         }
 
-        /// <summary>Logs a change. Allocates only for display times of the runtime and for joints without data; other texts are constants.</summary>
-        /// <param name="session">Null if it has ended.</param>
+        /// <summary>
+        /// Logs a change of state. Allocates only for implausible display times and for joints without data; the other texts are constants.
+        /// </summary>
+        /// <param name="session">The session; null if it has ended.</param>
         /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
         public void Log(SessionChange change, CompensationSession session, SessionStatistics statistics)
         {
             if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
             if ((change & SessionChange.Lost) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + "clock synchronisation lost; poses are not current", _context);
+                Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.SynchronisationLost, _context);
             if ((change & SessionChange.EnteredRange) != 0)
-                Debug.Log(ConsoleLog.Prefix + "render time within the constant-latency range", _context);
+                Debug.Log(ConsoleLog.Prefix + SessionMessages.WithinRange, _context);
             if ((change & SessionChange.LeftRange) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
+                Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.BeyondRange, _context);
             if ((change & SessionChange.DisplayTimeInconsistent) != 0)
                 Debug.LogWarning(
-                    ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again", _context);
-            if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));
+                    ConsoleLog.Prefix + SessionMessages.LatenciesDiffer, _context);
+            if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayMessages.ImplausibleTimes(session?.DisplayTimeAhead));
             if ((change & SessionChange.DisplayTimePlausible) != 0)
-                Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);
-            if ((change & SessionChange.Stale) != 0) Warn("joint positions are stale; the pose is held" + MissingJointsOf(statistics));
+                Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
+            if ((change & SessionChange.Stale) != 0) Warn(SessionMessages.Stale(MissingJointsOf(statistics)));
         }
 
         static string MissingJointsOf(SessionStatistics statistics)
         {
             var joints = statistics == null ? "" : JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-            return joints.Length == 0 ? "" : ": " + joints;
+            return joints;
         }
 
         void Follow(IReadOnlyList<ConditionMismatch> mismatches)
@@ -74,7 +81,7 @@ namespace Nowpose.Unity.Session
             _mismatches = mismatches;
         }
 
-        // Logs a reason once while the link retries for the same reason.
+        // While a link retries for the same reason, logs the reason only once.
         void Follow(LinkStatus link, string name, ref string logged)
         {
             if (link.State == LinkState.Connecting || link.Detail == logged) return;

@@ -1,27 +1,28 @@
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
     static class SessionSearch
     {
-        // Stateless, so one instance is shared.
+        // The clock has no state, so all callers share one instance.
         static readonly IHeadsetClock DeviceClock = new StopwatchHeadsetClock();
 
-        /// <returns>The assigned session, else the one on the component's object or above it; null if there is none.</returns>
+        /// <summary>Returns the assigned session, or else the session on the component's object or a parent; null if there is none.</summary>
         public static MrilSession SessionOr(this Component component, MrilSession assigned) =>
             assigned != null ? assigned : component.GetComponentInParent<MrilSession>();
 
-        /// <summary>Gets the session of a component that needs one. Warns if there is none.</summary>
+        /// <summary>Returns the same session as <see cref="SessionOr"/>, for a component that needs one. Logs a warning if there is none.</summary>
         /// <param name="kind">Kind of the component, for example "status panel".</param>
         public static MrilSession RequiredSession(this Component component, MrilSession assigned, string kind)
         {
             var session = component.SessionOr(assigned);
             if (session == null)
-                ConsoleLog.Warn(component, kind + " '" + component.name + "' has no session on its object or a parent; assign one");
+                ConsoleLog.Warn(component, ComponentMessages.ComponentWithoutSession(kind, component.name));
             return session;
         }
 
-        /// <returns>The session's headset clock; the device's own without a session, or if it was destroyed.</returns>
+        /// <summary>Returns the headset clock of the session; a stopwatch if the session is null or destroyed.</summary>
         public static IHeadsetClock ClockOrDevices(this MrilSession session) => session != null ? session.HeadsetClock : DeviceClock;
     }
 }

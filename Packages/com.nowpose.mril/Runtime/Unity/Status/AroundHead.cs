@@ -2,10 +2,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>A position around an upright viewer: direction, distance and height.</summary>
+    /// <summary>A position relative to the head of a viewer, in cylindrical coordinates: azimuth, horizontal distance and height.</summary>
     readonly struct AroundHead
     {
-        /// <summary>Vertical component of the view direction above which the top of the head determines the heading.</summary>
+        /// <summary>
+        /// Vertical component of the viewing direction from which on it is too steep to give a heading; the top of the head then gives it.
+        /// </summary>
         const float Steep = 0.95f;
 
         public AroundHead(float azimuth, float distance, float height)
@@ -24,14 +26,14 @@ namespace Nowpose.Unity.Status
         /// <summary>Height above the eyes in metres.</summary>
         public float Height { get; }
 
-        /// <summary>Returns the position of a point relative to a head.</summary>
+        /// <summary>Returns the position of a point in the world relative to a head.</summary>
         public static AroundHead Of(Vector3 point, Vector3 head)
         {
             var way = point - head;
             return new AroundHead(AzimuthOf(way), Mathf.Sqrt(way.x * way.x + way.z * way.z), way.y);
         }
 
-        /// <summary>Returns the heading of a head in degrees, independent of its nod and tilt.</summary>
+        /// <summary>Returns the heading of a head, as an azimuth in degrees, independent of its pitch and roll.</summary>
         public static float HeadingOf(Quaternion head)
         {
             var forward = head * Vector3.forward;
@@ -39,7 +41,7 @@ namespace Nowpose.Unity.Status
             return AzimuthOf(head * Vector3.up * -Mathf.Sign(forward.y));
         }
 
-        /// <summary>Returns the pose in the world, upright and facing the head.</summary>
+        /// <summary>Returns the pose in the world of an upright object at this position, whose front side is turned towards the head.</summary>
         public Pose From(Vector3 head)
         {
             var turn = Quaternion.Euler(0, Azimuth, 0);

@@ -4,8 +4,8 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>The status panel's texts about the base.</summary>
-    /// <remarks>A note is created only for a new lock; the texts for a marker's displacement are preallocated.</remarks>
+    /// <summary>Texts about the robot's base on the status panel.</summary>
+    /// <remarks>Allocates only when the base is locked again or its message changes. The texts for displacements are preallocated.</remarks>
     sealed class BaseTexts
     {
         static readonly NumberTexts Millimetres = new NumberTexts("", " mm off", (1, 0, 0));
@@ -37,8 +37,8 @@ namespace Nowpose.Unity.Status
             return _note;
         }
 
-        /// <summary>Returns the instruction for the user; null if there is none.</summary>
-        /// <param name="anchor">Null for none.</param>
+        /// <summary>Returns the instruction to the user; null if the user need not do anything.</summary>
+        /// <param name="anchor">The anchor of the base; null if there is none.</param>
         public string FaultOf(BaseAnchor anchor)
         {
             if (anchor == null || anchor.State == BaseAnchorState.Placed) return null;
@@ -48,7 +48,7 @@ namespace Nowpose.Unity.Status
             return _fault;
         }
 
-        // The base is locked, but there is something to report.
+        // Returns whether there is something to report although the base is locked.
         static bool IsWrong(BaseTracker tracker) => tracker != null && (tracker.Conflict != null || tracker.Problem != null || tracker.IsCorrected);
 
         static double Worst(BaseTracker tracker)

@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// Computes the pose of a panel that follows its reader's body: it stays in place in the world until the head has turned or moved too
-    /// far, then glides in front of it, and stays again.
+    /// Computes the pose of a panel that follows its reader. The panel stays in place in the world until the head has turned or moved too far.
+    /// Then it glides to a place in front of the head and stays there.
     /// </summary>
     struct BodyFollowing
     {
@@ -15,7 +15,11 @@ namespace Nowpose.Unity.Status
 
         public bool IsGliding { get; private set; }
 
-        /// <returns>The new pose; exactly the current one unless the panel glides. The first pose is in front of the head.</returns>
+        /// <summary>Computes the pose of the panel for the next frame. The first call places the panel in front of the head.</summary>
+        /// <param name="panel">Current pose of the panel.</param>
+        /// <param name="head">Current pose of the head.</param>
+        /// <param name="seconds">Duration of the frame in s.</param>
+        /// <returns>The new pose; equal to <paramref name="panel"/> while the panel stays in place.</returns>
         public Pose Next(Pose panel, Pose head, in FollowSettings settings, float seconds)
         {
             var below = settings.DegreesBelow * Mathf.Deg2Rad;
@@ -28,7 +32,7 @@ namespace Nowpose.Unity.Status
             }
             var place = AroundHead.Of(panel.position, head.position);
             if (!IsGliding && place.IsWithin(settings.TurnDegrees, settings.MoveMetres, goal)) return panel;
-            // A started glide continues to its end; otherwise the panel would stop at the limit and restart with every nod.
+            // Continues a glide to its end. If it stopped at the limit, the panel would start to glide again at each small movement of the head.
             place = place.Towards(goal, 1 - Mathf.Exp(-seconds / settings.GlideSeconds));
             IsGliding = !place.IsWithin(SettledDegrees, SettledMetres, goal);
             return place.From(head.position);

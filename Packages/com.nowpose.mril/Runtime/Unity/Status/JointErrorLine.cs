@@ -6,14 +6,19 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>The share of each joint's error that is removed, in one line; the text is created only if a number in it changes.</summary>
+    /// <summary>
+    /// Lists, in one line, the percentage of each joint's error that the prediction removes. Creates the text only when a number in it changes.
+    /// </summary>
     sealed class JointErrorLine
     {
         readonly StringBuilder _builder = new StringBuilder();
         (int? Reduction, int? Uncertainty)[] _percents = Array.Empty<(int?, int?)>();
         string _text = "";
 
-        /// <summary>Returns "arm_joint_1 92 ± 3 %, …" from the base on. A joint at rest or unknown has no number. Empty without joints.</summary>
+        /// <summary>
+        /// Returns a text like "arm_joint_1 92 ± 3 %, …", in the order from the base. A joint whose error is unknown, for example because it is at
+        /// rest, has no number. Empty if there are no joints.
+        /// </summary>
         public string Of(IReadOnlyList<JointError> joints)
         {
             var isSame = joints.Count == _percents.Length;

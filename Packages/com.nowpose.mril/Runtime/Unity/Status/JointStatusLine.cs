@@ -5,8 +5,11 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>The joints that are not live, in one line; changed only when a joint, a state or a reason changes.</summary>
-    /// <remarks>Shows the time of day at which a state began: unlike its age, that text is constant, so that frames allocate nothing.</remarks>
+    /// <summary>Lists the joints without current data in one line. Creates a new text only when a joint, a state or a reason changes.</summary>
+    /// <remarks>
+    /// The line gives the time of day at which a state began and not its age. The age would change the text continuously, and each new text
+    /// allocates.
+    /// </remarks>
     sealed class JointStatusLine
     {
         static readonly TimeSpan Tolerance = TimeSpan.FromSeconds(1);
@@ -18,7 +21,7 @@ namespace Nowpose.Unity.Status
         readonly Func<JointStatus, string> _describe;
         string _text;
 
-        /// <param name="isOfMissing">True to describe joints without data, false for those that are assumed at rest.</param>
+        /// <param name="isOfMissing">True to list joints without data; false to list joints that are assumed to be at rest.</param>
         /// <param name="wallClock">Returns the local time.</param>
         public JointStatusLine(bool isOfMissing, Func<DateTime> wallClock)
         {
@@ -27,8 +30,8 @@ namespace Nowpose.Unity.Status
             _describe = joint => joint.DescriptionSince(TimeOf(joint));
         }
 
-        /// <summary>Returns the line; null if there is nothing to describe.</summary>
-        /// <param name="statistics">Null without a session.</param>
+        /// <summary>Returns the line; null if there are no joints to list.</summary>
+        /// <param name="statistics">Statistics of the session; null if there is no session.</param>
         public string Of(SessionStatistics statistics)
         {
             _chosen.Clear();
@@ -40,7 +43,7 @@ namespace Nowpose.Unity.Status
             return _text = _chosen.Count == 0 ? null : JointStatusText.Of(_chosen, _describe);
         }
 
-        // Before the first sample of any joint, the row of the pose contains the same information.
+        // Before the first sample of any joint, the panel's row for the pose already says so.
         bool IsDescribed(in JointStatus joint, long samples) => joint.IsMissing == _isOfMissing && (samples > 0 || joint.Since.HasValue);
 
         string TimeOf(in JointStatus joint)
@@ -59,7 +62,8 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        // The time of day is known only if the clock is. A gateway may recompute the start of a state for each report.
+        // A joint has an age only while the clock is known. The tolerance is needed because the gateway may calculate the start of a state anew for
+        // each report.
         static bool IsSame(in JointStatus a, in JointStatus b) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
             && a.Age.HasValue == b.Age.HasValue && !((a.Since - b.Since)?.Duration() > Tolerance);
     }

@@ -1,11 +1,15 @@
 using System.Collections.Generic;
 using Nowpose.Latency;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Describes the origin of L_visu: a measurement, a condition that has changed since, a prediction, or the settings.</summary>
-    /// <remarks>Allocates only if the profile has changed.</remarks>
+    /// <summary>
+    /// Describes the origin of L_visu: the runtime, the settings, or a measurement with its method and date. If a condition has changed since
+    /// the measurement, names the condition.
+    /// </summary>
+    /// <remarks>Allocates only when the profile or its mismatches have changed.</remarks>
     sealed class LatencyOrigin
     {
         LatencyProfile _profile;
@@ -15,14 +19,14 @@ namespace Nowpose.Unity.Status
         public string Of(SessionStatistics statistics)
         {
             if (statistics.IsDisplayTimeImplausible) return "runtime's are implausible";
-            if (statistics.IsDisplayTimeInconsistent) return "runtime and calibration differ";
-            if (statistics.IsLightPredicted) return "predicted by the runtime";
+            if (statistics.IsDisplayTimeInconsistent) return StatusMessages.LatenciesDiffer;
+            if (statistics.IsLightPredicted) return StatusMessages.LatencyPredicted;
             if (statistics.Profile == null) return "as set";
             if (statistics.Profile != _profile || statistics.ProfileMismatches != _mismatches)
             {
                 _profile = statistics.Profile;
                 _mismatches = statistics.ProfileMismatches;
-                _measured = _mismatches.Count > 0 ? "other " + _mismatches[0].Label : CalibrationWords.OriginOf(_profile);
+                _measured = _mismatches.Count > 0 ? "other " + _mismatches[0].Label : CalibrationMessages.OriginOf(_profile);
             }
             return _measured;
         }

@@ -1,8 +1,9 @@
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Widths of letters in Unity's built-in font, as a share of the font size.</summary>
+    /// <summary>Widths of characters in Unity's built-in font, as a fraction of the font size.</summary>
     /// <remarks>
-    /// Advance widths of Liberation Sans, which equal those of Arial. Letters that are not listed count as the widest ones. No kerning.
+    /// The values are the advance widths of Liberation Sans, which equal those of Arial. A character that is not listed has the width of the
+    /// widest one. Kerning is ignored.
     /// </remarks>
     static class LetterWidths
     {
@@ -19,7 +20,7 @@ namespace Nowpose.Unity.Status
 
         public static float Of(char letter) => letter < Ascii.Length ? Ascii[letter] : Find(letter);
 
-        /// <summary>Returns the width of a line, as a multiple of the font size.</summary>
+        /// <summary>Returns the width of a line as a multiple of the font size.</summary>
         public static float Of(string line)
         {
             var width = 0f;

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Preallocated texts of numbers: a change of the displayed number allocates nothing.</summary>
+    /// <summary>Converts numbers to preallocated texts. The conversion does not allocate.</summary>
     sealed class NumberTexts
     {
         /// <summary>Text of an unknown number.</summary>
@@ -14,8 +14,8 @@ namespace Nowpose.Unity.Status
         readonly string _beyond, _below;
 
         /// <param name="before">Text before each number.</param>
-        /// <param name="after">Text after each number: the unit.</param>
-        /// <param name="decimals">Number of decimals below 1, below 100 and below 1000.</param>
+        /// <param name="after">Text after each number, for example the unit.</param>
+        /// <param name="decimals">Number of decimals for numbers below 1, below 100 and below 1000.</param>
         public NumberTexts(string before, string after, (int Below1, int Below100, int Below1000) decimals)
         {
             _bands = new[]
@@ -30,7 +30,7 @@ namespace Nowpose.Unity.Status
             for (var i = 0; i < _negative.Length; i++) _negative[i] = before + "−" + i.ToString(CultureInfo.InvariantCulture) + after;
         }
 
-        /// <summary>Returns the text of a number; negative numbers are rounded to integers.</summary>
+        /// <summary>Returns the text for a number. Negative numbers are rounded to integers.</summary>
         public string Of(double? number)
         {
             if (!number.HasValue || double.IsNaN(number.Value)) return Unknown;
@@ -62,7 +62,7 @@ namespace Nowpose.Unity.Status
                     _texts[i] = before + (i / _perStep).ToString(format, CultureInfo.InvariantCulture) + after;
             }
 
-            /// <summary>Finds the text; returns false for a number that rounds to the next band's first number or above.</summary>
+            /// <summary>Finds the text for a number. Returns false if the rounded number does not belong to this band.</summary>
             public bool TryFind(double number, out string text)
             {
                 var index = Math.Round(number * _perStep);

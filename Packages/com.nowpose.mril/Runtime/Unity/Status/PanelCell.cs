@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>One text of a panel. Written only when it changes, because a new text costs a mesh and reading the text costs a string.</summary>
+    /// <summary>One text of a panel. Remembers the displayed text: setting a text builds a mesh, and reading it allocates a string.</summary>
     struct PanelCell
     {
         readonly TextMesh _mesh;
@@ -21,7 +21,8 @@ namespace Nowpose.Unity.Status
             _shown = text;
         }
 
-        /// <param name="top">Upper edge, in the parent's units.</param>
+        /// <summary>Moves the text vertically.</summary>
+        /// <param name="top">New upper edge, in units of the parent.</param>
         public void MoveTo(float top)
         {
             if (_mesh == null) return;

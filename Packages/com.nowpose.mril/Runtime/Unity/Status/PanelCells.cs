@@ -2,29 +2,30 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>The texts and the background of a status panel. One unit is the font size; the origin is the panel's position.</summary>
+    /// <summary>Creates and arranges the texts and the background of a status panel.</summary>
     /// <remarks>
-    /// The lower edge is fixed. Rows are above it in their order, the message above them; the background ends above the shown rows.
+    /// The unit of length is the font size, and the origin is the position of the panel. The lower edge is fixed. The rows are above it, and the
+    /// message is above the rows. The height of the background fits the shown rows.
     /// </remarks>
     sealed class PanelCells
     {
         /// <summary>
-        /// Lower edge of the background relative to the panel's position. With a bar of 3 units below it, the rows are centred about that
-        /// position. If it is 6° below the horizon, the bar ends at 13.8°.
+        /// Lower edge of the background relative to the panel's position. With this value, the rows and a bar of 3 units below them are together
+        /// centred at the panel's position. If this position is 6° below the horizon, the bar ends at 13.8°.
         /// </summary>
         public const float LowerEdge = -7;
 
         const string Name = "Cells";
 
-        /// <summary>Distance of two rows, and of two lines of the message (the font's own line spacing).</summary>
+        /// <summary>Distance between two rows, and between two lines of the message. The latter is the line spacing of the font.</summary>
         const float RowHeight = 1.25f, LineHeight = 1.15f;
 
         const float GapBelowMessage = 0.4f;
 
-        /// <summary>Margin of the background around the letters, and its distance behind them.</summary>
+        /// <summary>Margin of the background around the texts, and distance of the background behind the texts.</summary>
         const float Margin = 0.75f, Behind = 0.5f;
 
-        /// <summary>Left edges of labels, values and notes, and the common right edge.</summary>
+        /// <summary>Left edges of the columns for labels, values and notes, and the right edge of the last column.</summary>
         static readonly float[] Columns = { 0, 7.4f, 17, 30 };
 
         readonly Transform _sheet;
@@ -35,8 +36,8 @@ namespace Nowpose.Unity.Status
         readonly PanelCell[] _notes = new PanelCell[StatusTexts.Rows];
 
         /// <param name="panel">Parent of the texts.</param>
-        /// <param name="model">The text to copy.</param>
-        /// <param name="ground">Material of the background; null for none.</param>
+        /// <param name="model">Text object to copy for each text.</param>
+        /// <param name="ground">Material of the background; null for a panel without background.</param>
         public PanelCells(Transform panel, TextMesh model, Material ground)
         {
             _model = model;
@@ -59,12 +60,12 @@ namespace Nowpose.Unity.Status
         /// <summary>Maximum width of a note.</summary>
         public static float NoteWidth => Columns[3] - Columns[2];
 
-        /// <summary>Removes cells that another object has created below the panel.</summary>
+        /// <summary>Removes the texts that an earlier instance of this class has created below a panel.</summary>
         public static void RemoveFrom(Transform panel)
         {
             var left = panel.Find(Name);
             if (left == null) return;
-            // Deactivated and detached first, because they are destroyed only at the end of the frame.
+            // Destroy takes effect at the end of the frame. Deactivates and detaches the texts first, so that they neither appear nor are found.
             left.gameObject.SetActive(false);
             left.SetParent(null, worldPositionStays: false);
             Object.Destroy(left.gameObject);
@@ -78,7 +79,7 @@ namespace Nowpose.Unity.Status
             if (_ground != null) _ground.enabled = true;
         }
 
-        /// <summary>Hides the cells until the next <see cref="Show(StatusTexts)"/>.</summary>
+        /// <summary>Hides the texts and the background until the next <see cref="Show(StatusTexts)"/>.</summary>
         public void Hide()
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++) Show(row, "", "", "");
@@ -90,7 +91,8 @@ namespace Nowpose.Unity.Status
             if (_sheet != null) Object.Destroy(_sheet.gameObject);
         }
 
-        /// <param name="size">Font size, in units of the panel's own scale.</param>
+        /// <summary>Sets the font size of all texts.</summary>
+        /// <param name="size">Font size, in units of the panel's transform.</param>
         public void Resize(float size) => _sheet.localScale = Vector3.one * size;
 
         void Show(StatusRow row, string label, string value, string note)
@@ -100,7 +102,7 @@ namespace Nowpose.Unity.Status
             _notes[(int)row].Show(note);
         }
 
-        // Arranges the rows from the bottom, so that only the upper edge moves when a row or a line of the message is added or removed.
+        // Arranges the rows from the bottom to the top. When a row or a line of the message appears, only the upper edge of the panel moves.
         void Arrange(StatusTexts texts)
         {
             var top = LowerEdge + Margin;

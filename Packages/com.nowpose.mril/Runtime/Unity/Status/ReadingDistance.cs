@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// Maximum distance at which a text is legible: at least the viewer's distance. It changes in steps, because letters that
-    /// change their size continuously are illegible.
+    /// Distance for which the size of a text is chosen. It is never less than the distance of the viewer. It changes in steps, because letters
+    /// that change their size continuously are illegible.
     /// </summary>
     struct ReadingDistance
     {
@@ -15,7 +15,9 @@ namespace Nowpose.Unity.Status
         /// <summary>Distance in metres; 0 before the first <see cref="Update"/>.</summary>
         public float Metres { get; private set; }
 
-        /// <returns>Whether <see cref="Metres"/> has changed.</returns>
+        /// <summary>Adapts the distance to the current distance of the viewer.</summary>
+        /// <param name="distance">Distance of the viewer in metres.</param>
+        /// <returns>True if <see cref="Metres"/> has changed.</returns>
         public bool Update(float distance)
         {
             distance = Mathf.Max(distance, Nearest);
@@ -24,7 +26,7 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        /// <summary>Turns a text towards the viewer, and scales it.</summary>
+        /// <summary>Turns a text towards the viewer, and scales it to be legible from there.</summary>
         public void Face(TextMesh text, Vector3 viewer)
         {
             var place = text.transform;
@@ -32,7 +34,7 @@ namespace Nowpose.Unity.Status
             if (Update(Vector3.Distance(place.position, viewer))) Scale(place, LetterSize.At(Metres) / LetterSize.Of(text));
         }
 
-        /// <summary>Sets an object's size in the world, independent of its parents' scale.</summary>
+        /// <summary>Sets the scale of an object in the world, independent of the scale of its parents.</summary>
         public static void Scale(Transform place, float size)
         {
             var above = place.parent != null ? Mathf.Abs(place.parent.lossyScale.x) : 1;

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Rows of the status panel, from the top; the message is above them.</summary>
+    /// <summary>Rows of the status panel in order from the top, and the message, which is above all rows.</summary>
     enum StatusRow
     {
         Pose,
@@ -16,10 +16,10 @@ namespace Nowpose.Unity.Status
         Robot,
         Base,
 
-        /// <summary>Objects and signals of the cell; uses no space where the scene shows none.</summary>
+        /// <summary>Objects and signals of the cell. The row takes no space if the scene shows none.</summary>
         Objects,
 
-        /// <summary>Description of the problem. Uses the whole width above the other rows, and no space without a text.</summary>
+        /// <summary>Description of a problem, or other text, in the full width above the rows. It takes no space if there is no text.</summary>
         Message,
     }
 }

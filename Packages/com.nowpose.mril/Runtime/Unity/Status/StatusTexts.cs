@@ -1,25 +1,27 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>The texts of the status panel: a value and a note per row. "!" marks a problem, "–" an unknown value.</summary>
+    /// <summary>Determines the texts of the status panel: a value and a note for each row. "!" marks a problem, "–" an unknown value.</summary>
     /// <remarks>
-    /// All texts except the message are preallocated. <see cref="Update"/> allocates only when the message or the profile changes, when a
-    /// joint's number changes while joints are shown, or when the state of a joint changes.
+    /// Most texts are preallocated. <see cref="Update"/> allocates only when the message, the latency profile or the state of a joint changes,
+    /// and, while the errors of the joints are shown, when one of their numbers changes.
     /// </remarks>
     sealed class StatusTexts
     {
         public const int Rows = (int)StatusRow.Message + 1;
 
-        /// <summary>Maximum number of lines of the message. The log contains the whole text.</summary>
+        /// <summary>Maximum number of lines of the message. A longer message is shortened here, but complete in the log.</summary>
         public const int MaxMessageLines = 8;
 
         const string Unknown = NumberTexts.Unknown;
@@ -30,7 +32,7 @@ namespace Nowpose.Unity.Status
         };
 
         static readonly string[] Poses = WordsOfPoses();
-        static readonly string HeldOutside = "! " + PoseWords.Of(PoseState.OutsideRange, OutsideRangeResponse.Hold);
+        static readonly string HeldOutside = "! " + PoseMessages.Of(PoseState.OutsideRange, OutsideRangeResponse.Hold);
 
         static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
         static readonly NumberTexts MarkedMilliseconds = new NumberTexts("! ", " ms", (2, 1, 0));
@@ -57,7 +59,7 @@ namespace Nowpose.Unity.Status
 
         public StatusTexts() : this(() => DateTime.Now) { }
 
-        /// <param name="wallClock">Returns the local time, for the times at which a joint's data stopped.</param>
+        /// <param name="wallClock">Returns the local time. It is used to show the time of day at which a joint's data stopped.</param>
         public StatusTexts(Func<DateTime> wallClock)
         {
             _missingJoints = new JointStatusLine(isOfMissing: true, wallClock);
@@ -65,7 +67,7 @@ namespace Nowpose.Unity.Status
             Update(null, null, null, null);
         }
 
-        /// <summary>Whether the removed share of each joint's error is shown while there is no other message.</summary>
+        /// <summary>Whether the message shows the error reduction of each joint while there is nothing else to show.</summary>
         public bool ShowsJointErrors { get; set; }
 
         public static string LabelOf(StatusRow row) => Labels[(int)row];
@@ -74,17 +76,18 @@ namespace Nowpose.Unity.Status
 
         public string NoteOf(StatusRow row) => _notes[(int)row];
 
-        /// <summary>Returns whether a row has a value or a note. Other rows take no space.</summary>
+        /// <summary>Returns whether a row has a value or a note. A row without both takes no space.</summary>
         public bool IsShown(StatusRow row) =>
             !string.IsNullOrEmpty(_values[(int)row]) || !string.IsNullOrEmpty(_notes[(int)row]);
 
-        /// <param name="statistics">Null without a session.</param>
-        /// <param name="settings">Null if they are unknown.</param>
+        /// <summary>Updates all texts.</summary>
+        /// <param name="statistics">Statistics of the session; null if there is no session.</param>
+        /// <param name="settings">Settings of the session; null if they are unknown.</param>
         /// <param name="robot">Name of the robot; null if it is unknown.</param>
-        /// <param name="problem">Why no session exists; null unless there is a problem.</param>
-        /// <param name="anchor">Anchor of the base; null for none.</param>
-        /// <param name="pairing">Pairing of the session; null for none.</param>
-        /// <param name="parts">Shown objects and signals of the cell; null for none.</param>
+        /// <param name="problem">Reason why the session could not start; null if there is no problem.</param>
+        /// <param name="anchor">Anchor of the base; null if there is none.</param>
+        /// <param name="pairing">Pairing of the session; null if there is none.</param>
+        /// <param name="parts">Shown objects and signals of the cell; null if there are none.</param>
         public void Update(
             SessionStatistics statistics, SessionSettings settings, string robot, string problem, BaseAnchor anchor = null,
             CellPairing pairing = null, ShownParts parts = null)
@@ -102,11 +105,11 @@ namespace Nowpose.Unity.Status
             parts?.Update();
             Set(StatusRow.Objects, parts?.Summary ?? "", NoteOf(parts));
             var isPairing = pairing != null;
-            // The pairing comes first, because connections and base depend on it.
+            // Problems of the pairing come first, because the connections and the base depend on the pairing.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? DisplayWords.ProblemOf(statistics) ?? statistics?.VersionMismatch;
+                ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch;
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
@@ -125,15 +128,16 @@ namespace Nowpose.Unity.Status
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayWords.IsMismatched(statistics);
+            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayMessages.IsMismatched(statistics);
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
-            Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
+            Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeNames.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), ReasonOf(statistics.RangeUnknownReason));
             UpdateError(statistics.ToolError, WithheldErrors.WordsOf(statistics.ErrorWithheld) ?? "");
         }
 
-        /// <param name="withheld">Why there is no error; empty unless it is withheld.</param>
+        /// <param name="error">The error of the tool; null if it is unknown.</param>
+        /// <param name="withheld">Reason why the error is unknown; empty if there is no particular reason.</param>
         void UpdateError(DisplayedError? error, string withheld)
         {
             var uncertainty = error?.ReductionUncertainty;
@@ -141,7 +145,7 @@ namespace Nowpose.Unity.Status
             Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : withheld);
         }
 
-        // A name may be of any length.
+        // Shortens the name of the robot, which may have any length.
         string NoteOf(string robot)
         {
             if (robot != _robot) _robotNote = WrappedText.Of(robot ?? "", PanelCells.NoteWidth, lines: 1);
@@ -149,7 +153,7 @@ namespace Nowpose.Unity.Status
             return _robotNote ?? "";
         }
 
-        // Also a name of any length.
+        // Shortens the fault, which contains a name of any length.
         string NoteOf(ShownParts parts)
         {
             var fault = parts?.FirstFault ?? "";
@@ -158,10 +162,10 @@ namespace Nowpose.Unity.Status
             return _partNote ?? "";
         }
 
-        // While the robot is not current either, the row of the pose contains the same information.
+        // While the robot itself is not current, its row already reports the cause, so faults of objects are not shown.
         static string FaultOf(ShownParts parts, SessionStatistics statistics) => statistics?.Pose == PoseState.Current ? parts?.Faults : null;
 
-        // Evaluated only for new settings, because reading an address allocates.
+        // Reads the address only if the settings are new, because reading allocates.
         void Follow(SessionSettings settings)
         {
             if (settings == _settings) return;
@@ -191,21 +195,21 @@ namespace Nowpose.Unity.Status
         static string[] WordsOfPoses()
         {
             var words = new string[(int)PoseState.Current + 1];
-            for (var pose = PoseState.Incomplete; pose < PoseState.Current; pose++) words[(int)pose] = "! " + PoseWords.Of(pose);
-            words[(int)PoseState.Current] = PoseWords.Of(PoseState.Current);
+            for (var pose = PoseState.Incomplete; pose < PoseState.Current; pose++) words[(int)pose] = "! " + PoseMessages.Of(pose);
+            words[(int)PoseState.Current] = PoseMessages.Of(PoseState.Current);
             return words;
         }
 
-        /// <summary>Returns why a pose is not current; empty if it is.</summary>
+        /// <summary>Returns the reason why a pose is not current; empty if it is current.</summary>
         public static string ReasonOf(PoseState pose)
         {
             switch (pose)
             {
                 case PoseState.Current: return "";
-                case PoseState.OutsideRange: return "rendering takes too long";
-                case PoseState.Held: return "too few recent samples";
+                case PoseState.OutsideRange: return StatusMessages.RenderingTooLong;
+                case PoseState.Held: return StatusMessages.TooFewSamples;
                 case PoseState.Unsynchronised: return "time not known";
-                default: return "a joint has no samples";
+                default: return StatusMessages.JointWithoutSamples;
             }
         }
 
@@ -235,16 +239,16 @@ namespace Nowpose.Unity.Status
         {
             switch (reason)
             {
-                case RangeUnknownReason.NoLimit: return "no limit is known";
+                case RangeUnknownReason.NoLimit: return StatusMessages.NoLimit;
                 case RangeUnknownReason.NoRenderTime: return "not measured";
                 case RangeUnknownReason.TooFewFrames: return "measuring";
-                case RangeUnknownReason.OtherSource: return "limit of another source";
+                case RangeUnknownReason.OtherSource: return StatusMessages.OtherSourceLimit;
                 case RangeUnknownReason.BeyondMeasured: return "beyond measured range";
                 default: return "";
             }
         }
 
-        // Shows the worse of the two connections.
+        // Describes the worse of the two connections (clock and samples).
         static string ConnectionOf(SessionStatistics statistics)
         {
             var (sync, samples) = (statistics.SyncLink.State, statistics.SampleLink.State);

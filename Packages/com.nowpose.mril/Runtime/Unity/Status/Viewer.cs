@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>The viewer of the scene.</summary>
+    /// <summary>Finds the head of the viewer, and turns texts towards it.</summary>
     static class Viewer
     {
-        /// <summary>The main camera, which is the wearer's head; null if there is none.</summary>
+        /// <summary>Transform of the main camera, which is the wearer's head; null if the scene has no main camera.</summary>
         public static Transform Head
         {
             get
@@ -15,7 +15,7 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        /// <summary>Returns the upright rotation with which a text faces the viewer: the engine's texts are read along their z axis.</summary>
+        /// <summary>Returns the upright rotation with which a text faces the viewer. The z axis of a text points away from its reader.</summary>
         public static Quaternion Facing(Vector3 text, Vector3 viewer)
         {
             var away = text - viewer;

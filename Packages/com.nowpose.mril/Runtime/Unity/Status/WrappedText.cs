@@ -2,13 +2,14 @@ using System.Text;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Wraps a line between words, which a TextMesh does not do. A word that is wider than a line is split.</summary>
+    /// <summary>Wraps a text into lines, because a TextMesh does not wrap. Splits a word only if it is wider than a line.</summary>
     static class WrappedText
     {
         const char Ellipsis = '…';
 
-        /// <param name="width">Maximum width of a line, as a multiple of the font size: 2 or more.</param>
-        /// <param name="lines">Maximum number of lines. A longer text ends with "…".</param>
+        /// <summary>Inserts line breaks into a text.</summary>
+        /// <param name="width">Maximum width of a line as a multiple of the font size, at least 2.</param>
+        /// <param name="lines">Maximum number of lines. A longer text is cut and ends with "…".</param>
         public static string Of(string line, float width, int lines = int.MaxValue)
         {
             var wrapped = new StringBuilder(line.Length + 8);

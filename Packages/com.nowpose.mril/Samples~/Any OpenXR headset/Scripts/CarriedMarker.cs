@@ -4,8 +4,8 @@ using UnityEngine.InputSystem;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Moves the marker of the robot's base with a controller while its grip is pressed.</summary>
-    /// <remarks>The marker keeps its pose relative to the hand, so that a turn of the wrist moves it as if it were held.</remarks>
+    /// <summary>Moves the marker of the robot's base with a controller while the grip button of the controller is pressed.</summary>
+    /// <remarks>The marker keeps its pose relative to the controller, as an object in the hand does.</remarks>
     [AddComponentMenu("Nowpose/Samples/Carried Marker")]
     [RequireComponent(typeof(HandPlacedMarker))]
     [DisallowMultipleComponent]
@@ -51,7 +51,7 @@ namespace Nowpose.Samples
         {
             var hand = _position.ReadValue<Vector3>();
             var turned = _rotation.ReadValue<Quaternion>();
-            // An untracked controller has a zero rotation and the origin as position.
+            // The rotation of an untracked controller is a quaternion of zeros.
             if (Quaternion.Dot(turned, turned) < 0.5f) return;
             if (_trackingOrigin != null)
             {

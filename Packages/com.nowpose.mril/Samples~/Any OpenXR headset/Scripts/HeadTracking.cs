@@ -4,7 +4,7 @@ using UnityEngine.InputSystem.XR;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Makes the camera follow the head with the Input System's own driver, which it adds if there is none.</summary>
+    /// <summary>Makes the camera follow the head. Adds the Input System's Tracked Pose Driver if the object does not have one.</summary>
     [AddComponentMenu("Nowpose/Samples/Head Tracking")]
     [RequireComponent(typeof(Camera))]
     [DisallowMultipleComponent]

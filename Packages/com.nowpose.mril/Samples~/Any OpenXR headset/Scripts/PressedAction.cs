@@ -5,7 +5,7 @@ using UnityEngine.InputSystem;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Raises an event when a button of a controller, or a key, is pressed.</summary>
+    /// <summary>Raises an event when the user presses a button of a controller or a key.</summary>
     [AddComponentMenu("Nowpose/Samples/Pressed Action")]
     public sealed class PressedAction : MonoBehaviour
     {

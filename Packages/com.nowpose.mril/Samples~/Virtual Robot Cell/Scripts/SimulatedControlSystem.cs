@@ -8,10 +8,12 @@ using UnityEngine;
 
 namespace Nowpose.Samples
 {
-    /// <summary>A control system inside the scene: a robot that takes workpieces from a conveyor, its clock, and the network to the headset.</summary>
+    /// <summary>
+    /// Simulates a control system in the scene: a robot that takes workpieces from a conveyor, its clock, and the network to the headset.
+    /// </summary>
     /// <remarks>
-    /// Feeds a session that is not connected, as a gateway does: with samples, clock exchanges and the robot's description.
-    /// All settings take effect while the scene plays.
+    /// Takes the place of a gateway: supplies a session that is not connected with samples, clock exchanges and the robot's description. All
+    /// settings except the seed can be changed while the scene plays.
     /// </remarks>
     [AddComponentMenu("Nowpose/Samples/Simulated Control System")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -46,7 +48,7 @@ namespace Nowpose.Samples
             + "effect; tens of ms make the clock inaccurate.")]
         float _jitterMs = 2;
 
-        [SerializeField, Range(0, 1), Tooltip("Share of lost packets. 0.01 is usual for WiFi; 1 cuts the connection.")]
+        [SerializeField, Range(0, 1), Tooltip("Fraction of lost packets. 0.01 is usual for WiFi; 1 interrupts the connection.")]
         float _loss = 0.01f;
 
         [Header("Control clock")]
@@ -74,8 +76,8 @@ namespace Nowpose.Samples
         public RobotModel Robot { get; private set; }
 
         /// <summary>Gets the true joint positions of the robot at a time.</summary>
-        /// <param name="joints">One per moving joint of the robot, rad or m.</param>
-        /// <returns>False if the simulation has not begun.</returns>
+        /// <param name="joints">Receives one position per moving joint of the robot, in rad or m.</param>
+        /// <returns>False if the simulation has not started.</returns>
         public bool TryGetTruth(HeadsetTime at, Span<double> joints)
         {
             if (_cell == null) return false;
@@ -124,7 +126,7 @@ namespace Nowpose.Samples
             _cell = VirtualCell.WithWorkpieces(Robot, new PickAndPlaceMotion(Robot), _clock, Knobs(), _seed, now);
         }
 
-        // TimeSpan.FromSeconds rounds to whole milliseconds in Unity.
+        // TimeSpan.FromSeconds is not used, because in Unity it rounds to whole milliseconds.
         TimeSpan ClockAhead => TimeSpan.FromTicks((long)((double)_clockAheadSeconds * TimeSpan.TicksPerSecond));
 
         VirtualCellSettings Knobs() => new VirtualCellSettings(

@@ -2,7 +2,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Samples
 {
-    /// <summary>The network between the simulated control system and the headset; in the order of <see cref="NetworkProfile.All"/>.</summary>
+    /// <summary>Network between the simulated control system and the headset, in the order of <see cref="NetworkProfile.All"/>.</summary>
     public enum SimulatedNetwork
     {
         Lan,

@@ -5,14 +5,14 @@ using UnityEngine;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Represents the real robot: moves the rig on its object to the simulated robot's true position at the display time.</summary>
+    /// <summary>Makes the rig on this object represent the real robot: moves it to the true joint positions at the display time.</summary>
     [AddComponentMenu("Nowpose/Samples/Truth Rig")]
     [DefaultExecutionOrder(BeforeRigs)]
     [RequireComponent(typeof(RobotRig))]
     [DisallowMultipleComponent]
     public sealed class TruthRig : MonoBehaviour
     {
-        // Before rigs, because a rig without a session logs a warning at its start unless it is bound to a robot.
+        // Runs before rigs, because a rig without a session logs a warning in Start unless it is already bound to a robot.
         const int BeforeRigs = -1;
 
         [SerializeField, Tooltip("The control system that moves the robot.")]
@@ -52,8 +52,8 @@ namespace Nowpose.Samples
         void Show(DisplayFrame frame)
         {
             FollowRobot();
-            var light = frame.Start + TimeSpan.FromTicks((long)(_displayMs * TimeSpan.TicksPerMillisecond));
-            if (_controlSystem.TryGetTruth(light, _joints)) _rig.Apply(_joints);
+            var displayTime = frame.Start + TimeSpan.FromTicks((long)(_displayMs * TimeSpan.TicksPerMillisecond));
+            if (_controlSystem.TryGetTruth(displayTime, _joints)) _rig.Apply(_joints);
         }
 
         void FollowRobot()

@@ -6,7 +6,7 @@ namespace Nowpose.Tests.Core
 {
     public class SevenPhaseProfileTests
     {
-        // Four cases: all phases; no cruise; neither cruise nor constant acceleration; cruise without constant acceleration.
+        // The moves cover four cases: all phases; no cruise; neither cruise nor constant acceleration; cruise without constant acceleration.
         static readonly double[][] Moves =
         {
             new[] { 500.0, 1000, 5000, 50000 },
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core
         [Test]
         public void Duration_CruiseWithoutConstantAcceleration_EqualsTheClosedForm()
         {
-            // Each ramp takes 2 sqrt(v/j) = 0.04 s and covers 0.4 mm; both ramps and the cruise take d/v + ramp.
+            // Each ramp takes 2 sqrt(v/j) = 0.04 s and covers 0.4 mm. The whole move takes d/v plus the duration of one ramp.
             Assert.That(new SevenPhaseProfile(10, 20, 5000, 50000).Duration, Is.EqualTo(0.5 + 0.04).Within(1e-12));
         }
 

@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Unity
 
             public void Read(List<MarkerSighting> markers)
             {
-                // Its z to the right along the print, its x to the lower edge, its y out of the print.
+                // The z axis points right along the print, the x axis to its lower edge, and the y axis out of it.
                 var pose = UnityPoses.ToRoom(_found.position, _found.rotation);
                 markers.Add(new MarkerSighting("1", "my robot", pose, 0.12, _session.HeadsetClock.Now, MarkerTracking.Tracking));
             }

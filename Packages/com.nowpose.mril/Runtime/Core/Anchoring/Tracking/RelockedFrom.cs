@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Whether the base had been placed by hand.</summary>
         public bool IsHeldByHand { get; }
 
-        /// <summary>Whether no marker has been in view for the maximum time.</summary>
+        /// <summary>Returns whether no marker has been in view for that time.</summary>
         public bool IsOver(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)
         {
             if (now - _since < Patience) return false;

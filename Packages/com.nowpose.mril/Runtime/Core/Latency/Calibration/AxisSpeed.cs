@@ -8,7 +8,7 @@ namespace Nowpose.Latency.Calibration
     {
         const int Window = 30;
 
-        /// <summary>Maximum speed difference of the two halves of the window, relative or absolute in mm/s, whichever is larger.</summary>
+        /// <summary>Maximum difference between the speeds of the two halves of the window: relative, or in mm/s, whichever is larger.</summary>
         const double Alike = 0.1, AlikeMmPerS = 3;
 
         readonly double[] _seconds = new double[Window], _mm = new double[Window];
@@ -18,7 +18,7 @@ namespace Nowpose.Latency.Calibration
         /// <summary>Speed from a line fit over the window; positive along the axis. Null before 30 frames.</summary>
         public double? MmPerS => _count < Window ? (double?)null : Slope(0, Window);
 
-        /// <summary>Whether the tool neither accelerates nor decelerates.</summary>
+        /// <summary>Whether the speed is constant within the window.</summary>
         public bool IsConstant
         {
             get
@@ -29,7 +29,7 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        /// <param name="at">Time of the position. The same time again is ignored; an earlier time restarts the window.</param>
+        /// <param name="at">Time of the position. A repeated time is ignored; an earlier time restarts the window.</param>
         /// <param name="mm">Position along the axis.</param>
         public void Add(ControlTime at, double mm)
         {

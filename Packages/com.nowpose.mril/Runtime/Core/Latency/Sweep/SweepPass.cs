@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Visits of one pass of a sweep, and the rise of the render time from their low loads to their high loads.</summary>
+    /// <summary>Visits of one pass of a sweep, and the rise of the render time from its low loads to its high loads.</summary>
     sealed class SweepPass
     {
         const int MinLoads = 3;
@@ -12,7 +12,7 @@ namespace Nowpose.Latency.Sweep
         /// <summary>Minimum significant rise, in standard errors.</summary>
         const double Certainty = 4;
 
-        /// <summary>Minimum rise, relative to the render time at low loads; a smaller one cannot be separated from the scatter of frames.</summary>
+        /// <summary>Minimum rise, relative to the render time at low loads. A smaller rise cannot be separated from the scatter of frames.</summary>
         const double MinRise = 0.1;
 
         /// <summary>Rise, relative to the render time at low loads, that cannot be drift within a short sweep.</summary>
@@ -48,9 +48,9 @@ namespace Nowpose.Latency.Sweep
         public double NeededMs { get; }
 
         /// <summary>
-        /// Splits visits into passes of one direction, so that a change with time instead of load is a rise in only one of them. With a
-        /// single direction, the drift at constant load is subtracted. Loads without such an order form one pass.
-        /// Empty for fewer than three different loads.
+        /// Splits visits into passes of one direction. A change with time instead of load appears as a rise in only one direction. If the sweep
+        /// has only one direction, the drift at constant load is subtracted. Loads without such an order form one pass. The result is empty for
+        /// fewer than three different loads.
         /// </summary>
         public static List<SweepPass> Of(IReadOnlyList<SweepVisit> visits)
         {
@@ -60,7 +60,7 @@ namespace Nowpose.Latency.Sweep
             return ways.ConvertAll(way => isUpAndDown ? new SweepPass(way, SweepDrift.None) : WithoutDrift(way, SweepDrift.Of(visits)));
         }
 
-        // A short sweep cannot measure drift well, and drift within it is far smaller than a clear rise.
+        // A short sweep measures drift inaccurately, and its drift is far smaller than a clear rise.
         static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> way, SweepDrift drift)
         {
             var asIs = new SweepPass(way, SweepDrift.None);

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Motion;
 using Nowpose.Prediction.Forecasting;
 
@@ -50,7 +51,7 @@ namespace Nowpose.Prediction.Candidates
         public ProfileForecaster(PredictionLimits limits)
         {
             _limits = limits;
-            if (!HasLimits(limits)) throw new ArgumentException("velocity, acceleration and jerk must be known", nameof(limits));
+            if (!HasLimits(limits)) throw new ArgumentException(PredictionMessages.UnknownDerivatives, nameof(limits));
             // A stroke long enough that the move does not brake within a minute.
             _maxStroke = limits.Velocity * 60;
             _unbraked = Profile(_maxStroke);

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
@@ -36,7 +37,7 @@ namespace Nowpose.Prediction.Forecasting
             if (degree < 0 || degree > MaxDegree)
                 throw new ArgumentOutOfRangeException(nameof(degree), degree, "0 to " + MaxDegree);
             if (history < degree || history > MaxHistory)
-                throw new ArgumentOutOfRangeException(nameof(history), history, "must be from the degree to " + MaxHistory);
+                throw new ArgumentOutOfRangeException(nameof(history), history, PredictionMessages.History(MaxHistory));
             _degree = degree;
             Samples = history + 1;
             _times = new double[Samples];

@@ -2,7 +2,7 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Messages that wait for the next frame, with their arrival times. Drops the oldest when full. Thread-safe.</summary>
+    /// <summary>Queue of messages for the next frame, with their arrival times. Drops the oldest when full. Thread-safe.</summary>
     sealed class Arrivals<T>
     {
         readonly ConcurrentQueue<(T Message, HeadsetTime At)> _queue = new ConcurrentQueue<(T, HeadsetTime)>();

@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Inverse_AnyPose_TimesThePoseIsTheIdentity()
+        public void Inverse_MultipliedByThePose_IsTheIdentity()
         {
             var pose = RigidTransform.FromXyzRpy(0.4, -1.3, 2.2, 0.5, -0.9, 2.6);
 

@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Latency
             }
         }
 
-        // Area seen from −z, with x to the right and y up.
+        // Returns the area of a triangle. It is positive if the vertices are clockwise when seen from −z, with x to the right and y up.
         static double ClockwiseArea(LoadPatch patch, int[] indices, int at)
         {
             patch.PlaceOf(indices[at], out var ax, out var ay);
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Patches_First_AreInTheMiddle()
+        public void Patches_SmallLoad_AreInTheMiddle()
         {
             foreach (var patch in PatchesOf(100_000))
             {

@@ -7,7 +7,7 @@ using static Nowpose.Tests.Core.Pairing.CellCodeTexts;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>The codes of a cell, written and read.</summary>
+    /// <summary>Tests how cell codes are parsed and written.</summary>
     public class CellCodeTests
     {
         [Test]
@@ -41,14 +41,14 @@ namespace Nowpose.Tests.Core.Pairing
         [Test]
         public void Parse_Loopback_NeedsOnlyNameAndHost()
         {
-            var code = CellCode.Parse(Least);
+            var code = CellCode.Parse(Shortest);
 
             Assert.That(code.SyncPort, Is.EqualTo(ProtocolLimits.SyncPort));
             Assert.That(code.WebSocketPort, Is.EqualTo(ProtocolLimits.WebSocketPort));
             Assert.That(code.Pin, Is.Null);
             Assert.That(code.Marker, Is.Null);
             Assert.That(code.SizeMetres, Is.EqualTo(0));
-            Assert.That(new CellCode("a", "127.0.0.1", null).Text, Is.EqualTo(Least), "what is usual is not written");
+            Assert.That(new CellCode("a", "127.0.0.1", null).Text, Is.EqualTo(Shortest), "default values are not written");
         }
 
         [TestCase("gateway", "gateway")]
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(CellCode.Parse("nowpose:cell/1?h=127.0.0.1&n=" + encoded).Cell, Is.EqualTo(name));
 
         [Test]
-        public void HasSameGateway_ComparesHostPortsAndPin()
+        public void HasSameGateway_OtherHostPortOrPin_IsFalse()
         {
             var code = CellCode.Parse(Whole);
             var other = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void ToConnection_HasThePinAndTheToken()
+        public void ToConnection_Token_ReturnsPinnedSettingsWithTheToken()
         {
             var connection = CellCode.Parse(Whole).ToConnection("secret", "headset 7");
 

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void ToString_AnyToken_DoesNotContainTheToken() => Assert.That(TokenCode.Parse(Whole).ToString(), Does.Not.Contain(Token));
 
         [Test]
-        public void IsFor_OtherKey_IsFalse()
+        public void IsFor_CellWithAnotherKey_IsFalse()
         {
             var code = TokenCode.Parse(Whole);
             var plain = TokenCode.Parse("nowpose:token/1?t=" + Token);

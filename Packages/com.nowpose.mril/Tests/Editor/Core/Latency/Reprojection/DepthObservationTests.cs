@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Latency;
 using Nowpose.Latency.Reprojection;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Latency.Reprojection
 {
@@ -14,8 +15,8 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         [TestCase(true, true, true, false, true, DepthSubmission.NoMainCamera)]
         [TestCase(true, true, true, true, false, DepthSubmission.NotRequested)]
         [TestCase(true, true, true, true, null, DepthSubmission.Unknown, TestName = "Judge_BeforeTheFirstFrame_IsUnknown")]
-        [TestCase(true, false, false, false, false, DepthSubmission.TurnedOff, TestName = "Judge_AllMissing_NamesTheFirst")]
-        public void Judge_EachMissingCondition_ReturnsIt(
+        [TestCase(true, false, false, false, false, DepthSubmission.TurnedOff, TestName = "Judge_AllConditionsMissing_ReturnsTheFirst")]
+        public void Judge_ConditionMissing_ReturnsTheMissingCondition(
             bool isRunning, bool isTurnedOn, bool isSupported, bool hasMainCamera, bool? isRequested, DepthSubmission expected)
         {
             var observation = new DepthObservation(isRunning, isTurnedOn, isSupported, hasMainCamera, isRequested);
@@ -26,7 +27,7 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         [Test]
         public void ProblemOf_EveryState_NamesTheRemedyOfAProblem([Values] DepthSubmission depth)
         {
-            var problem = DepthSubmissionWords.ProblemOf(depth);
+            var problem = DepthSubmissionMessages.ProblemOf(depth);
 
             var isFine = depth == DepthSubmission.Unknown || depth == DepthSubmission.Active;
             Assert.That(problem, isFine ? Is.Null : Does.Match("^depth (is|may) not (be )?submitted: .+; (set|tag|check) "));
@@ -36,7 +37,7 @@ namespace Nowpose.Tests.Core.Latency.Reprojection
         public void NameOf_AllStates_AreUnique()
         {
             var names = new List<string>();
-            for (var depth = DepthSubmission.Unknown; depth <= DepthSubmission.NotRequested; depth++) names.Add(DepthSubmissionWords.NameOf(depth));
+            for (var depth = DepthSubmission.Unknown; depth <= DepthSubmission.NotRequested; depth++) names.Add(DepthSubmissionMessages.NameOf(depth));
 
             Assert.That(names, Is.Unique);
             Assert.That(names, Has.All.Match("^[a-z_]+$"));
