@@ -4,8 +4,7 @@ using Nowpose.Prediction;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// The newest rotations of a frame, each with its angles: the sum of the rotation vectors from sample to sample, about the parent's
-    /// axes.
+    /// Keeps the newest rotations of a frame and their angles: the sums of the rotation vectors from sample to sample, about the parent's axes.
     /// </summary>
     /// <remarks>
     /// The angles α are three coordinates without a bound and without a singularity, in which a constant angular velocity is a line:

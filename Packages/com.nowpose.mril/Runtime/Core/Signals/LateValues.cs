@@ -4,8 +4,8 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Signals
 {
     /// <summary>
-    /// Consecutive late values of one signal: older than the newest stamp, and each newer than the previous one. Several of them show that the
-    /// source's clock went back; fewer were overtaken on the network.
+    /// Detects that the clock of a signal's source went back, by several consecutive late values: older than the newest stamp, and each newer
+    /// than the one before. Fewer late values were overtaken on the network.
     /// </summary>
     sealed class LateValues
     {
@@ -21,7 +21,7 @@ namespace Nowpose.Signals
         /// <summary>The values, oldest first.</summary>
         public ReadOnlySpan<(ControlTime Stamp, double Value)> All => _oldestFirst.AsSpan(0, _count);
 
-        /// <summary>Adds a received value; one that is not late shows that the earlier ones were overtaken.</summary>
+        /// <summary>Adds a received value. A value that is not late shows that the late ones before were overtaken.</summary>
         /// <param name="newest">Newest stamp of the signal; null for none.</param>
         /// <returns>Whether the source's clock went back. Then call <see cref="Clear"/> after use of the values.</returns>
         public bool Add(ControlTime stamp, double value, ControlTime? newest)
