@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Prediction.Samples;
 
-namespace Nowpose.Prediction.Repetition
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>Compares the newest samples with the history at a lag, and shifts them to the best fit.</summary>
     /// <remarks>Lags are in grid steps of the history, with fractions. Allocates nothing.</remarks>
@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Number of Gauss-Newton steps: the third changes the lag by less than a thousandth of a grid step.</summary>
         const int Refinements = 3;
 
-        /// <summary>Gauss-Newton steps below this share of a grid step are negligible.</summary>
+        /// <summary>Gauss-Newton steps below this fraction of a grid step are negligible.</summary>
         const double SmallStep = 1e-3;
 
         readonly MotionHistory _history;

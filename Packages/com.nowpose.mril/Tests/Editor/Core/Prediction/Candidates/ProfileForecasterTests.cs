@@ -1,10 +1,10 @@
 using System;
 using Nowpose.Motion;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Candidates;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Prediction.Forecasting
+namespace Nowpose.Tests.Core.Prediction.Candidates
 {
     public class ProfileForecasterTests
     {

@@ -1,8 +1,8 @@
 using System;
 
-namespace Nowpose.Prediction.Repetition
+namespace Nowpose.Prediction.Candidates
 {
-    /// <summary>Two minutes of a joint's motion on a uniform time grid, interpolated from samples at any intervals.</summary>
+    /// <summary>Keeps two minutes of a joint's motion on a uniform time grid, interpolated from samples at any intervals.</summary>
     /// <remarks>
     /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest, so that every
     /// point has samples on both sides. Allocates nothing after construction.
@@ -79,12 +79,12 @@ namespace Nowpose.Prediction.Repetition
                 }
                 _samples++;
             }
-            if (_samples == Neighbours) TakeOutSpike();
+            if (_samples == Neighbours) ReplaceSpike();
             for (; TimeOf(Count) <= _times[1] + Rounding * Step; Count++) Points[(int)Count & Mask] = Between(TimeOf(Count));
         }
 
         // A wrong sample would reappear in a forecast whenever the motion repeats.
-        void TakeOutSpike()
+        void ReplaceSpike()
         {
             double to = _positions[1] - _positions[2], from = _positions[0] - _positions[1];
             var less = Math.Min(Math.Abs(to), Math.Abs(from));

@@ -1,25 +1,27 @@
 using System;
 using Nowpose.Messages;
 using Nowpose.Motion;
+using Nowpose.Prediction.Forecasting;
 
-namespace Nowpose.Prediction.Forecasting
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// For axes with known drive limits: fits the S-curve (7-phase) profile from rest to rest to the samples of the newest
-    /// move.
+    /// Forecasts by an S-curve profile (7 phases, from rest to rest) that it fits to the samples of the newest move, for axes with known
+    /// limits of the drive.
     /// </summary>
     /// <remarks>
     /// The first samples of a move determine its start, because all moves under the same limits are equal until they brake
     /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that curve determines the stroke, and so the rest of the move.
-    /// Moves that are not from rest to rest are predicted wrongly: a gate decides whether to use the forecast.
+    /// Other moves are predicted wrongly, so a <see cref="CandidateGate"/> decides whether the forecast is used.
     /// </remarks>
     sealed class ProfileForecaster : Forecaster
     {
-        /// <summary>Minimum lag from which a move counts as braking, in s: larger than the rounding of stamps.</summary>
+        /// <summary>Minimum lag of a move that brakes, in s: larger than the rounding of stamps.</summary>
         const double MinLag = 0.6e-3;
 
         /// <summary>
-        /// Maximum displacement of a sample at rest, relative to the standstill threshold, because a move starts slower than that threshold.
+        /// Maximum displacement of a sample at rest, relative to <see cref="RestDetector.StillDistance"/>: the first samples of a move are
+        /// below that distance.
         /// </summary>
         const double RestRatio = 0.1;
 
@@ -68,7 +70,7 @@ namespace Nowpose.Prediction.Forecasting
             if (!motion.IsNewest) return _isKnown;
             (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
             (_stillDistance, _tolerance) = (RestRatio * motion.Rest.StillDistance, ToleranceRatio * motion.Rest.MaxDisplacement);
-            if (motion.Connected < 2)
+            if (motion.ConnectedSamples < 2)
             {
                 Rest(_newestPosition);
                 return _isKnown;

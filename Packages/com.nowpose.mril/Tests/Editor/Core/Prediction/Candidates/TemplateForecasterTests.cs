@@ -1,10 +1,10 @@
 using System;
 using Nowpose.Motion;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Repetition;
+using Nowpose.Prediction.Candidates;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Prediction
+namespace Nowpose.Tests.Core.Prediction.Candidates
 {
     public class TemplateForecasterTests
     {

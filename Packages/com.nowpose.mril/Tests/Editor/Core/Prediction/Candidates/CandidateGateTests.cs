@@ -1,11 +1,12 @@
 using System;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Candidates;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Prediction.TestPredictors;
 
-namespace Nowpose.Tests.Core.Prediction.Mixing
+namespace Nowpose.Tests.Core.Prediction.Candidates
 {
     public class CandidateGateTests
     {

@@ -1,19 +1,20 @@
 using System;
 
-namespace Nowpose.Prediction.Repetition
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
     /// Finds how long ago the joint last moved as it does now: the lags, in whole grid steps, at which the motion resembles itself most.
     /// </summary>
     /// <remarks>
     /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
-    /// compared grid point. The slow forgetting distinguishes one dwell from another. Allocates nothing after construction.
+    /// compared grid point. The slow forgetting distinguishes one dwell from another. The positions of an endless joint are unwrapped, so a
+    /// cycle that ends whole turns further is not recognised. Allocates nothing after construction.
     /// </remarks>
     sealed class LagSearch
     {
         public const int Kept = 3;
 
-        /// <summary>Forgetting time constant of the sums, s.</summary>
+        /// <summary>Time constant of the forgetting factor of the sums, in s.</summary>
         const double Forgetting = 0.25;
 
         /// <summary>Maximum lag, in s: cycles of up to two minutes.</summary>
@@ -40,7 +41,7 @@ namespace Nowpose.Prediction.Repetition
 
         // Grid steps between two compared lags and between two compared points, and the forgetting factor.
         int _step, _stride;
-        double _keeping;
+        double _forgettingFactor;
 
         public LagSearch(MotionHistory history) => _history = history;
 
@@ -59,12 +60,12 @@ namespace Nowpose.Prediction.Repetition
             if (!(_history.Step > 0)) return;
             _step = Math.Max(1, (int)(LagStep / _history.Step + 1e-6));
             _stride = (int)Math.Ceiling(ComparedEvery / _history.Step - 1e-6);
-            _keeping = Math.Exp(-_stride * _history.Step / Forgetting);
+            _forgettingFactor = Math.Exp(-_stride * _history.Step / Forgetting);
         }
 
-        /// <summary>Processes the new grid points.</summary>
+        /// <summary>Adds the new grid points of the history.</summary>
         /// <param name="minLag">Minimum lag in grid steps; smaller lags would compare the motion with itself.</param>
-        public void Follow(int minLag)
+        public void Update(int minLag)
         {
             for (; _taken < _history.Count; _taken++)
                 if (_taken % _stride == 0) Compare(_taken, minLag);
@@ -76,14 +77,14 @@ namespace Nowpose.Prediction.Repetition
             Count = 0;
             var longest = (int)Math.Min(Math.Min(MaxLag / _history.Step, MotionHistory.Capacity - 1), newest);
             var lags = Math.Max(0, (longest - minLag) / _step + 1);
-            var (points, costs, now, keeping, step, worst) = (_history.Points, _costs, _history[newest], _keeping, _step, Worst);
+            var (points, costs, now, forgettingFactor, step, worst) = (_history.Points, _costs, _history[newest], _forgettingFactor, _step, Worst);
             var point = (int)newest - minLag;
             // The costs of the two lags before, in local variables because the runtime checks each access of an array.
             var (before, last) = (costs[0], costs[0]);
             for (var i = 1; i <= lags; i++)
             {
                 var difference = now - points[point & MotionHistory.Mask];
-                var cost = keeping * costs[i] + difference * difference;
+                var cost = forgettingFactor * costs[i] + difference * difference;
                 costs[i] = cost;
                 point -= step;
                 // The first lag has no lower neighbour, and the history must cover the neighbourhood of the last one.

@@ -2,13 +2,13 @@ using System;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Samples;
 
-namespace Nowpose.Prediction.Repetition
+namespace Nowpose.Prediction.Candidates
 {
     /// <summary>For machines that repeat their motion: forecasts that the motion continues as it did after the last similar one.</summary>
     /// <remarks>
     /// Compares the newest samples with the history at the lags of greatest similarity, refines each lag to the best fit, and averages the
-    /// continuations of the best three, weighted by their fit. It does not solve if there is no such lag; a gate
-    /// decides whether its forecast is used.
+    /// continuations of the best three, weighted by their fit. Without such a lag there is no forecast. A <see cref="CandidateGate"/>
+    /// decides whether the forecast is used.
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
     {
@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Minimum grid step, in s.</summary>
         const double MinStep = 0.02;
 
-        /// <summary>Minimum number of moving samples that distinguish one start from another; with fewer, earlier samples are compared too.</summary>
+        /// <summary>Minimum number of samples in motion to compare: with fewer, the starts of different moves are equal, and the rest before counts.</summary>
         const int MinMoving = 2;
 
         /// <summary>Number of samples at rest after which the search is suspended.</summary>
@@ -30,8 +30,8 @@ namespace Nowpose.Prediction.Repetition
         /// <summary>Maximum gap in the history, in s.</summary>
         const double MaxGap = 2;
 
-        /// <summary>Change factor of the sampling interval that starts a new history.</summary>
-        const double RhythmChange = 1.6;
+        /// <summary>Maximum change of the sampling interval, as a factor; a larger change starts a new history.</summary>
+        const double MaxIntervalRatio = 1.6;
 
         /// <summary>Minimum interval between searches, in s; samples in quicker succession reuse the previous matches.</summary>
         const double MinMatchInterval = 0.035;
@@ -46,7 +46,7 @@ namespace Nowpose.Prediction.Repetition
         readonly double[] _errors = new double[LagSearch.Kept];
         readonly double[] _offsets = new double[LagSearch.Kept];
         readonly double[] _weights = new double[LagSearch.Kept];
-        double _rhythm;
+        double _interval;
         double _newestTime;
         double _newestPosition;
         int _matches;
@@ -68,7 +68,7 @@ namespace Nowpose.Prediction.Repetition
         public override bool Solve(MotionState motion)
         {
             // An overtaken sample is too late for the history.
-            if (motion.IsNewest && motion.Samples.Count > 1) Follow(motion);
+            if (motion.IsNewest && motion.Samples.Count > 1) Update(motion);
             return _matches > 0;
         }
 
@@ -95,7 +95,7 @@ namespace Nowpose.Prediction.Repetition
 
         public override void Reset()
         {
-            _rhythm = 0;
+            _interval = 0;
             _history.Start(0);
             _search.Start();
             Array.Clear(_found, 0, _found.Length);
@@ -105,33 +105,32 @@ namespace Nowpose.Prediction.Repetition
         // At a smaller lag, the history does not cover the continuation.
         int MinLag => (int)Math.Ceiling(ForecastTable.Span / _history.Step) + MotionHistory.Margin;
 
-        void Follow(MotionState motion)
+        void Update(MotionState motion)
         {
             var before = _matches;
             _matches = 0;
             if (motion.Interval > _maximumGap) Reset();
-            if (_rhythm == 0)
+            if (_interval == 0)
             {
                 Begin(motion.Samples, motion.MeanInterval);
                 return;
             }
             // A single gap does not change the mean interval enough to restart.
-            if (motion.MeanInterval > RhythmChange * _rhythm || motion.MeanInterval * RhythmChange < _rhythm)
+            if (motion.MeanInterval > MaxIntervalRatio * _interval || motion.MeanInterval * MaxIntervalRatio < _interval)
             {
                 Reset();
                 return;
             }
             (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
             _history.Add(_newestTime, _newestPosition);
-            _search.Follow(MinLag);
+            _search.Update(MinLag);
             var isSoon = _newestTime - _matchedAt < MinMatchInterval;
-            if (before > 0 && (isSoon || motion.Rest.StillSamples > LongRest)) GoOn(before);
+            if (before > 0 && (isSoon || motion.Rest.StillSamples > LongRest)) KeepMatches(before);
             else Match(motion);
         }
 
-        // Keeps the matches between two searches, and after some time at rest, when no place can be distinguished
-        // from another.
-        void GoOn(int matches)
+        // Keeps the matches between two searches, and during a long rest, in which all parts of the history at rest are equal.
+        void KeepMatches(int matches)
         {
             for (var i = 0; i < matches; i++)
                 if (!HasContinuation(_lags[i])) return;
@@ -142,8 +141,8 @@ namespace Nowpose.Prediction.Repetition
         void Begin(SampleHistory samples, double interval)
         {
             if (samples.Count <= MinSamples || samples.CountWithoutGap(_maximumGap) <= MinSamples) return;
-            _rhythm = interval;
-            _history.Start(_rhythm * Math.Ceiling(MinStep / _rhythm - 1e-6));
+            _interval = interval;
+            _history.Start(_interval * Math.Ceiling(MinStep / _interval - 1e-6));
             _search.Start();
             for (var i = MinSamples; i >= 0; i--) _history.Add(samples[i].Time, samples[i].Position);
         }
@@ -172,7 +171,7 @@ namespace Nowpose.Prediction.Repetition
         bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)
             && _history.Covers(_history.IndexOf(_newestTime + ForecastTable.Span) - lag);
 
-        // In motion only the samples since its start are compared, because the length of the rest before is irrelevant.
+        // In motion, only the samples since its start are compared, because the duration of the rest before varies.
         static int SamplesInWindow(MotionState motion)
         {
             var newest = motion.Samples;
@@ -188,8 +187,8 @@ namespace Nowpose.Prediction.Repetition
             var total = 0.0;
             for (var i = 0; i < _matches; i++)
             {
-                var share = _errors[i] / (min + 1e-300) + 1;
-                _weights[i] = 1 / (share * share);
+                var ratio = _errors[i] / (min + 1e-300) + 1;
+                _weights[i] = 1 / (ratio * ratio);
                 total += _weights[i];
             }
             for (var i = 0; i < _matches; i++) _weights[i] /= total;
