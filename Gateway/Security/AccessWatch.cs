@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Ends connections whose token is no longer valid. Thread-safe.</summary>
@@ -61,7 +63,7 @@ sealed class AccessWatch : IDisposable
         catch (Exception e)
         {
             // Catches all exceptions: an unhandled one on a timer's thread ends the process with every connection.
-            _log($"security: tokens and certificate could not be checked ({e.GetType().Name}: {e.Message})");
+            _log(AccessMessages.NotChecked(e.GetType().Name, e.Message));
         }
 
         try

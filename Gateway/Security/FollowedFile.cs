@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Security;
 
 /// <summary>The content of a file. It is read again on access after the file has changed. Thread-safe.</summary>
@@ -53,13 +55,13 @@ sealed class FollowedFile<T>
             if (IsChangedSince(stamps)) return;
             _value = value;
             _stamps = stamps;
-            Tell(fault, "; its other lines are used");
+            Tell(fault, AccessMessages.OtherLinesUsed);
         }
         catch (InputException fault)
         {
             if (IsChangedSince(stamps)) return;
             // Read again on the next access, because it may only have been locked.
-            Tell(fault.Message, "; its former content stays in use, including removed lines");
+            Tell(fault.Message, AccessMessages.FormerContentUsed);
         }
     }
 

@@ -2,10 +2,10 @@ using System.Globalization;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
-namespace Nowpose.Gateway.Rosbridge;
+namespace Nowpose.Gateway.Messages;
 
 /// <summary>Messages to a client about a dropped message: the rule that it broke, and the limit.</summary>
-static class DropText
+static class DropMessages
 {
     public static string Of(DropReason reason) => reason switch
     {
