@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli;
 
 /// <summary>Writes where an option says, and reports what prevents it in one line that names the option and the path.</summary>
@@ -15,7 +17,7 @@ static class OutputPath
         }
         catch (Exception e) when (IsRefusal(e))
         {
-            throw new InputException($"{option}: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
+            throw new InputException(OptionValueMessages.NotWritable(option, folder, e.Message.ReplaceLineEndings(" ")), e);
         }
     }
 

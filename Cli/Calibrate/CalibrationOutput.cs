@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Web;
 
@@ -55,9 +56,7 @@ sealed class CalibrationOutput
 
     string Beside(TimeSpan limit)
     {
-        Console.Error.WriteLine(FormattableString.Invariant(
-            $"nowpose: {ProfilePath} has a render time limit of {limit.TotalMilliseconds:0.00} ms and was kept; ")
-            + $"the new profile has no limit and was written beside it. To keep the limit with the new L_visu, run vlc, sine or nudge with --profile {ProfilePath}");
+        Console.Error.WriteLine(ConsoleMessages.ProfileKept(ProfilePath, limit.TotalMilliseconds));
         return UnlimitedProfilePath;
     }
 
