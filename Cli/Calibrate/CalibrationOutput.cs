@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Web;
 
@@ -56,9 +57,7 @@ sealed class CalibrationOutput
     // Gets the path for a profile without a limit, and reports that the existing profile is kept.
     string PathBeside(TimeSpan limit)
     {
-        Console.Error.WriteLine(FormattableString.Invariant(
-            $"nowpose: {ProfilePath} has a render time limit of {limit.TotalMilliseconds:0.00} ms and was kept; ")
-            + $"the new profile has no limit and was written beside it. To keep the limit with the new L_visu, run vlc, sine or nudge with --profile {ProfilePath}");
+        Console.Error.WriteLine(ConsoleMessages.ProfileKept(ProfilePath, limit.TotalMilliseconds));
         return UnlimitedProfilePath;
     }
 

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
@@ -69,6 +70,6 @@ static class VlcVerb
         if (result.Read.Count == 0) return;
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
         foreach (var picture in rejected.Take(MaxListed)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
-        if (rejected.Count > MaxListed) Console.Error.WriteLine($"nowpose: {rejected.Count - MaxListed} more were rejected");
+        if (rejected.Count > MaxListed) Console.Error.WriteLine(ConsoleMessages.MoreRejected(rejected.Count - MaxListed));
     }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using Nowpose.Vision;
@@ -55,8 +56,7 @@ static class SimulationOutput
     {
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");
         if (earlier.Length > 0 && !File.Exists(Path.Combine(folder, TruthFile)))
-            throw new InputException(
-                $"--out: {folder}: has {earlier.Length} pictures that were not simulated ({TruthFile} is missing); choose another folder");
+            throw new InputException(SimulationMessages.OtherPictures(folder, earlier.Length, TruthFile));
         foreach (var picture in earlier) File.Delete(picture);
     }
 

@@ -1,5 +1,6 @@
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Sync;
 
@@ -27,7 +28,7 @@ static class PaperScenario
             Robot = swing.Robot,
             RobotText = urdf,
             Motion = new SwingMotion(swing),
-            MotionName = "the paper's swing of the first axis: a quarter turn and back",
+            MotionName = DemoTexts.PaperSwing,
             Predictor = Predictor,
             // In the paper, a new section replaces the previous one without a blend.
             BlendMs = 0,

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
@@ -19,7 +20,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     const int MaxReasonsLength = 16 * 1024;
 
     // Adapters that connect to this gateway as a broker search for this text.
-    const string Uncertain = "may not be at rest: ";
+    const string Uncertain = EventTexts.UncertainRest + ": ";
 
     readonly HubSource _source = hub.OpenSource();
     List<(string Name, JointDataState State, string Reason)> _sent;

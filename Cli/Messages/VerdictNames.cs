@@ -1,7 +1,9 @@
-namespace Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Figures.Model;
+
+namespace Nowpose.Cli.Messages;
 
 /// <summary>Gets verdicts as text.</summary>
-static class VerdictWords
+static class VerdictNames
 {
     public static string Words(this Verdict verdict) => verdict switch
     {

@@ -1,14 +1,15 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo;
 
 /// <summary>Formats the errors of the cell's objects as text; has no rows if the cell has no objects.</summary>
-sealed class DemoBodyWords(DemoResult.BodyErrors bodies)
+sealed class DemoBodyRows(DemoResult.BodyErrors bodies)
 {
     public IReadOnlyList<(string Label, string Value)> Rows => bodies == null ? [] :
     [
-        ("workpieces while they move", Row(bodies.ErrorMm, "0.00", " mm")),
-        ("rotation of these workpieces", Row(bodies.ErrorDeg, "0.00", "°")),
+        (DemoTexts.MovingWorkpieces, Row(bodies.ErrorMm, "0.00", " mm")),
+        (DemoTexts.RotatingWorkpieces, Row(bodies.ErrorDeg, "0.00", "°")),
     ];
 
     static string Row(DemoResult.PoseErrors error, string format, string unit) =>

@@ -2,10 +2,10 @@ using System.Globalization;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
-namespace Nowpose.Gateway.Rosbridge;
+namespace Nowpose.Gateway.Messages;
 
 /// <summary>Texts for clients about a dropped message, with the rule that the message broke and the limit.</summary>
-static class DropText
+static class DropMessages
 {
     public static string Of(DropReason reason) => reason switch
     {

@@ -1,4 +1,4 @@
-namespace Nowpose.Cli.Calibrate.Nudge;
+namespace Nowpose.Cli.Messages;
 
 /// <summary>Instructions for finding L_visu by eye.</summary>
 static class NudgeGuide
