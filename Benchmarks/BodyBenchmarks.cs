@@ -4,7 +4,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>One tracked frame with the default predictor and samples every 20 ms.</summary>
+/// <summary>Measures one tracked frame with the default predictor and a sample every 20 ms.</summary>
 public class BodyBenchmarks
 {
     const int Frames = 64;
@@ -19,7 +19,7 @@ public class BodyBenchmarks
     public void Prepare()
     {
         _predictor = new BodyPredictor(Predictors.Default, new PredictionLimits());
-        // Two minutes, after which the history of template matching is full.
+        // Adds samples of two minutes, which fill the history of template matching.
         for (var k = 0; k < 6000; k++) Add();
     }
 

@@ -10,13 +10,13 @@ using Nowpose.UnityPlayer;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Many instances of the package's robot cell prefab in one scene of the stand-in engine, each with a simulated plant, in virtual time.</summary>
+/// <summary>A scene in the stand-in engine, in virtual time: many instances of the robot cell prefab, each with a simulated plant.</summary>
 sealed class CellScene : IDisposable, IHeadsetClock
 {
     const double FrameSeconds = 1 / 60.0;
     const string Prefab = "Packages/com.nowpose.mril/Runtime/Prefabs/Nowpose Robot Cell.prefab";
 
-    // Corresponds to clearing its check box in the Inspector.
+    // Sets the field as its check box in the Inspector does.
     static readonly FieldInfo ConnectOnEnable =
         typeof(MrilSession).GetField("_connectOnEnable", BindingFlags.Instance | BindingFlags.NonPublic);
 
@@ -27,13 +27,13 @@ sealed class CellScene : IDisposable, IHeadsetClock
     readonly VirtualCell[] _plants;
     long _frame;
 
-    /// <param name="showGhost">Whether each cell also shows the uncompensated pose.</param>
+    /// <param name="showGhost">Whether each cell also displays the uncompensated pose.</param>
     public CellScene(int cells, bool showGhost)
     {
         var assets = new AssetLibrary(ProjectRoot());
         _player = new Player(assets);
         var prefab = assets.Load<UnityEngine.GameObject>(Prefab);
-        // The samples come from here: no cell may connect to a gateway on this machine, or wake before its clock is set.
+        // This class delivers the samples, so no cell may connect to a gateway. The cells must stay inactive until their clock is set.
         ConnectOnEnable.SetValue(prefab.GetComponent<MrilSession>(), false);
         prefab.SetActive(false);
         _sessions = [.. Enumerable.Range(0, cells).Select(_ => Cell(prefab, showGhost))];
@@ -46,14 +46,14 @@ sealed class CellScene : IDisposable, IHeadsetClock
 
     public HeadsetTime Now { get; private set; } = HeadsetTime.FromSeconds(100);
 
-    /// <summary>Plays the next frame: delivers the samples up to it, then runs the whole player loop.</summary>
+    /// <summary>Plays the next frame: delivers the samples that are due and runs the player loop.</summary>
     public void Play()
     {
         Receive();
         _player.Step(_frame * FrameSeconds);
     }
 
-    /// <summary>Runs only the plants' part of a frame.</summary>
+    /// <summary>Only delivers the samples of the plants that are due in the next frame.</summary>
     public void Receive()
     {
         _frame++;
@@ -76,6 +76,6 @@ sealed class CellScene : IDisposable, IHeadsetClock
     VirtualCell Simulate(int seed) => new(
         new PickAndPlaceMotion(_sessions[seed].Robot), new VirtualClock(Now, TimeSpan.FromSeconds(1000), 37e-6), Plant, seed, Now);
 
-    // BenchmarkDotNet runs a copy that it built in another folder.
+    // Uses the path of this source file, because BenchmarkDotNet runs a copy that it built in another folder.
     static string ProjectRoot([CallerFilePath] string thisFile = "") => Path.GetFullPath("../..", thisFile);
 }

@@ -3,7 +3,7 @@ using Nowpose.Benchmarks.Comparison;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Error and cost of all candidates side by side, as one Markdown table.</summary>
+/// <summary>Writes the errors and costs of all candidates as one Markdown table.</summary>
 static class ComparisonTable
 {
     public static void Write(CostTable costs, TextWriter to)
@@ -33,7 +33,7 @@ static class ComparisonTable
 
     static string Share(double value) => value.ToString("0.000", CultureInfo.InvariantCulture);
 
-    // Two decimals below 1, one below 10; empty if it was not measured.
+    // Uses two decimals below 1 and one below 10; empty if the value was not measured.
     static string Ratio(double? value) => Text(value, value < 1 ? "0.00" : value < 10 ? "0.0" : "0");
 
     static string Number(double? value) => Text(value, value is > 0 and < 10 ? "0.0" : "0");

@@ -3,12 +3,12 @@ using Nowpose.Benchmarks.Comparison;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>The measured cost of each candidate per sample and per frame of one joint.</summary>
+/// <summary>The measured costs of each candidate, per sample and per frame of one joint.</summary>
 sealed class CostTable
 {
     readonly Dictionary<(string Candidate, string Method), Cost> _costs = [];
 
-    /// <summary>Whether a measurement belongs to this table.</summary>
+    /// <summary>Gets whether a measurement belongs to this table.</summary>
     public static bool Holds(BenchmarkReport report) => report.BenchmarkCase.Descriptor.Type == typeof(PredictorBenchmarks);
 
     public static CostTable Of(IEnumerable<Summary> summaries)

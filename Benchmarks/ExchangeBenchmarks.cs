@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>One sync exchange over good WiFi with a full history of the estimator: checks, bounds, step detection and fit.</summary>
+/// <summary>Measures one sync exchange over good WiFi with a full history: checks, bounds, step detection and fit.</summary>
 public class ExchangeBenchmarks
 {
     const int Delays = 1024;
@@ -37,7 +37,7 @@ public class ExchangeBenchmarks
     {
         _next = (_next + 1) % Delays;
         _now += Interval;
-        // Both clocks show the same time, because the amount of work does not depend on it.
+        // Both clocks show the same time. The amount of work does not depend on the offset.
         var there = new ControlTime(_now.SinceEpoch + _up[_next]);
         return clock.Add(new SyncExchange(_now, there, there, _now + _up[_next] + _down[_next]), out _);
     }

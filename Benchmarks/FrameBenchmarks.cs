@@ -7,9 +7,9 @@ using Nowpose.Session;
 namespace Nowpose.Benchmarks;
 
 /// <summary>
-/// One frame of the seven-joint arm, 75 to 125 ms after the newest sample, compared with the naive method: solving Schnierle &amp;
-/// Röck 2022, Eq. (8), for each joint in each frame, without kinematics. By default, MathNet solves even a system of three equations on
-/// several threads. This takes most of the time of the solution, and several times as much while other programs run.
+/// Measures one frame of the seven-joint arm, 75 to 125 ms after the newest sample. The naive method for comparison solves Schnierle &amp;
+/// Röck 2022, Eq. (8), for each joint in each frame, without kinematics. By default, MathNet solves even three equations on several
+/// threads. That takes most of the naive method's time, and several times as much while other programs run.
 /// </summary>
 public class FrameBenchmarks
 {
@@ -22,7 +22,7 @@ public class FrameBenchmarks
     readonly JointPredictor[] _predictors = VirtualSession.CreatePredictors();
     readonly double[] _positions = new double[SevenJointArm.JointNames.Length];
 
-    // Data of the naive method: the newest samples, oldest first, times relative to the newest.
+    // Data of the naive method: the newest samples, oldest first. Times are relative to the newest sample.
     readonly double[] _sampleTimes = [-2 * VirtualSession.SampleSeconds, -VirtualSession.SampleSeconds, 0];
     readonly double[][] _samplesOfJoint = [.. SevenJointArm.JointNames.Select(_ => new double[Samples])];
 
@@ -103,7 +103,7 @@ public class FrameBenchmarks
         }
     }
 
-    // All three methods must compute the same joints; otherwise, their ratio would be meaningless.
+    // Checks that all three methods compute the same joint positions. Otherwise, the ratio of their times would be meaningless.
     void RequireAgreement(int frame)
     {
         var displayed = _virtual.Session.Tick(_starts[frame]);
@@ -119,7 +119,7 @@ public class FrameBenchmarks
     static void RequireSame(ReadOnlySpan<double> expected, ReadOnlySpan<double> actual)
     {
         for (var i = 0; i < expected.Length; i++)
-            // The tolerance is the motion at maximum speed within a few ticks (100 ns) of the time types.
+            // The tolerance is the maximum speed times a few ticks (100 ns) of the time types.
             if (!(Math.Abs(expected[i] - actual[i]) < 1e-6))
                 throw new InvalidOperationException($"joint {i + 1}: {actual[i]} rad instead of {expected[i]} rad");
     }

@@ -2,12 +2,12 @@ using BenchmarkDotNet.Reports;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Limit of the frame time for a scene with many robots: a headset at 60 Hz has 16.7 ms for everything.</summary>
+/// <summary>Limits the frame time of a scene with many robots. A headset at 60 Hz has 16.7 ms for everything.</summary>
 static class FrameLimit
 {
     const double Nanoseconds = 1e6;
 
-    /// <returns>The exceeded limit in one line; null if all limits are kept, or if none was measured.</returns>
+    /// <returns>A line that names the exceeded limit; null if the limit is kept or was not measured.</returns>
     public static string Exceeded(IEnumerable<Summary> summaries)
     {
         foreach (var report in summaries.SelectMany(summary => summary.Reports))

@@ -7,14 +7,14 @@ using Perfolizer.Horology;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Settings of all measurements: each method in a separate process, all in about a minute.</summary>
+/// <summary>Settings of all benchmarks. Each method runs in a separate process, and all of them take about a minute.</summary>
 static class MeasurementSettings
 {
     public static IConfig Create() => ManualConfig.CreateEmpty()
         .AddLogger(ConsoleLogger.Default)
         .AddColumnProvider(DefaultColumnProviders.Instance)
         .AddDiagnoser(MemoryDiagnoser.Default)
-        // It builds all referenced projects including the command line, which takes minutes on a busy machine.
+        // The build includes all referenced projects, such as the command line, and takes minutes on a busy machine.
         .WithBuildTimeout(TimeSpan.FromMinutes(10))
         .AddJob(Job.Default
             .WithIterationTime(TimeInterval.FromMilliseconds(100))

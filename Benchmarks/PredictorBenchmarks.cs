@@ -5,7 +5,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>One joint with each compared predictor and samples every 50 ms: the cost of its accuracy.</summary>
+/// <summary>Measures the cost of each compared predictor for one joint with a sample every 50 ms.</summary>
 public class PredictorBenchmarks
 {
     const int Frames = 64;
@@ -23,7 +23,7 @@ public class PredictorBenchmarks
     [GlobalSetup]
     public void Prepare()
     {
-        // With threads, MathNet takes ten times as long for three equations.
+        // With several threads, MathNet takes ten times as long for three equations.
         Control.UseSingleThread();
         _joint = new SampledJoint(Candidates.Named(Predictor).Create(), Joint, VirtualSession.SampleSeconds);
     }

@@ -31,10 +31,10 @@ if (args is ["tune"])
     return 0;
 }
 
-// BenchmarkDotNet looks for the project below the current directory, which may be anywhere.
+// BenchmarkDotNet searches for the project below the current directory, which can be any folder.
 Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirectory);
 
-// Without arguments everything runs; BenchmarkDotNet's own arguments choose, such as --filter *Frame*.
+// Without arguments, all benchmarks run. BenchmarkDotNet's arguments, such as --filter *Frame*, select some of them.
 var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(PredictorBenchmarks), typeof(ExchangeBenchmarks),
         typeof(SceneBenchmarks), typeof(BodyBenchmarks)])
     .Run(args.Length > 0 ? args : ["--filter", "*"], MeasurementSettings.Create())

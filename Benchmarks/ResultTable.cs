@@ -5,7 +5,7 @@ using BenchmarkDotNet.Reports;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Writes the results as one Markdown table, the speed relative to the naive frame, the share of a core, and the conditions.</summary>
+/// <summary>Writes the results as a Markdown table, with the speed relative to the naive frame, the share of a core, and the conditions.</summary>
 static class ResultTable
 {
     const double FrameNanoseconds = 1e9 / 60;
@@ -33,7 +33,7 @@ static class ResultTable
         return $"| {what} | {Time(report.ResultStatistics.Mean)} ± {Time(report.ResultStatistics.StandardError)} | {bytes} B |";
     }
 
-    // The fastest of the naive frames: any additional time is caused by other programs and would favour us.
+    // Compares with the fastest naive frame. Additional time of the others is caused by other programs and would distort the ratio.
     static void WriteRatios(Summary summary, TextWriter to)
     {
         if (StatisticsOf(summary, nameof(SampleBenchmarks.SolveDefaultAt100Hz))?.Mean is { } samples)

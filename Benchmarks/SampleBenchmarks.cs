@@ -5,7 +5,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>One sample of seven joints: parsed from JSON on a network thread, fitted, and added in a frame.</summary>
+/// <summary>Measures one sample of seven joints: reading the JSON, fitting, and processing in a frame.</summary>
 public class SampleBenchmarks
 {
     const int Positions = 128;
@@ -71,7 +71,7 @@ public class SampleBenchmarks
     [Benchmark(Description = "Sample: fit of 7 adaptive predictors, every 10 ms")]
     public DropReason SolveDefaultAt100Hz() => SolveDefault();
 
-    /// <summary>Includes the message object itself, 48 bytes, which parsing has already created.</summary>
+    /// <summary>Includes the 48 bytes of the message object, which is created when the JSON is read.</summary>
     [Benchmark(Description = "Frame that uses a sample, 7 quadratic predictors")]
     public DisplayFrame Take() => _virtual.Session.Tick(_virtual.Sample());
 

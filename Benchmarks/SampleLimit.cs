@@ -3,14 +3,16 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Limits the cost of a joint's sample by the default predictor to 10 µs: seven joints at 100 Hz stay below 1 % of a core.</summary>
+/// <summary>
+/// Limits the cost of one joint's sample with the default predictor to 10 µs. Seven joints at 100 Hz then use less than 1 % of a core.
+/// </summary>
 static class SampleLimit
 {
     const double Nanoseconds = 10e3;
 
     static readonly string[] Limited = [nameof(SampleBenchmarks.SolveDefault), nameof(SampleBenchmarks.SolveDefaultAt100Hz)];
 
-    /// <returns>The exceeded limit in one line; null if all limits are kept, or if none was measured.</returns>
+    /// <returns>A line that names the exceeded limit; null if the limit is kept or was not measured.</returns>
     public static string Exceeded(IEnumerable<Summary> summaries)
     {
         foreach (var report in summaries.SelectMany(summary => summary.Reports))

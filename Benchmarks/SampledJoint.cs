@@ -2,11 +2,11 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>A predictor during a joint's motion, with more samples than any predictor stores.</summary>
-/// <remarks>The motion repeats, so that the search for repetitions succeeds: the maximum amount of work.</remarks>
+/// <summary>A joint in motion whose predictor has a full history.</summary>
+/// <remarks>The motion is periodic, so the search for repetitions succeeds, which causes the maximum amount of work.</remarks>
 sealed class SampledJoint
 {
-    /// <summary>Longer than the history of any predictor, s.</summary>
+    /// <summary>Duration of the motion before the measurement, s. Longer than the history of any predictor.</summary>
     public const double SecondsSeen = 130;
 
     const double UsualHorizon = 0.1;
@@ -18,7 +18,7 @@ sealed class SampledJoint
     double _displayed = double.NaN;
 
     /// <param name="joint">Index of the joint of the seven-joint arm.</param>
-    /// <param name="interval">Interval of the samples, s.</param>
+    /// <param name="interval">Sampling interval, s.</param>
     public SampledJoint(JointPredictor predictor, int joint, double interval)
     {
         _predictor = predictor;
@@ -32,7 +32,7 @@ sealed class SampledJoint
         }
     }
 
-    /// <summary>The next sample.</summary>
+    /// <summary>Adds the next sample.</summary>
     public DropReason Add() => _predictor.Add(
         new JointSample(++_samples * _interval, _positions[_samples % _positions.Length]), _displayed);
 

@@ -3,8 +3,8 @@ using BenchmarkDotNet.Attributes;
 namespace Nowpose.Benchmarks;
 
 /// <summary>
-/// A frame of a scene with 50 robots with all components of the prefab. It runs on the stand-in engine, so it excludes Unity's own work.
-/// Samples arrive every 50 ms for each robot; the simulated plants that send them are also measured alone.
+/// Measures a frame of a scene with 50 robots and all components of the prefab. The scene runs on the stand-in engine, so Unity's own work
+/// is not included. Each robot receives a sample every 50 ms. The simulated plants that send the samples are also measured alone.
 /// </summary>
 public class SceneBenchmarks : IDisposable
 {

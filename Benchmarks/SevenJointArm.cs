@@ -2,12 +2,12 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Seven revolute joints, right angles between their axes, and a motion of all of them that never rests.</summary>
+/// <summary>An arm with seven revolute joints and right angles between their axes, and a continuous motion of all joints.</summary>
 static class SevenJointArm
 {
     public const double PeriodSeconds = 6.4;
 
-    // Parent to child, metres and radians, base first.
+    // Transforms from parent to child in metres and radians, base first.
     static readonly string[] Origins =
     [
         "xyz='0 0 0.33'", "rpy='-1.5707963 0 0'", "xyz='0 -0.31 0' rpy='1.5707963 0 0'", "xyz='0.08 0 0' rpy='1.5707963 0 0'",
@@ -26,7 +26,7 @@ static class SevenJointArm
 
     public static readonly string[] JointNames = [.. Model.MovingJoints.Select(joint => joint.Name)];
 
-    /// <summary>Returns the joint positions, rad.</summary>
+    /// <summary>Gets the joint positions at a time, rad.</summary>
     public static double[] PositionsAt(double seconds) =>
         [.. Enumerable.Range(1, Origins.Length).Select(joint => 1.5 * Math.Sin(2 * Math.PI * seconds / PeriodSeconds + joint))];
 

@@ -4,10 +4,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>The bytes of a message of seven joints, whose stamp can be changed in place, so that repeated sending is free.</summary>
+/// <summary>The bytes of a JSON message of seven joints. Its time stamp can be changed in place, so that sending it again costs nothing.</summary>
 sealed class StampedText
 {
-    // Lengths of the longest stamps; for shorter ones, JSON allows blanks.
+    // Maximum lengths of the two parts of a time stamp. Shorter ones are padded with blanks, which JSON allows.
     const int SecondsLength = 10, NanosecondsLength = 9;
     static readonly ControlTime Longest = ControlTime.FromSeconds(4_000_000_000) + TimeSpan.FromMilliseconds(500);
 

@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>The runtime's own session of the seven-joint arm, synchronised, a sample every 50 ms, in virtual time.</summary>
+/// <summary>A session of the seven-joint arm in virtual time, with a synchronised clock and a sample every 50 ms.</summary>
 sealed class VirtualSession
 {
     public const double SampleSeconds = 0.05;
@@ -39,16 +39,16 @@ sealed class VirtualSession
 
     public CompensationSession Session { get; }
 
-    /// <summary>t_k of the newest sample, as the headset clock shows it.</summary>
+    /// <summary>t_k of the newest sample, converted to headset time.</summary>
     public HeadsetTime NewestSample { get; private set; }
 
-    /// <summary>Quadratic predictors like the session's own, to be measured without it.</summary>
+    /// <summary>Creates quadratic predictors like those of the session, so that they can be measured alone.</summary>
     public static JointPredictor[] CreatePredictors() => CreatePredictors(Quadratic);
 
     public static JointPredictor[] CreatePredictors(PredictionSettings prediction) =>
         [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits))];
 
-    /// <summary>A session with the default predictor after a motion that is longer than the history of the predictor.</summary>
+    /// <summary>Creates a session with the default predictor whose history is full.</summary>
     public static VirtualSession Experienced()
     {
         var session = new VirtualSession(PredictionSettings.Default);
@@ -56,7 +56,7 @@ sealed class VirtualSession
         return session;
     }
 
-    /// <summary>Receives the next sample.</summary>
+    /// <summary>Delivers the next sample.</summary>
     /// <returns>Arrival time of the sample.</returns>
     public HeadsetTime Sample()
     {
@@ -65,7 +65,7 @@ sealed class VirtualSession
         return arrival;
     }
 
-    /// <summary>Receives the next sample as from a socket: as the bytes of a message.</summary>
+    /// <summary>Delivers the next sample as the bytes of a message, as from a socket.</summary>
     /// <returns>Arrival time of the sample.</returns>
     public HeadsetTime ReceiveSample()
     {

@@ -3,7 +3,7 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli;
 
-/// <summary>The command line as a whole: its verbs, and the default verb when none is given.</summary>
+/// <summary>Defines the command line: all verbs, and the verb that runs if none is given.</summary>
 public static class CommandLine
 {
     const string DefaultVerb = "demo";
@@ -11,7 +11,7 @@ public static class CommandLine
     /// <summary>Runs one command and returns the exit status. Never throws for invalid user input.</summary>
     public static Task<int> RunAsync(string[] args)
     {
-        // Math.NET's loops over small matrices wait for a second core. With that core busy, they took a hundred times as long.
+        // With several threads, Math.NET waits for a second core even for small matrices. On a busy machine, this made it 100 times slower.
         Control.UseSingleThread();
         return Invocation.RunAsync(
             Invocation.Root(

@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli;
 
-/// <summary>Shows progress of counted work on stderr: a bar on a terminal, otherwise a line every few seconds.</summary>
+/// <summary>Shows on stderr how many items are finished: as a bar on a terminal, otherwise as a line every few seconds.</summary>
 static class CountProgress
 {
     static readonly TimeSpan LineEvery = TimeSpan.FromSeconds(3);
@@ -11,7 +11,7 @@ static class CountProgress
     /// <param name="what">Label of the bar.</param>
     /// <param name="units">Name of the counted items, for example "pictures".</param>
     /// <param name="total">Total number of items, or null if it is unknown.</param>
-    /// <param name="work">The work. It calls back with the number of finished items.</param>
+    /// <param name="work">The work. It calls its argument with the number of finished items.</param>
     public static void Run(string what, string units, int? total, Action<Action<int>> work)
     {
         if (Console.IsErrorRedirected) Lines(units, total, work);

@@ -4,10 +4,10 @@ using System.Text.Json;
 
 namespace Nowpose.Cli;
 
-/// <summary>Writes the JSON that verbs print: numbers with all their digits, names unescaped.</summary>
+/// <summary>Writes the JSON that commands print: numbers with all digits, names without escape sequences.</summary>
 static class JsonText
 {
-    /// <param name="write">Writes one value.</param>
+    /// <param name="write">Writes one JSON value.</param>
     public static string Of(bool isIndented, Action<Utf8JsonWriter> write)
     {
         using var bytes = new MemoryStream();

@@ -1,11 +1,13 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli;
 
-/// <summary>Writes where an option says, and reports what prevents it in one line that names the option and the path.</summary>
+/// <summary>Writes files and folders that an option names. An error is one line with the option, the path and the reason.</summary>
 static class OutputPath
 {
-    /// <summary>Creates a folder and prepares it.</summary>
+    /// <summary>Creates a folder and calls a function that prepares it.</summary>
     /// <param name="option">The option that names the folder, for example <c>--out</c>.</param>
-    /// <param name="prepare">Gets the full path of the folder.</param>
+    /// <param name="prepare">The function; its argument is the full path of the folder.</param>
     /// <exception cref="InputException">The folder is not writable.</exception>
     public static T InFolder<T>(string option, string folder, Func<string, T> prepare)
     {
@@ -15,7 +17,7 @@ static class OutputPath
         }
         catch (Exception e) when (IsRefusal(e))
         {
-            throw new InputException($"{option}: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
+            throw new InputException(OptionValueMessages.NotWritable(option, folder, e.Message.ReplaceLineEndings(" ")), e);
         }
     }
 

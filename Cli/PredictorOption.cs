@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli;
@@ -12,13 +13,13 @@ static class PredictorOption
         var list = string.Join(", ", Predictors.Names);
         var option = new Option<string>(name)
         {
-            Description = $"Prediction method [{list}; with another history h, for example: linear-h4]",
+            Description = $"Prediction method [{list}; polynomials also with another history h, for example linear-h4]",
             DefaultValueFactory = _ => Predictors.Default,
         };
         option.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<string>() is string value && !IsKnown(value))
-                result.AddError($"{name}: '{value}' is unknown; allowed: {list}, or one with another history h, for example linear-h4.");
+                result.AddError(OptionValueMessages.UnknownPredictor(name, value, list));
         });
         return option;
     }

@@ -2,7 +2,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli;
 
-/// <summary>The console for tables: stdout; for a file or pipe without colours and with a fixed width.</summary>
+/// <summary>Creates the console for tables on stdout. For a file or pipe, it has no colours and a fixed width.</summary>
 static class ResultConsole
 {
     const int RedirectedWidth = 120;

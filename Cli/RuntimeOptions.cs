@@ -1,11 +1,12 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli;
 
-/// <c>--estimator</c> and <c>--profile</c>: settings of the runtime that several verbs accept in the same way.
+/// <c>--estimator</c> and <c>--profile</c>: options for the runtime that several verbs share.
 static class RuntimeOptions
 {
     public static Option<string> Estimator() => ChoiceOption.Create(
@@ -13,18 +14,18 @@ static class RuntimeOptions
 
     public static Option<string> Profile() => new("--profile")
     {
-        Description = "Latency profile written by calibrate; sets the display latency and the render time limit", HelpName = "FILE.json",
+        Description = "Latency profile created by calibrate; sets the display latency and the render time limit", HelpName = "FILE.json",
     };
 
     /// <summary>Reads the latency profile.</summary>
     /// <param name="given">Other options that set the display latency.</param>
-    /// <returns>Null for none.</returns>
+    /// <returns>The profile; null if the option was not given.</returns>
     /// <exception cref="InputException">The file is not a readable profile, or another option sets the display latency, too.</exception>
     public static LatencyProfile ProfileOf(ParseResult parsed, Option<string> profile, params Option[] given)
     {
         if (parsed.GetValue(profile) is not { } path) return null;
         if (Array.Find(given, option => parsed.GetResult(option) is { Implicit: false }) is { } other)
-            throw new InputException($"--profile and {other.Name} both set the display latency; use one of them");
+            throw new InputException(OptionValueMessages.TwoLatencies(other.Name));
         return LatencyProfileFile.Load(path);
     }
 }

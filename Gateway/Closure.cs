@@ -1,35 +1,35 @@
 namespace Nowpose.Gateway;
 
-/// <summary>Why a connection was refused or closed.</summary>
+/// <summary>The reason why a connection was refused or closed.</summary>
 public enum Closure
 {
     ByPeer,
     Stopped,
 
-    /// <summary>Connection limit of the gateway reached.</summary>
+    /// <summary>The gateway had reached its connection limit.</summary>
     ConnectionLimit,
 
     TlsHandshake,
 
-    /// <summary>Missing or unknown token.</summary>
+    /// <summary>The token was missing or unknown.</summary>
     Token,
 
-    /// <summary>A browser page of another origin.</summary>
+    /// <summary>The request came from a browser page of another origin.</summary>
     Origin,
 
-    /// <summary>Invalid sync frame, or one of a kind that is not allowed at this point; on the WebSocket, a violation of the protocol.</summary>
+    /// <summary>On the sync port, an invalid frame or a frame of a kind not allowed at that point; on the WebSocket, a protocol violation.</summary>
     MalformedFrame,
 
-    /// <summary>More sync requests per second than allowed.</summary>
+    /// <summary>The client sent more time requests per second than allowed.</summary>
     TooManyRequests,
 
     /// <summary>Timeout: nothing was received, no pong was received, or the client did not read what was sent.</summary>
     Silence,
 
-    /// <summary>The client reads too slowly: every sample would be more than a second old when it is read.</summary>
+    /// <summary>The client reads so slowly that each sample would be more than a second old when read.</summary>
     SlowReader,
 
-    /// <summary>An oversized message that did not end within the limit for skipping it.</summary>
+    /// <summary>The client sent an oversized message that did not end within the limits for skipping a message.</summary>
     EndlessMessage,
 
     /// <summary>Internal error of the gateway; see the log.</summary>

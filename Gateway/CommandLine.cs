@@ -7,7 +7,8 @@ namespace Nowpose.Gateway;
 /// <summary>The gateway's own command line.</summary>
 public static class CommandLine
 {
-    /// <summary>Runs one command until it ends or Ctrl-C, and returns the exit status. Never throws for invalid user input.</summary>
+    /// <summary>Runs one command until it ends or the user presses Ctrl-C. Does not throw for invalid user input.</summary>
+    /// <returns>The exit status.</returns>
     public static Task<int> RunAsync(string[] args)
     {
         var root = Invocation.Root(
@@ -15,7 +16,7 @@ public static class CommandLine
             PlantVerb.Simulate(), PlantVerb.Replay(), ServeVerb.Create(),
             CellVerb.Create(), PairVerb.Create(), PairingsVerb.Create());
         var configured = new ConfiguredArguments();
-        // Termination by the service manager is a normal end.
+        // Exit status Done, because termination by the service manager is a normal end.
         return Invocation.RunAsync(root, args, ExitStatus.Done, configured.Of, configured.Place);
     }
 }

@@ -11,8 +11,9 @@ public sealed class ConnectionCounters
     public long Accepted => Interlocked.Read(ref _accepted);
     public long this[Closure closure] => Interlocked.Read(ref _closures[(int)closure]);
 
-    /// <summary>Takes one of <paramref name="limit"/> places if one is free; <see cref="Leave"/> releases it.</summary>
-    /// <param name="isFinal">Whether a connection without a place is refused and counted as refused.</param>
+    /// <summary>Counts a connection as open if fewer than <paramref name="limit"/> are open. <see cref="Leave"/> ends it.</summary>
+    /// <param name="isFinal">Whether a connection beyond the limit counts as refused; false if the caller may try again.</param>
+    /// <returns>False if the limit was reached.</returns>
     internal bool TryEnter(int limit, bool isFinal = true)
     {
         if (Interlocked.Increment(ref _open) <= limit)

@@ -1,5 +1,6 @@
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 
@@ -8,11 +9,11 @@ namespace Nowpose.Gateway;
 static class DescriptorLimit
 {
     /// <summary>
-    /// Descriptors of the process without connections: 155 for a gateway that has just started, plus adapters, files and pages.
+    /// Number of descriptors that the process needs besides its connections: 155 after the start, plus a margin for adapters, files and pages.
     /// </summary>
     internal const int Reserve = 250;
 
-    /// <summary>Descriptors that connections must not use.</summary>
+    /// <summary>Number of descriptors that connections must leave free.</summary>
     const ulong Spare = 32;
 
     const int LinuxOpenFiles = 7;
@@ -24,31 +25,29 @@ static class DescriptorLimit
         if (Problem(maxConnections, Allowed()) is { } problem) throw new InputException(problem);
     }
 
-    /// <summary>Refuses a connection that takes one of the last descriptors.</summary>
-    /// <remarks>The .NET runtime ends the process when it cannot start a thread, and it takes descriptors to start one.</remarks>
+    /// <summary>Refuses a connection that uses one of the last descriptors.</summary>
+    /// <remarks>The .NET runtime needs descriptors to start a thread, and ends the process if it cannot start one.</remarks>
     /// <exception cref="IOException">Too few descriptors are left. The connection is closed.</exception>
     public static void Guard(Socket accepted)
     {
-        // The system assigns the lowest free number.
+        // The system assigns the lowest free number, so a high number means that few are left.
         var number = (ulong)(long)accepted.Handle;
         var allowed = Allowed();
         if (OperatingSystem.IsWindows() || number + Spare < allowed) return;
         accepted.Dispose();
-        throw new IOException($"descriptor {number} of {allowed}; the last {Spare} are kept free");
+        throw new IOException(LimitMessages.NoDescriptor(number, allowed, Spare));
     }
 
-    /// <returns>Null when the limit is high enough.</returns>
+    /// <returns>The message about a limit that is too low; null if the limit is high enough.</returns>
     internal static string Problem(int maxConnections, ulong allowed)
     {
         var needed = Reserve + (2L * maxConnections);
         if (allowed >= (ulong)needed) return null;
         var possible = ((long)allowed - Reserve) / 2;
-        var remedy = $"raise the limit to {needed} (ulimit -n, LimitNOFILE= of the systemd unit, --ulimit nofile= of the container)";
-        return $"--max-connections {maxConnections}: two ports with this number of connections need {needed} file descriptors, and the system allows "
-            + (possible < 1 ? $"{allowed}; {remedy}" : $"{allowed}; use 1 to {possible}, or {remedy}");
+        return LimitMessages.TooFewDescriptors(maxConnections, needed, allowed, possible);
     }
 
-    /// <summary>Gets the limit; the maximum number if the system has no limit, or none that can be read.</summary>
+    /// <summary>Gets the system's limit; <see cref="ulong.MaxValue"/> if there is none or it cannot be read.</summary>
     static ulong Allowed()
     {
         if (OperatingSystem.IsWindows()) return ulong.MaxValue;

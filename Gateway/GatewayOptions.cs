@@ -2,13 +2,14 @@ using System.Net;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway;
 
-/// <summary>The settings of a gateway; immutable. The defaults serve this machine only, as the protocol requires.</summary>
+/// <summary>The immutable settings of a gateway. With the defaults, only clients on this machine can connect, as the protocol requires.</summary>
 public sealed record GatewayOptions
 {
     const int MaxRate = 100_000;
@@ -20,8 +21,8 @@ public sealed record GatewayOptions
     public IPAddress Bind { get; init; } = IPAddress.Loopback;
 
     /// <summary>
-    /// Name of the plant's clock that is C1. Null selects the first one that an adapter offers, and the gateway's own until then.
-    /// <see cref="PlantClocks.Own"/> always selects the gateway's own.
+    /// Name of the plant's clock that is C1. Null selects the first clock that an adapter offers, and the gateway's own clock until then.
+    /// <see cref="PlantClocks.Own"/> always selects the gateway's own clock.
     /// </summary>
     public string ControlClock { get; init; }
 
@@ -31,7 +32,7 @@ public sealed record GatewayOptions
     /// <summary>Port of the WebSocket; 0 for any free port.</summary>
     public int WebSocketPort { get; init; } = ProtocolLimits.WebSocketPort;
 
-    /// <summary>Certificate with private key, for TLS on both ports; null for plain connections. Its dates are not checked here.</summary>
+    /// <summary>Certificate with private key, for TLS on both ports; null for plain connections. Its validity dates are not checked.</summary>
     /// <remarks>The newest certificate of <see cref="CertificateFile"/> if that is set.</remarks>
     public X509Certificate2 Certificate { get => CertificateFile?.Current ?? field; init; }
 
@@ -43,18 +44,18 @@ public sealed record GatewayOptions
     /// <summary>The paired headsets, which may connect as observers; null for a gateway without pairing.</summary>
     public HeadsetList Headsets { get; init; }
 
-    /// <summary>Name of the cell, which is the default on the pairing page; null for none.</summary>
+    /// <summary>Name of the cell, proposed on the pairing page; null for none.</summary>
     public string Cell { get; init; }
 
     /// <summary>The folder for recordings; null for a gateway that does not record.</summary>
     public string Recordings { get; init; }
 
-    /// <summary>Whether sources are expected to send joint positions. Until they do, the gateway is not ready.</summary>
+    /// <summary>Whether the gateway is ready only after sources have sent joint positions.</summary>
     public bool ExpectsSources { get; init; }
 
     /// <summary>
-    /// The time for functions that users see and set: expiry of codes and logins, names in use, repeated log lines, names of recordings.
-    /// Sockets and clocks use the system's time.
+    /// The time source for pairing codes, logins, names in use, repeated log lines and names of recordings. Sockets and clocks use the
+    /// system's time.
     /// </summary>
     public TimeProvider Time { get; init; } = TimeProvider.System;
 
@@ -68,19 +69,21 @@ public sealed record GatewayOptions
     public int MaxConnections { get; init; } = 256;
 
     /// <summary>
-    /// Maximum number of connections of one address, on each of the two ports, before authentication. The same number applies again to those
-    /// that have completed a handshake. A new connection replaces the oldest.
+    /// Maximum number of connections from one address, on each of the two ports, before authentication. The number applies separately to
+    /// connections before and after the TLS handshake. At the limit, a new connection replaces the oldest one.
     /// </summary>
     public int MaxPendingConnections { get; init; } = 32;
 
-    /// <summary>Maximum number of connections to the WebSocket port before authentication, of all addresses.</summary>
+    /// <summary>Maximum number of connections to the WebSocket port before authentication, from all addresses together.</summary>
     internal int MaxPendingInAll => Math.Max(MaxConnections, MaxPendingConnections);
 
-    /// <summary>Interval of the answers to wrong tokens from one address that has sent too many of them.</summary>
+    /// <summary>Minimum interval between the answers to an address that has sent too many wrong tokens.</summary>
     public TimeSpan WrongTokenDelay { get; init; } = TimeSpan.FromSeconds(1);
 
     /// <summary>Maximum number of messages that a client may send per second. Further messages are dropped before they are read.</summary>
-    /// <remarks>For sources: four topics at the 1 kHz of a fast control cycle. For others: diagnostics and displayed poses, with a margin.</remarks>
+    /// <remarks>
+    /// The default for sources allows four topics at a control rate of 1 kHz. The default for observers allows diagnostics and displayed poses.
+    /// </remarks>
     public int SourceMessagesPerSecond { get; init; } = 4000;
 
     /// <inheritdoc cref="SourceMessagesPerSecond"/>
@@ -97,11 +100,12 @@ public sealed record GatewayOptions
     public TimeSpan PongTimeout { get; init; } = ProtocolLimits.PongTimeout;
     public TimeSpan MessageTimeout { get; init; } = ProtocolLimits.MessageTimeout;
 
-    /// <summary>Minimum rate at which a client must read a page: half a minute for the longest page.</summary>
+    /// <summary>Minimum rate at which a client must read a page. At this rate, the longest page takes half a minute.</summary>
     public int AnswerBytesPerSecond { get; init; } = 32 * 1024;
 
-    /// <summary>Maximum time, and number of bytes, for skipping a message that is already dropped. Beyond it, the connection is closed.</summary>
+    /// <summary>Maximum time for skipping the rest of a message that was dropped. Afterwards, the gateway closes the connection.</summary>
     public TimeSpan DrainTimeout { get; init; } = TimeSpan.FromSeconds(5);
+    /// <summary>Maximum number of bytes of a dropped message that are skipped. Beyond it, the gateway closes the connection.</summary>
     public int DrainBytes { get; init; } = 16 * 1024 * 1024;
 
     /// <summary>Expiry of the certificate, UTC, after which headsets refuse it; null without TLS.</summary>
@@ -114,18 +118,18 @@ public sealed record GatewayOptions
     internal Role? RoleOf(string token) => RoleOf(TokenList.HashOf(token));
 
     /// <inheritdoc cref="RoleOf(string)"/>
-    /// <param name="tokenHash">Hash from <see cref="TokenList.HashOf"/>. Call again to check whether the token is still valid.</param>
+    /// <param name="tokenHash">Hash from <see cref="TokenList.HashOf"/>.</param>
     internal Role? RoleOf(byte[] tokenHash) =>
         _adapters.RoleOf(tokenHash) ?? Tokens.RoleOf(tokenHash) ?? (Headsets?.Knows(tokenHash) == true ? Role.Observer : null);
 
-    /// <summary>The token of the adapters that this gateway starts, with the role of a source. It is new at each start.</summary>
+    /// <summary>The token of the adapters that this gateway starts. It has the role of a source and is generated at each start.</summary>
     internal string AdapterToken { get; } = Convert.ToHexString(RandomNumberGenerator.GetBytes(32));
 
-    /// <summary>Whether a token that was accepted is still valid with the same role. Tokens can be revoked while connections are open.</summary>
-    /// <param name="tokenHash">Hash of the token; null for a client that needed none.</param>
+    /// <summary>Whether a token that was accepted earlier still has the same role. Tokens can be revoked while connections are open.</summary>
+    /// <param name="tokenHash">Hash of the token; null for a client that connected without a token.</param>
     internal bool Holds(byte[] tokenHash, Role role) => !AsksForTokens || (tokenHash != null && RoleOf(tokenHash) == role);
 
-    /// <summary>Reads changed files again.</summary>
+    /// <summary>Reads the files of tokens, headsets and certificate again if they have changed.</summary>
     internal void Follow()
     {
         Tokens.Follow();
@@ -133,51 +137,54 @@ public sealed record GatewayOptions
         _ = Certificate;
     }
 
-    /// <summary>Paths of files that no other user should read: the tokens' hashes, and the key.</summary>
+    /// <summary>Paths of the files that other users must not read: tokens, paired headsets and the private key.</summary>
     internal IEnumerable<string> SecretFiles =>
         new[] { Tokens.Path, Headsets?.Path, CertificateFile?.KeyPath }.Where(path => path != null);
 
     internal bool IsLoopback => IPAddress.IsLoopback(Bind);
 
-    /// <exception cref="InputException">The combination would send tokens or joint positions unencrypted, or is contradictory.</exception>
+    /// <summary>Checks the settings in combination.</summary>
+    /// <exception cref="InputException">
+    /// A setting is out of range, two settings contradict each other, or tokens or joint positions would be sent unencrypted.
+    /// </exception>
     internal void Check() => Check(Headsets != null);
 
     /// <inheritdoc cref="Check()"/>
     internal void Check(bool pairsHeadsets)
     {
         if (Certificate == null && !IsLoopback && !Tokens.IsEmpty)
-            throw new InputException($"--tokens without --tls on {Bind}: tokens are sent only over TLS or loopback; add --tls or bind to loopback");
+            throw new InputException(AddressOptionMessages.TokensWithoutTls(Bind));
         if (Certificate == null && !IsLoopback && pairsHeadsets)
-            throw new InputException($"--pairing without --certificate on {Bind}: tokens are sent only over TLS or loopback; add --certificate or bind to loopback");
+            throw new InputException(AddressOptionMessages.PairingWithoutCertificate(Bind));
         if (Certificate == null && !IsLoopback && !AllowInsecureLan)
-            throw new InputException($"--bind {Bind}: unencrypted connections from other machines need --insecure-lan; --tls is safer");
+            throw new InputException(AddressOptionMessages.PlainBind(Bind));
         if (Certificate is { HasPrivateKey: false })
-            throw new InputException("--certificate: has no private key; use a certificate with its private key");
+            throw new InputException(AddressOptionMessages.NoPrivateKey);
         CheckPort("--sync-port", SyncPort);
         CheckPort("--ws-port", WebSocketPort);
         if (SyncPort == WebSocketPort && SyncPort != 0)
-            throw new InputException($"{OptionOfTheSamePort} {SyncPort}: both ports are the same; use two different ports");
+            throw new InputException(AddressOptionMessages.SamePorts(OptionOfTheSamePort, SyncPort));
         if (MaxConnections < 1)
-            throw new InputException($"--max-connections {MaxConnections}: must be at least 1");
+            throw new InputException(AddressOptionMessages.MaxConnections(MaxConnections));
         DescriptorLimit.Check(MaxConnections);
         CheckRate(nameof(SourceMessagesPerSecond), SourceMessagesPerSecond);
         CheckRate(nameof(ObserverMessagesPerSecond), ObserverMessagesPerSecond);
         CheckRate(nameof(SyncRequestsPerSecond), SyncRequestsPerSecond);
     }
 
-    // Each connection stores the times of that many messages.
+    // The limit bounds the memory: each connection stores the times of the messages within one second.
     static void CheckRate(string option, int perSecond)
     {
         if (perSecond is < 1 or > MaxRate)
-            throw new InputException($"{option} {perSecond} is out of range; allowed: 1 to {MaxRate}");
+            throw new InputException(AddressOptionMessages.Rate(option, perSecond, MaxRate));
     }
 
-    // The option that was set explicitly; the other has its default.
+    // The option to name in the message: the one without its default value.
     string OptionOfTheSamePort => WebSocketPort == ProtocolLimits.WebSocketPort ? "--sync-port" : "--ws-port";
 
     static void CheckPort(string option, int port)
     {
         if (port is < 0 or > IPEndPoint.MaxPort)
-            throw new InputException($"{option} {port} is out of range; allowed: 0 (any free port) to {IPEndPoint.MaxPort}");
+            throw new InputException(AddressOptionMessages.Port(option, port, IPEndPoint.MaxPort));
     }
 }

@@ -42,7 +42,7 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly GatewayStatus _status;
     readonly WebApplication _web;
 
-    // Opens the sync port. Nothing is served before StartAsync.
+    // Opens the sync port, but serves no client; StartAsync starts both servers.
     GatewayServer(GatewayOptions options, IControlClock clock, Action<string> log)
     {
         _options = options;
@@ -77,13 +77,15 @@ public sealed class GatewayServer : IAsyncDisposable
             RosbridgeServer.CountFragmentsAsync);
     }
 
-    /// <summary>The endpoint with the actual port.</summary>
+    /// <summary>The endpoint with the actual port, also if port 0 was requested.</summary>
     public IPEndPoint SyncEndPoint => _sync.EndPoint;
 
     /// <inheritdoc cref="SyncEndPoint"/>
     public IPEndPoint WebSocketEndPoint { get; private set; }
 
-    /// <summary>Addresses of the page with the control clock as a code for cameras, one per host name; empty if the page was not built.</summary>
+    /// <summary>
+    /// Addresses of the page that shows the control time as a code for cameras, one per host name; empty if the page was not built.
+    /// </summary>
     public IReadOnlyList<Uri> CodePageUris =>
         !_page.IsBuilt ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, CodePage.Path))];
 
@@ -91,7 +93,7 @@ public sealed class GatewayServer : IAsyncDisposable
     public IReadOnlyList<Uri> OperationsPageUris =>
         OperationsPage.Html == null ? [] : [.. OwnHosts.Reachable(_options.Bind).Select(host => PageUri(host, OperationsRoutes.Path))];
 
-    /// <summary>Whether the gateway pairs headsets, which then get their own tokens.</summary>
+    /// <summary>Whether the gateway pairs headsets. Each paired headset gets its own token.</summary>
     public bool PairsHeadsets => _options.Headsets != null;
 
     /// <summary>
@@ -102,19 +104,19 @@ public sealed class GatewayServer : IAsyncDisposable
     /// <summary>The token that gives an adapter started by this gateway the role of a source.</summary>
     internal string AdapterToken => _options.AdapterToken;
 
-    /// <summary>The pin that headsets store for the gateway's key; null without TLS.</summary>
+    /// <summary>The certificate pin that headsets store; null without TLS.</summary>
     public CertificatePin Pin => _options.Certificate == null ? null : CertificatePin.Of(_options.Certificate);
 
-    /// <summary>Expiry of the certificate, UTC. Headsets refuse it afterwards. Null without TLS.</summary>
+    /// <summary>Expiry of the certificate, UTC; null without TLS. Headsets refuse an expired certificate.</summary>
     public DateTime? CertificateExpires => _options.CertificateExpires;
 
     /// <summary>Warnings for the operator: unnecessary privileges, and secret files that other users can read.</summary>
     public IEnumerable<string> Warnings => Precautions.Of(_options, Environment.GetEnvironmentVariable("CREDENTIALS_DIRECTORY"));
 
-    /// <summary>The rate-limited log for parts of the gateway, so that peers cannot fill the disk.</summary>
+    /// <summary>The log for all parts of the gateway. Its rate limit prevents clients from filling the disk.</summary>
     internal Action<string> Log => _log.Write;
 
-    /// <summary>Returns a log with limits of its own, for a part whose lines must not be suppressed because of others. The caller disposes it.</summary>
+    /// <summary>Creates a log with its own rate limit, so that the lines of other parts cannot suppress its lines. The caller disposes it.</summary>
     internal RateLimitedLog NewLog() => new(_unlimitedLog, Time);
 
     internal EventList Events => _status.Events;
@@ -133,21 +135,21 @@ public sealed class GatewayServer : IAsyncDisposable
 
     public PlantClocks PlantClocks { get; }
 
-    /// <summary>Counts dropped messages of clients, and messages dropped for slow clients.</summary>
+    /// <summary>Counters of the dropped messages from clients and to slow clients.</summary>
     internal DropCounters Drops => _rosbridge.Drops;
 
     public ConnectionCounters SyncConnections => _sync.Counters;
     public ConnectionCounters WebSocketConnections { get; }
 
-    /// <summary>Number of connections of both ports before authentication.</summary>
+    /// <summary>Number of connections to both ports that are not authenticated yet.</summary>
     internal int PendingCount => _sync.PendingCount + _webPending.Count;
 
-    /// <summary>Number of connections that end when their token is revoked.</summary>
+    /// <summary>Number of open connections with a token. The gateway closes them when their token is revoked.</summary>
     internal int WatchedTokens => _access.Count;
 
     /// <summary>Starts both servers. They accept connections when this returns.</summary>
-    /// <param name="clock">The gateway's own clock, served until an adapter offers that of the control system.</param>
-    /// <param name="log">Takes short lines without secrets, from any thread; null for none.</param>
+    /// <param name="clock">The gateway's own clock, served until an adapter offers the control system's clock.</param>
+    /// <param name="log">Receives short lines without secrets, on any thread; null for no log.</param>
     /// <exception cref="InputException">The options contradict the protocol.</exception>
     /// <exception cref="IOException">A port is in use, or the address does not belong to this machine. Both may be temporary.</exception>
     public static async Task<GatewayServer> StartAsync(
@@ -185,7 +187,7 @@ public sealed class GatewayServer : IAsyncDisposable
         await _web.StopAsync(timeout.Token);
         await _web.DisposeAsync();
         _rosbridge.Dispose();
-        // Last, so that all received messages are in the file.
+        // Closed last, so that the file contains all received messages.
         await Recorder.DisposeAsync();
         _log.Dispose();
     }

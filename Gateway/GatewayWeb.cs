@@ -8,30 +8,32 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway;
 
-/// <summary>The gateway's HTTP server: its limits, its TLS, and the handlers of its requests.</summary>
+/// <summary>Builds the gateway's HTTP server with its limits, TLS and request handlers.</summary>
 static class GatewayWeb
 {
-    /// <summary>Maximum number of unsent bytes of a connection: a few samples.</summary>
+    /// <summary>Maximum number of unsent bytes per connection. It holds a few samples.</summary>
     const int MaxUnsentBytes = 4096;
 
-    /// <summary>Allowance for connections that were evicted but are not yet closed.</summary>
+    /// <summary>Number of additional connections, for those that were evicted but are not closed yet.</summary>
     const int ClosingConnections = 16;
 
     static readonly TimeSpan AnswerGrace = TimeSpan.FromSeconds(5);
 
-    /// <param name="pending">Places of connections before authentication.</param>
-    /// <param name="log">Takes short lines without secrets, from any thread.</param>
+    /// <param name="pending">Limits the connections before authentication.</param>
+    /// <param name="log">Receives short lines without secrets, on any thread.</param>
     /// <param name="rosbridge">Serves WebSockets.</param>
-    /// <param name="before">Handlers called before it, in this order. Each serves a request or calls the next.</param>
+    /// <param name="before">
+    /// Handlers called before <paramref name="rosbridge"/>, in this order. Each serves a request or calls the next handler.
+    /// </param>
     public static WebApplication Build(
         GatewayOptions options, PendingPlaces pending, Action<string> log, RequestDelegate rosbridge,
         params Func<HttpContext, RequestDelegate, Task>[] before)
     {
-        // Empty, so that settings in the working folder or the environment do not change the gateway's behaviour.
+        // Uses the empty builder, so that settings in the working folder or the environment do not change the gateway's behaviour.
         var builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
         builder.Services.AddSingleton<IHostLifetime, NoSignals>();
         builder.WebHost.UseKestrelCore().UseKestrelHttpsConfiguration();
-        // Maximum number of unread bytes of each connection. Longer messages are assembled elsewhere, with their own limits.
+        // Limits the unread bytes of each connection. MessageReceiver assembles longer messages, with its own limits.
         builder.Services.Configure<SocketTransportOptions>(sockets =>
         {
             sockets.MaxReadBufferSize = ProtocolLimits.MessageBytes;
@@ -52,11 +54,11 @@ static class GatewayWeb
     static void Configure(KestrelServerOptions kestrel, GatewayOptions options, PendingPlaces pending)
     {
         kestrel.AddServerHeader = false;
-        // The first timeout starts with a request's first byte; the second applies before it.
+        // The first timeout starts with the first byte of a request; the second limits the time before that byte.
         kestrel.Limits.RequestHeadersTimeout = kestrel.Limits.KeepAliveTimeout = options.TokenTimeout;
-        // Connections before authentication have additional places, so that a refused one still gets its answer.
+        // Allows additional connections before authentication, so that a refused client still gets its answer.
         kestrel.Limits.MaxConcurrentConnections = (long)options.MaxConnections + options.MaxPendingInAll + ClosingConnections;
-        // For pages and other answers. Slow readers of a WebSocket are handled by its connection.
+        // Applies to pages and other answers. For WebSockets, RosbridgeConnection handles slow readers.
         kestrel.Limits.MinResponseDataRate = new MinDataRate(options.AnswerBytesPerSecond, AnswerGrace);
         kestrel.Limits.MaxResponseBufferSize = MaxUnsentBytes;
         kestrel.Limits.MaxRequestBufferSize = ProtocolLimits.MessageBytes;

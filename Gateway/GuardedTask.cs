@@ -1,12 +1,12 @@
 namespace Nowpose.Gateway;
 
-/// <summary>A task that a timer runs. It never runs concurrently, and its exceptions are logged.</summary>
-/// <param name="failure">Log text for a failure.</param>
+/// <summary>Runs a task for a timer, never twice at the same time, and logs its exceptions.</summary>
+/// <param name="failure">Log text that precedes the exception.</param>
 sealed class GuardedTask(Action task, string failure, Action<string> log)
 {
     readonly Lock _lock = new();
 
-    /// <summary>Runs the task, unless it is running.</summary>
+    /// <summary>Runs the task, unless it is still running from an earlier call.</summary>
     public void RunUnlessBusy()
     {
         if (!_lock.TryEnter()) return;
@@ -16,7 +16,7 @@ sealed class GuardedTask(Action task, string failure, Action<string> log)
         }
         catch (Exception e)
         {
-            // Catches all exceptions: an unhandled one on a timer's thread ends the process.
+            // Catches all exceptions, because an unhandled exception on a timer's thread ends the process.
             log($"{failure} ({e.GetType().Name}: {e.Message})");
         }
         finally
@@ -25,7 +25,7 @@ sealed class GuardedTask(Action task, string failure, Action<string> log)
         }
     }
 
-    /// <summary>Waits until the task is not running, and runs an action before it can start again.</summary>
+    /// <summary>Waits until the task is not running, and runs an action before the task can start again.</summary>
     public void Exclude(Action action)
     {
         lock (_lock) action();

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway;
 
-/// <summary>Leaves Ctrl-C to the host program; the default lifetime of the web host would handle it.</summary>
+/// <summary>A web host lifetime that does not handle Ctrl-C, unlike the default one, because the program handles it itself.</summary>
 sealed class NoSignals : IHostLifetime
 {
     public Task WaitForStartAsync(CancellationToken cancellationToken) => Task.CompletedTask;

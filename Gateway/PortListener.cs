@@ -1,12 +1,14 @@
 using System.Net;
 using System.Net.Sockets;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 
-/// <summary>Listens on the gateway's ports. Errors name the responsible option.</summary>
+/// <summary>Opens the gateway's ports. Errors name the option that sets the port or the address.</summary>
 static class PortListener
 {
-    /// <param name="option">Name of the port's option.</param>
+    /// <summary>Opens a port.</summary>
+    /// <param name="option">Name of the option that sets the port, for messages.</param>
     /// <exception cref="IOException">The port is in use, or the address does not belong to this machine. Both may be temporary.</exception>
     public static TcpListener Open(string option, IPAddress bind, int port)
     {
@@ -15,8 +17,8 @@ static class PortListener
         {
             listener = new TcpListener(bind, port);
             if (bind.Equals(IPAddress.IPv6Any)) listener.Server.DualMode = true;
-            // On Unix, .NET sets SO_REUSEADDR when binding, so that a restart need not wait for old connections to time out.
-            // Setting it here would also let two gateways share the port.
+            // Does not set SO_REUSEADDR: on Unix, .NET already sets the option for a bind, so that a restart need not wait until old connections
+            // time out. Setting it here would also let two gateways share the port.
             listener.Start();
             return listener;
         }
@@ -27,12 +29,12 @@ static class PortListener
         }
     }
 
-    /// <summary>Creates the exception for a port that the system refuses.</summary>
+    /// <summary>Creates the exception for a port that the system refuses to open.</summary>
     public static IOException Refusal(string option, IPAddress bind, int port, Exception cause) => IsOfThePort(cause)
         ? new IOException($"{option} {port} on {bind}: {cause.Message}", cause)
-        : new IOException($"--bind {bind}: not an address of this machine ({cause.Message})", cause);
+        : new IOException(AddressOptionMessages.NotThisMachine(bind, cause.Message), cause);
 
-    /// <summary>Whether the port is in use by another process at present.</summary>
+    /// <summary>Whether the port was refused because another process uses it.</summary>
     public static bool IsTaken(IOException refusal) =>
         refusal.InnerException is SocketException { SocketErrorCode: SocketError.AddressAlreadyInUse };
 

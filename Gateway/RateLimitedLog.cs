@@ -1,13 +1,14 @@
 namespace Nowpose.Gateway;
 
 /// <summary>
-/// Writes lines with a limit per minute for equal lines, followed by the number of suppressed ones, so that peers cannot fill the disk. Thread-safe.
+/// Writes log lines, at most <see cref="LinesAMinute"/> equal ones per minute, so that clients cannot fill the disk. At the end of the minute,
+/// writes the number of suppressed lines. Thread-safe.
 /// </summary>
 sealed class RateLimitedLog : IDisposable
 {
     public const int LinesAMinute = 10;
 
-    /// <summary>Maximum number of different lines that are counted separately; all further ones count as one.</summary>
+    /// <summary>Maximum number of different lines that are counted separately. All further lines are counted together.</summary>
     public const int MaxKinds = 100;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);

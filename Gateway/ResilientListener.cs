@@ -1,13 +1,14 @@
 using System.Net;
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Connections.Features;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 
-/// <summary>Accepts connections for the web server, and continues after any error of the system.</summary>
+/// <summary>Accepts connections for the web server, and continues after an error of the operating system.</summary>
 /// <remarks>
-/// Kestrel closes a port permanently at the first exception of its listener. The last file descriptors are kept free, because Kestrel's
-/// listener uses a whole processor when none are left.
+/// Kestrel closes a port permanently at the first exception of its listener. The listener keeps the last file descriptors free, because
+/// without a free descriptor, Kestrel's own listener occupies a whole processor.
 /// </remarks>
 sealed class ResilientListener(IConnectionListener inner, Action<string> log) : IConnectionListener
 {
@@ -17,7 +18,8 @@ sealed class ResilientListener(IConnectionListener inner, Action<string> log) : 
 
     public EndPoint EndPoint => inner.EndPoint;
 
-    /// <returns>Null if the listener was unbound.</returns>
+    /// <summary>Waits for the next connection.</summary>
+    /// <returns>The connection; null after the listener was unbound.</returns>
     public async ValueTask<ConnectionContext> AcceptAsync(CancellationToken cancellationToken = default)
     {
         while (!_stop.IsCancellationRequested)
@@ -32,7 +34,7 @@ sealed class ResilientListener(IConnectionListener inner, Action<string> log) : 
             catch (Exception e) when (!_stop.IsCancellationRequested && !cancellationToken.IsCancellationRequested)
             {
                 if (accepted != null) await accepted.DisposeAsync();
-                log($"websocket: a connection could not be accepted ({e.GetType().Name}: {e.Message})");
+                log(RequestMessages.NotAccepted(e.GetType().Name, e.Message));
                 await Task.Delay(PauseAfterFailure, _stop.Token).ContinueWith(_ => { }, TaskScheduler.Default);
             }
         }

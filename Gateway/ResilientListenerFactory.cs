@@ -6,7 +6,7 @@ using Microsoft.Extensions.Options;
 
 namespace Nowpose.Gateway;
 
-/// <summary>Opens the port of the web server.</summary>
+/// <summary>Creates the <see cref="ResilientListener"/> on the web server's port.</summary>
 sealed class ResilientListenerFactory(IOptions<SocketTransportOptions> options, Action<string> log) : IConnectionListenerFactory
 {
     readonly SocketTransportFactory _sockets = new(options, NullLoggerFactory.Instance);

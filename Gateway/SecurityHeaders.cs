@@ -1,9 +1,9 @@
 namespace Nowpose.Gateway;
 
-/// <summary>Adds headers to every answer that disable content sniffing and framing by other sites.</summary>
+/// <summary>Adds headers to every answer that prevent browsers from guessing content types and other sites from framing a page.</summary>
 static class SecurityHeaders
 {
-    /// <summary>Policy of an answer that is not a page: it must not run or load anything.</summary>
+    /// <summary>Content security policy for answers that are not pages: a browser must not run or load anything because of them.</summary>
     const string NoPage = "default-src 'none'; frame-ancestors 'none'";
 
     public static Task AddAsync(HttpContext context, RequestDelegate next)

@@ -1,6 +1,6 @@
 namespace Nowpose.Web;
 
-/// <summary>The paper's figures as one HTML page that needs no network. It has plots unless it was built without Node.js.</summary>
+/// <summary>Creates the page of the paper's figures: one HTML file that needs no network. It has plots unless it was built without Node.js.</summary>
 public static class FiguresPage
 {
     static readonly PageTemplate Template = PageTemplate.Named("figures.html");
@@ -8,8 +8,8 @@ public static class FiguresPage
     /// <inheritdoc cref="ReportPage.HasPlots"/>
     public static bool HasPlots => Template != null;
 
-    /// <param name="json">One JSON object; the fields are those of <c>Web/src/paper/data.ts</c>.</param>
-    /// <exception cref="ArgumentException">The text is not JSON (which has no NaN) or not an object.</exception>
+    /// <param name="json">A JSON object with the fields of <c>Web/src/paper/data.ts</c>.</param>
+    /// <exception cref="ArgumentException">The text is not a valid JSON object. JSON has no NaN.</exception>
     public static string Render(string json)
     {
         using var data = PageTemplate.Parse(json);

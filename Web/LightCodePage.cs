@@ -1,8 +1,8 @@
 namespace Nowpose.Web;
 
-/// <summary>The page that shows the control clock as a code for cameras. It requests the time from its gateway.</summary>
+/// <summary>The page that shows the control time as a code for cameras. It requests the time from the gateway that serves it.</summary>
 public static class LightCodePage
 {
-    /// <summary>Null if this assembly was built without Node.js.</summary>
+    /// <summary>Text of the page; null if this assembly was built without Node.js.</summary>
     public static string Html { get; } = PageTemplate.Read("vlc.html");
 }

@@ -4,10 +4,10 @@ using System.Text;
 
 namespace Nowpose.Web;
 
-/// <summary>Starts scripts that were bundled for Node.js.</summary>
+/// <summary>Starts scripts with Node.js.</summary>
 public static class NodeProgram
 {
-    /// <summary>Gets the Node.js that a release includes beside the program, otherwise the machine's own.</summary>
+    /// <summary>Gets the path of the Node.js that a release contains. If there is none, returns the name of the installed one.</summary>
     /// <param name="folder">Folder of the program.</param>
     public static string In(string folder)
     {
@@ -15,10 +15,10 @@ public static class NodeProgram
         return File.Exists(included) ? included : "node";
     }
 
-    /// <summary>Starts a script with redirected input and outputs.</summary>
-    /// <param name="needed">First part of the error message: for what Node.js is needed.</param>
-    /// <param name="prepare">Completes the settings; null for none.</param>
-    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
+    /// <summary>Starts a script with redirected input, output and error stream.</summary>
+    /// <param name="needed">Beginning of the error message, which states what Node.js is needed for.</param>
+    /// <param name="prepare">Changes the settings of the process before it starts; null for no changes.</param>
+    /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>
     public static Process Start(string needed, string script, IEnumerable<string> arguments, Action<Process> prepare = null)
     {
         if (!File.Exists(script)) throw new InputException($"{needed}; this program was built without it: install it and build again");

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Web;
 
-/// <summary>A page from the bundler with a placeholder for its data: one HTML file that needs no network.</summary>
+/// <summary>A bundled HTML page with a placeholder for its data. The page needs no network.</summary>
 sealed class PageTemplate
 {
     const string Placeholder = "__REPORT_DATA__";
@@ -11,14 +11,14 @@ sealed class PageTemplate
 
     PageTemplate(string html) => _html = html;
 
-    /// <summary>Null if this assembly was built without Node.js.</summary>
+    /// <returns>The page; null if this assembly was built without Node.js.</returns>
     public static PageTemplate Named(string resource)
     {
         var html = Read(resource);
         return html == null ? null : new PageTemplate(html);
     }
 
-    /// <summary>A page that needs no data. Null if this assembly was built without Node.js.</summary>
+    /// <summary>Reads a page that needs no data; null if this assembly was built without Node.js.</summary>
     public static string Read(string resource)
     {
         using var stream = typeof(PageTemplate).Assembly.GetManifestResourceStream(resource);
@@ -27,7 +27,7 @@ sealed class PageTemplate
         return reader.ReadToEnd();
     }
 
-    /// <exception cref="ArgumentException">The text is not JSON (which has no NaN) or not an object.</exception>
+    /// <exception cref="ArgumentException">The text is not a valid JSON object. JSON has no NaN.</exception>
     public static JsonDocument Parse(string json)
     {
         JsonDocument data;
@@ -46,7 +46,7 @@ sealed class PageTemplate
     }
 
     /// <summary>
-    /// Escapes each &lt;. In JSON it occurs only inside strings, where the escape has the same meaning and cannot end the script element.
+    /// Inserts the data. Escapes each &lt;, which in JSON occurs only within strings, so that no string can end the script element.
     /// </summary>
     public string With(string json)
     {

@@ -3,10 +3,10 @@ using static Nowpose.Web.PlainPage;
 
 namespace Nowpose.Web;
 
-/// <summary>A calibration without plots and without JavaScript, for builds on machines that have no Node.js.</summary>
+/// <summary>Creates the page of a calibration without plots and JavaScript, for builds without Node.js.</summary>
 public static class PlainCalibration
 {
-    /// <param name="page">The data in the format of <see cref="CalibrationPage.Render"/>.</param>
+    /// <param name="page">Data as for <see cref="CalibrationPage.Render"/>.</param>
     public static string Render(JsonElement page)
     {
         var html = Begin(Text(page, "title"), "body{color-scheme:light dark}");

@@ -4,14 +4,14 @@ using static Nowpose.Web.PlainPage;
 
 namespace Nowpose.Web;
 
-/// <summary>The paper's figures without plots and without JavaScript, for builds on machines that have no Node.js.</summary>
+/// <summary>Creates the page of the paper's figures without plots and JavaScript, for builds without Node.js.</summary>
 public static class PlainFigures
 {
-    // Drawings use the page's colours by name, so they are given here as well.
+    // Defines the colours that the drawings refer to by name.
     const string Style = "body{color-scheme:light;--truth:#b9c2cc;--hold:#d9741a;--adaptive:#0b4a8f;--quadratic:#00856f;--ink:#16202c;"
         + "--muted:#55616f;--surface:#fff}svg{width:20rem;max-width:100%}";
 
-    /// <param name="page">The data in the format of <see cref="FiguresPage.Render"/>.</param>
+    /// <param name="page">Data as for <see cref="FiguresPage.Render"/>.</param>
     public static string Render(JsonElement page)
     {
         var html = Begin(Text(page, "title"), Style);

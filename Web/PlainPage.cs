@@ -5,15 +5,15 @@ using System.Text.Json;
 
 namespace Nowpose.Web;
 
-/// <summary>Parts of the pages without plots and without JavaScript, for builds on machines that have no Node.js.</summary>
+/// <summary>Creates parts of pages without plots and JavaScript, for builds without Node.js.</summary>
 static class PlainPage
 {
     const string Style = "body{font:15px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}"
         + "table{border-collapse:collapse;margin:1rem 0}caption{font-weight:600;text-align:left}"
         + "th,td{padding:.25rem 1rem .25rem 0;border-bottom:1px solid #8886;text-align:left}";
 
-    /// <param name="title">HTML-encoded title.</param>
-    /// <param name="style">Style sheet in addition to the common style.</param>
+    /// <param name="title">Title, already HTML-encoded.</param>
+    /// <param name="style">Style sheet that is added to the common one.</param>
     public static StringBuilder Begin(string title, string style)
     {
         var html = new StringBuilder();

@@ -5,14 +5,14 @@ using System.Text.Json;
 
 namespace Nowpose.Web;
 
-/// <summary>The report without plots and without JavaScript, for builds on machines that have no Node.js.</summary>
+/// <summary>Creates the report without plots and JavaScript, for builds without Node.js.</summary>
 public static class PlainReport
 {
     const string Style = "body{font:15px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color-scheme:light dark}"
         + "table{border-collapse:collapse;margin:1rem 0}caption{font-weight:600;text-align:left}"
         + "th,td{padding:.25rem 1rem .25rem 0;border-bottom:1px solid #8886;text-align:left}.n{text-align:right}";
 
-    /// <param name="report">The data in the format of <see cref="ReportPage.Render"/>.</param>
+    /// <param name="report">Data as for <see cref="ReportPage.Render"/>.</param>
     public static string Render(JsonElement report)
     {
         var title = Text(report, "title") ?? "Nowpose report";
@@ -40,7 +40,7 @@ public static class PlainReport
         });
     }
 
-    // Only a run of the paper's scenario has claims.
+    // Adds the claims, which only a run of the paper's scenario has.
     static void AppendClaims(StringBuilder page, JsonElement report)
     {
         if (!report.TryGetProperty("claims", out var claims) || claims.ValueKind != JsonValueKind.Array) return;

@@ -1,5 +1,5 @@
-// Builds dist/report.html, figures.html, calibration.html, vlc.html, pairing.html and operations.html, each with its script and style inside.
-// `npm run build` and prepare.mjs run it.
+// Builds report.html, figures.html, calibration.html, vlc.html, pairing.html and operations.html in dist. Each contains its script and style.
+// Run by `npm run build` and by prepare.mjs.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { createHash } from 'node:crypto';
 import { dirname, join } from 'node:path';
@@ -13,8 +13,8 @@ const pages = { report: 'src/main.ts', figures: 'src/paper/main.ts', calibration
 const withPlots = 'src/page.html';
 const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html', pairing: 'src/pairing/pairing.html', operations: 'src/operations/operations.html' };
 
-// The licence of the included code is added to the page.
-// qrcode-generator states its author and the MIT licence in its source; the text of that licence is the same as in ours.
+// Each page contains the licences of the code that it includes.
+// qrcode-generator names its author and the MIT licence only in its source. The text of the MIT licence is taken from ours.
 const mit = read('../LICENSE').replace(/^[^]*?(?=Permission is hereby granted)/, '');
 const maker = /Copyright \(c\) [^\r\n]*/.exec(read('node_modules/qrcode-generator/dist/qrcode.mjs'))[0];
 
@@ -23,7 +23,7 @@ const licences = {
   uPlot: read('node_modules/uplot/LICENSE'),
   'qrcode-generator': `${maker}\n\n${mit}`,
   'three.js': read('node_modules/three/LICENSE'),
-  // The text of this licence is the same in every package.
+  // urdf-loader contains only a notice. The text of its licence is the same in every package, so it is taken from another one.
   'urdf-loader': `${readme.slice(readme.indexOf('Copyright ©')).trim()}\n\n${read('node_modules/playwright-core/LICENSE').replace(/(?<=END OF TERMS AND CONDITIONS)[^]*/, '')}`,
 };
 const plots = ['uPlot'], robots = ['three.js', 'urdf-loader'];
@@ -32,7 +32,7 @@ const contents = {
   operations: [...plots, ...robots, 'qrcode-generator'],
 };
 
-// A page cannot load a robot's meshes from anywhere.
+// Excludes the mesh loaders, because a page cannot load meshes.
 const noMeshes = {
   name: 'no-meshes',
   setup(build) {
@@ -55,7 +55,7 @@ const { outputFiles } = await build({
   plugins: [noMeshes],
 });
 const licenceText = names => names.map(name => `<!-- Contains ${name}.\n${licences[name].replaceAll('--', '- -')}\n-->`).join('\n');
-// A page allows only the script and the style with which it was bundled.
+// The content security policy of a page allows only the script and the style that were bundled with it.
 const hash = text => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 const output = name => outputFiles.find(f => f.path.endsWith(name)).text;
 
@@ -76,7 +76,7 @@ for (const [name, template] of Object.entries(templates)) {
     page = page.replace(mark, () => text);
   }
 
-  // Renamed into place, so that a concurrent build never reads an incomplete file.
+  // Renames the complete file, so that a concurrent build never reads an incomplete one.
   const unfinished = join(web, 'dist', `${name}.${process.pid}.tmp`);
   writeFileSync(unfinished, page);
   renameSync(unfinished, join(web, 'dist', `${name}.html`));

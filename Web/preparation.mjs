@@ -1,6 +1,6 @@
-// Run by builds of projects with bundling.targets. Installs the pinned packages if package-lock.json has changed, and bundles if a source
-// has changed. Concurrent builds wait for each other.
-// Exit status: 0 success, 3 the packages are not available (the build continues without the bundle), 1 an error in the sources.
+// Run by the build of projects that use bundling.targets. Installs the pinned packages if package-lock.json has changed, and bundles if a
+// source has changed. Concurrent builds wait for each other.
+// Exit status: 0 success; 3 the packages are not available, so the build continues without the bundle; 1 error in the sources.
 import { execSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ function isRunning(pid) {
   }
 }
 
-/** Waits for another build, for any duration of its installation. Ignores a build that has crashed. */
+/** Waits until no other build holds the lock. The wait has no time limit, but the lock of a crashed build is ignored. */
 async function takeTurn(lock) {
   mkdirSync(dirname(lock), { recursive: true });
   for (;;) {

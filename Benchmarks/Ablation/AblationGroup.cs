@@ -5,16 +5,18 @@ using Nowpose.Studies;
 
 namespace Nowpose.Benchmarks.Ablation;
 
-/// <summary>Runs that are reported together: recordings, simulated motions, or the same motions with errors of the stamps.</summary>
-/// <param name="name">Name for the table.</param>
+/// <summary>
+/// A group of runs that is reported in one row: recordings, simulated motions, or simulated motions with errors of the time stamps.
+/// </summary>
+/// <param name="name">Name of the group in the table.</param>
 sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
 {
     static readonly string[] Fixed = ["hold", "linear", "quadratic", "quadratic-h3", "quadratic-h4", "cubic"];
 
-    /// <summary>Sampling interval and latency, s.</summary>
+    /// <summary>Sampling intervals and latencies, s.</summary>
     static readonly (double Interval, double Latency)[] Conditions = [(0.020, 0.100), (0.050, 0.100), (0.100, 0.150)];
 
-    /// <summary>Seeds that were not used for any tuning.</summary>
+    /// <summary>Seeds that were not used to tune a predictor.</summary>
     static readonly int[] Seeds = [6101, 6102, 6103];
 
     static readonly Func<int, AxisMotion>[] SimulatedMotions =
@@ -35,11 +37,11 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
         return groups;
     }
 
-    /// <summary>Gets the error of each run.</summary>
+    /// <summary>Gets the error of a predictor in each run.</summary>
     public double[] Errors(Func<JointPredictor> newPredictor) => [.. runs.AsParallel().AsOrdered().Select(run => run.Rms(newPredictor))];
 
-    /// <summary>Gets the error of the best fixed predictor in each run.</summary>
-    public double[] LeastFixedErrors() =>
+    /// <summary>Gets the error of the best predictor with fixed parameters in each run.</summary>
+    public double[] MinFixedErrors() =>
         [.. Fixed.Select(one => Errors(() => Predictors.Create(one, PredictionLimits.Unlimited))).Aggregate((a, b) => [.. a.Zip(b, Math.Min)])];
 
     static AblationGroup Simulated(string name, double stampError) => new(name,

@@ -6,7 +6,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks.Ablation;
 
-/// <summary>ablation: measures the benefit of each part of the default predictor by removing it.</summary>
+/// <summary>ablation: measures how the error changes when each part of the default predictor is removed.</summary>
 static class AblationVerb
 {
     static readonly PredictionParts[] Parts =
@@ -23,7 +23,7 @@ static class AblationVerb
             Description = "Folder with motions in the format of replay (*.csv, *.csv.gz). Default: simulated motions only", HelpName = "DIR",
         };
         recordings.AcceptExistingOnly();
-        var command = new Command("ablation", "Compare the errors without one part of the predictor with those of the whole predictor, in virtual time") { recordings };
+        var command = new Command("ablation", "Compare the errors of the default predictor with and without each of its parts, in virtual time") { recordings };
         command.SetAction((parsed, stop) =>
         {
             Write(parsed.GetValue(recordings)?.FullName, stop);
@@ -52,7 +52,7 @@ static class AblationVerb
 
     static void WriteRuns(AblationGroup group, double[] whole)
     {
-        var (hold, quadratic, best) = (Fixed(group, "hold"), Fixed(group, "quadratic"), group.LeastFixedErrors());
+        var (hold, quadratic, best) = (Fixed(group, "hold"), Fixed(group, "quadratic"), group.MinFixedErrors());
         Console.WriteLine();
         Console.WriteLine($"| {group.Name} | quadratic ÷ hold | adaptive ÷ quadratic | adaptive ÷ best fixed |");
         Console.WriteLine("| --- | ---: | ---: | ---: |");

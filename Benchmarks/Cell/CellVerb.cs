@@ -6,17 +6,17 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks.Cell;
 
-/// <summary>cell: measures the CPU time of a frame with many tracked objects and two robots.</summary>
+/// <summary>cell: measures the CPU time of a display frame with many tracked objects and two robots.</summary>
 static class CellVerb
 {
     const int Objects = 50, FramesPerSecond = 60, MeasuredSeconds = 60;
 
-    /// <summary>Longer than the history of template matching, so that its cost no longer grows.</summary>
+    /// <summary>Time that is not measured. It is longer than the history of template matching, so the cost no longer grows after it.</summary>
     const int WarmUpSeconds = 130;
 
     const double MaxMilliseconds = 0.3;
 
-    /// <summary>Sampling interval for which the limit holds, in ms: 20 Hz, as the gateway's simulated sources.</summary>
+    /// <summary>Sampling interval to which the limit applies, ms. It is the interval of the gateway's simulated sources.</summary>
     const int LimitedSamplingMs = 50;
 
     static readonly (bool IsPlane, int SamplingMs)[] Rows = [(true, LimitedSamplingMs), (false, LimitedSamplingMs), (true, 20), (false, 20)];
@@ -51,7 +51,7 @@ static class CellVerb
         return missed.Count == 0 ? ExitStatus.Done : ExitStatus.Failed;
     }
 
-    // In µs, and bytes of all measured frames.
+    // Returns times in µs, and the bytes that all measured frames allocated.
     static (double Mean, double Median, double WithSamples, long Bytes) Measure(
         int objects, bool isPlane, int samplingMs, string predictor, CancellationToken stop)
     {

@@ -14,7 +14,7 @@ using UnityEngine;
 
 namespace Nowpose.Benchmarks.Cell;
 
-/// <summary>The package's robot cell with a second robot and tracked objects in the stand-in engine, in virtual time.</summary>
+/// <summary>A scene in the stand-in engine, in virtual time: the package's robot cell with a second robot and tracked objects.</summary>
 sealed class ObjectScene : IDisposable, IHeadsetClock
 {
     const double FrameSeconds = 1 / 60.0, Latency = 0.08, ExchangeSeconds = 0.2;
@@ -26,12 +26,15 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
     readonly MrilSession _session;
     readonly TrackedObject[] _objects;
     readonly string[] _joints;
+
+    // Position in the middle of each joint's limits, or 0 without limits.
+    readonly double[] _middles;
     readonly bool _isPlane;
     readonly double _interval;
     double _now = 100, _nextSample = 100, _nextExchange;
     long _frame;
 
-    /// <param name="isPlane">Whether the objects move in a plane, as on a conveyor; otherwise in all six coordinates.</param>
+    /// <param name="isPlane">Whether the objects move in a plane, as on a conveyor. If not, they move in all six coordinates.</param>
     /// <param name="interval">Sampling interval of objects and robots, s.</param>
     public ObjectScene(int objects, bool isPlane, double interval, string predictor)
     {
@@ -39,7 +42,7 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
         var assets = new AssetLibrary(ProjectRoot());
         _player = new Player(assets);
         var prefab = assets.Load<GameObject>(Prefab);
-        // The data come from here: the cell must not connect to a gateway on this machine, or wake before its clock is set.
+        // This class delivers the data, so the cell must not connect to a gateway. It must stay inactive until its clock is set.
         Set(prefab.GetComponent<MrilSession>(), "_connectOnEnable", false);
         prefab.SetActive(false);
         _session = UnityEngine.Object.Instantiate(prefab).GetComponent<MrilSession>();
@@ -53,17 +56,18 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
         _objects = [.. Enumerable.Range(0, objects).Select(i => Below<TrackedObject>("object" + i, anchor))];
         _session.gameObject.SetActive(true);
         _joints = [.. _session.Robot.MovingJoints.Select(joint => joint.Name)];
+        _middles = [.. _session.Robot.MovingJoints.Select(joint => (joint.Limits.Lower + joint.Limits.Upper) / 2).Select(middle => double.IsFinite(middle) ? middle : 0)];
     }
 
     public HeadsetTime Now => HeadsetTime.FromSeconds(_now);
 
-    /// <summary>Whether all objects and both robots are shown where they are.</summary>
+    /// <summary>Whether the displayed poses of all objects and both robots are current.</summary>
     public bool IsCurrent => Enumerable.Range(0, _session.Session.Robots.Count).All(i => _session.Session.Robots[i].Frame.State == PoseState.Current)
         && _objects.All(shown => shown.State == PoseState.Current);
 
-    /// <summary>Plays a frame: receives the messages of the sources, and runs the whole player loop.</summary>
-    /// <param name="hasSamples">Whether samples arrived.</param>
-    /// <returns>CPU time of the player loop in s, and the bytes that it allocated.</returns>
+    /// <summary>Plays one frame: delivers the messages that are due and runs the player loop.</summary>
+    /// <param name="hasSamples">Whether samples were delivered.</param>
+    /// <returns>CPU time of the player loop, s, and the number of bytes that it allocated.</returns>
     public (double Seconds, long Bytes) Play(out bool hasSamples)
     {
         _frame++;
@@ -92,10 +96,10 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
             listener.FramesReceived(
                 new TransformsMessage([.. _objects.Select((_, i) => PoseAt(t, i).ToTransform(stamp, FrameParents.World, "object" + i))]), false, arrival);
         foreach (var robot in new[] { "", SecondRobot })
-            listener.Received(new JointStateMessage(stamp, _joints, [.. _joints.Select((_, i) => 0.1 * Math.Sin(t + i))]), arrival, robot);
+            listener.Received(new JointStateMessage(stamp, _joints, [.. _middles.Select((middle, i) => middle + 0.1 * Math.Sin(t + i))]), arrival, robot);
     }
 
-    // Each object has its own phase; with frequencies that have no common period, no motion repeats.
+    // The objects differ in phase. The frequencies have no common period, so the motion never repeats.
     RigidTransform PoseAt(double t, int i) => _isPlane
         ? RigidTransform.FromXyzRpy(0.3 * Math.Sin(t + i), 0.2 * Math.Cos(1.7 * t), 0.7, 0, 0, 0.5 * Math.Sin(1.3 * t))
         : RigidTransform.FromXyzRpy(
@@ -108,7 +112,7 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
         return made.AddComponent<T>();
     }
 
-    // Corresponds to entering a value in the Inspector.
+    // Sets a field as the Inspector does.
     static void Set(Component component, string field, object value) =>
         component.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).SetValue(component, value);
 

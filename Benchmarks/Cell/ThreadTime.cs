@@ -2,12 +2,12 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Benchmarks.Cell;
 
-/// <summary>CPU time of the calling thread: other programs hardly change it, unlike the time on a clock. Linux only.</summary>
+/// <summary>Measures the CPU time of the calling thread. Other programs affect it less than elapsed time. Supported on Linux only.</summary>
 static class ThreadTime
 {
     const int ThreadCpuTime = 3; // CLOCK_THREAD_CPUTIME_ID
 
-    /// <summary>Gets the CPU time since the thread's start, s.</summary>
+    /// <summary>Gets the CPU time since the start of the thread, s.</summary>
     public static double Seconds
     {
         get

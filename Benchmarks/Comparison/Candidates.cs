@@ -4,11 +4,11 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>The compared predictors: ours and others, each with its best constants for all conditions together.</summary>
+/// <summary>The compared predictors: those of Nowpose and others. The others have the constants that are best for all conditions together.</summary>
 /// <remarks>
-/// The constants are the result of <see cref="Tuning"/> on its own seeds, for positions in mm. Ours have no limits and default settings.
-/// None of them was tuned on <see cref="Conditions.CheckingSeeds"/>. The tuned filters smooth very little: in a prediction 100 ms ahead, the
-/// lag added by smoothing outweighs the reduced noise.
+/// The constants are results of <see cref="Tuning"/> with its own seeds, for positions in mm. Nowpose's predictors have default settings
+/// and no limits. <see cref="Conditions.CheckingSeeds"/> were used to tune none of them. The tuned filters smooth very little: in a
+/// prediction 100 ms ahead, the lag caused by smoothing outweighs the reduction of the noise.
 /// </remarks>
 public static class Candidates
 {
@@ -25,7 +25,7 @@ public static class Candidates
 
     public static Candidate Named(string name) => All.First(candidate => candidate.Name == name);
 
-    /// <param name="jerkToNoise">Ratio of jerk to noise, s⁻⁵.</param>
+    /// <param name="jerkToNoise">Spectral density of the jerk divided by the variance of a position, s⁻⁵.</param>
     public static JointPredictor Kalman(double jerkToNoise) => By(new KalmanFilter(jerkToNoise));
 
     /// <param name="minCutoff">Minimum cut-off frequency, Hz.</param>

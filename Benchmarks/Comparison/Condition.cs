@@ -2,12 +2,12 @@ using Nowpose.Studies;
 
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>A kind of motion with the sampling and transmission of its samples.</summary>
-/// <param name="Name">Name for tables.</param>
-/// <param name="Motion">Creates the motion for a seed.</param>
+/// <summary>A kind of motion, with the sampling and transmission of its samples.</summary>
+/// <param name="Name">Name in tables.</param>
+/// <param name="Motion">Creates the motion from a seed.</param>
 public sealed record Condition(string Name, Func<int, AxisMotion> Motion, StudySettings Settings)
 {
-    /// <summary>Gets the RMS error divided by that of hold, over all seeds together.</summary>
+    /// <summary>Gets the RMS error over all seeds divided by that of hold.</summary>
     public double Ratio(Candidate candidate, IEnumerable<int> seeds)
     {
         var (predicted, held) = (0.0, 0.0);

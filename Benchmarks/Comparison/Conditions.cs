@@ -2,7 +2,7 @@ using Nowpose.Studies;
 
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>The conditions of the comparison. Numbers in names: T_s and L, ms.</summary>
+/// <summary>The conditions of the comparison. The numbers in their names are T_s and L in ms.</summary>
 public static class Conditions
 {
     static readonly StudySettings Usual = new() { Phases = 4 };
@@ -11,7 +11,7 @@ public static class Conditions
     /// <summary>Seeds for tuning the competitors.</summary>
     public static IReadOnlyList<int> TuningSeeds { get; } = [4101, 4102, 4103];
 
-    /// <summary>Seeds for the published results, which were not used for tuning.</summary>
+    /// <summary>Seeds for the published results. They were not used for tuning.</summary>
     public static IReadOnlyList<int> CheckingSeeds { get; } = [5201, 5202, 5203];
 
     public static IReadOnlyList<Condition> All { get; } =

@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>Each candidate's error under each condition, RMS over that of hold.</summary>
+/// <summary>Computes the RMS error of each candidate under each condition, divided by that of hold.</summary>
 public sealed class ErrorStudy
 {
     readonly Dictionary<(string Candidate, string Condition), double> _ratios;
@@ -13,6 +13,6 @@ public sealed class ErrorStudy
 
     public double this[Candidate candidate, Condition condition] => _ratios[(candidate.Name, condition.Name)];
 
-    /// <summary>Gets the geometric mean over all conditions, with equal weights.</summary>
+    /// <summary>Gets the geometric mean over all conditions, all with the same weight.</summary>
     public double Mean(Candidate candidate) => Means.Geometric(Conditions.All.Select(condition => this[candidate, condition]));
 }

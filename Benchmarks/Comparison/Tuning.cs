@@ -3,14 +3,16 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>Finds the competitors' constants: minimum geometric mean of the errors under all conditions, on the tuning seeds.</summary>
-/// <remarks>Optimises one constant after the other over a grid with a factor of √2 until there is no further change.</remarks>
+/// <summary>
+/// Finds the competitors' constants: those with the minimum geometric mean of the errors under all conditions, on the tuning seeds.
+/// </summary>
+/// <remarks>Optimises one constant after another on a grid with a factor of √2 until no constant changes.</remarks>
 static class Tuning
 {
     const int MaxRounds = 6;
     const int StepsEachWay = 6;
 
-    // Constants without effect would grow without bound: of those that are as good as the best, the nearest is used.
+    // Errors within this factor count as equal, and the nearest constant is used. Otherwise, constants without effect would grow without limit.
     const double AsGood = 1.0005;
 
     public static void Run(TextWriter to)
@@ -44,7 +46,7 @@ static class Tuning
             $"  {name}: {string.Join(", ", constants.Select(value => value.ToString("G3", CultureInfo.InvariantCulture)))} leaves {min:0.000}"));
     }
 
-    // Finds the best value of a constant on the grid around its current value, and sets it.
+    // Finds the best value of one constant on the grid around its current value, and sets it.
     static double Improve(double[] constants, int index, Func<double[], JointPredictor> create, IReadOnlyList<Condition> conditions)
     {
         var centre = constants[index];
@@ -55,7 +57,7 @@ static class Tuning
                 values[index] = centre * Math.Pow(2, step / 2.0);
                 return (Step: step, Value: values[index], Error: Mean(() => create(values), conditions));
             })
-            // Excludes meaningless values of a constant; NaN would count as the minimum.
+            // Excludes values that give no finite error, because NaN would count as the minimum.
             .Where(result => double.IsFinite(result.Error))
             .ToList();
         var min = tried.Min(result => result.Error);

@@ -1,8 +1,8 @@
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>Double exponential smoothing as a predictor (LaViola 2003): a line through the values smoothed once and twice.</summary>
-/// <remarks>It supports equal intervals only: a missing sample is interpolated linearly.</remarks>
-/// <param name="timeConstant">Time in which a sample's weight falls to 1/e, s; α is computed from it and the interval.</param>
+/// <summary>Double exponential smoothing as a predictor (LaViola 2003). Extrapolates a line from the positions smoothed once and twice.</summary>
+/// <remarks>The method requires equal intervals, so a missing sample is replaced by linear interpolation.</remarks>
+/// <param name="timeConstant">Time in which the weight of a sample falls to 1/e, s. α is computed from this time and the interval.</param>
 sealed class DoubleExponential(double timeConstant) : RecursiveFilter
 {
     const double IntervalLearning = 0.05;
@@ -33,7 +33,7 @@ sealed class DoubleExponential(double timeConstant) : RecursiveFilter
         _twice += _share * (_once - _twice);
     }
 
-    // Initialised as if the line through the first two samples had no beginning.
+    // Initialises the filter as if all earlier samples had been on the line through the first two samples.
     void Begin(double position)
     {
         var lag = (1 - _share) / _share * (position - Newest);

@@ -1,17 +1,17 @@
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>A Kalman filter of constant acceleration: position, velocity and acceleration, driven by white jerk.</summary>
+/// <summary>A Kalman filter with position, velocity and acceleration, driven by white jerk.</summary>
 /// <param name="jerkToNoise">
-/// Spectral density of the jerk over the variance of a position, s⁻⁵. Of the two only their ratio matters: the variance is 1 here.
+/// Spectral density of the jerk divided by the variance of a position, s⁻⁵. Only their ratio matters, so the variance is 1 here.
 /// </param>
 sealed class KalmanFilter(double jerkToNoise) : RecursiveFilter
 {
-    // Variance of an unknown velocity and acceleration: very large, but within the precision of doubles.
+    // Variance of an unknown velocity or acceleration. Very large, but within the precision of double.
     const double Unknown = 1e9;
 
     double _position, _velocity, _acceleration;
 
-    // The upper half of the symmetric covariance.
+    // Upper triangle of the symmetric covariance matrix.
     double _pp, _pv, _pa, _vv, _va, _aa;
 
     protected override void Start(double position)
@@ -35,7 +35,7 @@ sealed class KalmanFilter(double jerkToNoise) : RecursiveFilter
         _velocity += t * _acceleration;
 
         var half = t * t / 2;
-        // The rows of F P.
+        // Rows of F P.
         var (pp, pv, pa) = (_pp + t * _pv + half * _pa, _pv + t * _vv + half * _va, _pa + t * _va + half * _aa);
         var (vv, va) = (_vv + t * _va, _va + t * _aa);
         var q = jerkToNoise * t;

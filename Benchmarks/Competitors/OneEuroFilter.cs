@@ -1,9 +1,9 @@
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>The One-Euro filter (Casiez, Roussel, Vogel 2012), extrapolated with its own filtered velocity.</summary>
-/// <param name="minCutoff">f_cmin, Hz: the cut-off at rest.</param>
-/// <param name="slope">β, Hz per unit of velocity: how the cut-off rises with speed.</param>
-/// <param name="velocityCutoff">f_cd, Hz: the cut-off for the velocity.</param>
+/// <summary>The One-Euro filter (Casiez, Roussel, Vogel 2012). Extrapolates with its filtered velocity.</summary>
+/// <param name="minCutoff">f_cmin: cut-off frequency at rest, Hz.</param>
+/// <param name="slope">β: increase of the cut-off frequency per unit of velocity, Hz.</param>
+/// <param name="velocityCutoff">f_cd: cut-off frequency for the velocity, Hz.</param>
 sealed class OneEuroFilter(double minCutoff, double slope, double velocityCutoff) : RecursiveFilter
 {
     double _position, _velocity;
@@ -18,6 +18,6 @@ sealed class OneEuroFilter(double minCutoff, double slope, double velocityCutoff
 
     protected override double PositionAt(double ahead) => _position + _velocity * ahead;
 
-    // Weight of a new value in a low pass.
+    // Weight of a new value in a low-pass filter.
     static double Share(double cutoff, double interval) => 1 / (1 + 1 / (2 * Math.PI * cutoff * interval));
 }

@@ -3,7 +3,9 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>Schnierle &amp; Röck 2022, Eq. (8), for n = h = 2, implemented directly: MathNet's <c>Fit.Polynomial</c> for each sample.</summary>
+/// <summary>
+/// Schnierle &amp; Röck 2022, Eq. (8), for n = h = 2. A direct implementation that calls MathNet's <c>Fit.Polynomial</c> for each sample.
+/// </summary>
 sealed class PolynomialFit : Forecaster
 {
     const int Degree = 2;

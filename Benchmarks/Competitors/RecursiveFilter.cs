@@ -2,15 +2,15 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>Base of filters that store only their last state, so that they cannot use a sample that was overtaken.</summary>
+/// <summary>Base of filters that store only their last state. They cannot use a sample that arrives after a newer one.</summary>
 abstract class RecursiveFilter : Forecaster
 {
     bool _hasStarted;
 
-    /// <summary>The newest sample, and the previous one for the interval.</summary>
+    /// <summary>Number of samples needed: the newest one, and the previous one for the interval.</summary>
     public override int Samples => 2;
 
-    /// <summary>Position of the sample before the one that <see cref="Update"/> receives.</summary>
+    /// <summary>Position of the newest sample before the one that is passed to <see cref="Update"/>.</summary>
     protected double Newest { get; private set; }
 
     public override bool Solve(MotionState motion)
@@ -30,7 +30,7 @@ abstract class RecursiveFilter : Forecaster
     /// <summary>Initialises the filter with the first sample.</summary>
     protected abstract void Start(double position);
 
-    /// <param name="interval">Time since the previous sample, s, positive.</param>
+    /// <param name="interval">Time since the previous sample, s; positive.</param>
     protected abstract void Update(double interval, double position);
 
     /// <param name="ahead">Time after the newest sample, s.</param>

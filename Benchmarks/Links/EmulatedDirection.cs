@@ -4,10 +4,10 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>Transfers packets from one TUN device to another according to a link's profile, on a separate thread.</summary>
+/// <summary>Transfers packets from one TUN device to another on a separate thread, with the delays and losses of a link profile.</summary>
 sealed class EmulatedDirection : IDisposable
 {
-    /// <summary>Maximum wait, so that a stop is detected in time.</summary>
+    /// <summary>Maximum time of one wait, so that a stop is detected soon.</summary>
     static readonly TimeSpan MaxWait = TimeSpan.FromMilliseconds(50);
 
     const int MaxPacketBytes = 2048;
@@ -21,7 +21,7 @@ sealed class EmulatedDirection : IDisposable
     readonly Thread _thread;
     volatile bool _isStopped;
 
-    /// <param name="lateness">Counts by how much each packet is released late.</param>
+    /// <param name="lateness">Collects the time by which each packet is released too late.</param>
     public EmulatedDirection(SafeFileHandle from, SafeFileHandle to, PacketLink link, LatencyCounts lateness)
     {
         (_from, _to, _lateness) = (from, to, lateness);

@@ -4,10 +4,10 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>Two network namespaces, the gateway's and the headset's, connected only by an emulated link.</summary>
+/// <summary>Creates a network namespace for the gateway and one for the headset. An emulated link is their only connection.</summary>
 sealed class EmulatedLink : IDisposable
 {
-    // From the range that RFC 2544 reserves for benchmarks.
+    // Addresses from the range that RFC 2544 reserves for benchmarks.
     public const string GatewayAddress = "198.18.0.1";
     const string HeadsetAddress = "198.18.0.2";
     const string PrefixLength = "/30";
@@ -20,16 +20,16 @@ sealed class EmulatedLink : IDisposable
 
     EmulatedLink(NetworkNamespace gateway, NetworkNamespace headset) => (_gateway, _headset) = (gateway, headset);
 
-    /// <summary>Delay of the packets' release.</summary>
+    /// <summary>Time by which packets were released too late.</summary>
     public LatencyCounts Lateness => _lateness;
 
-    /// <summary>Number of packets that entered the link, in both directions. Valid after it has stopped.</summary>
+    /// <summary>Number of packets that entered the link in both directions. Valid after the link has stopped.</summary>
     public int Sent => _up.Sent + _down.Sent;
 
-    /// <summary>Number of packets that the link lost, in both directions. Valid after it has stopped.</summary>
+    /// <summary>Number of packets that the link lost in both directions. Valid after the link has stopped.</summary>
     public int Lost => _up.Lost + _down.Lost;
 
-    /// <exception cref="IOException">This machine or this user cannot create network namespaces or TUN devices.</exception>
+    /// <exception cref="IOException">The machine does not support network namespaces or TUN devices, or the user has no permission.</exception>
     public static EmulatedLink Create()
     {
         var gateway = NetworkNamespace.Create("gateway", GatewayAddress + PrefixLength);
@@ -48,8 +48,8 @@ sealed class EmulatedLink : IDisposable
 
     public ProcessStartInfo InHeadset(params string[] command) => _headset.Inside(command);
 
-    /// <summary>Starts to transfer packets. Stalls are counted from now on.</summary>
-    /// <returns>Start time of the link.</returns>
+    /// <summary>Starts to transfer packets. The first stall is counted from this time.</summary>
+    /// <returns>Headset time at the start of the link.</returns>
     public HeadsetTime Start(LinkProfile profile, int seed, bool keepsOrder)
     {
         var start = new StopwatchHeadsetClock().Now;

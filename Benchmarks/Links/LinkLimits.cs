@@ -4,10 +4,13 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>The accuracy that is required over each link: medians over the repeats, unless stated otherwise; the share within the stated error is that of all runs.</summary>
+/// <summary>
+/// Limits of the accuracy over each link. They apply to the medians over the repeats unless stated otherwise. The share within the stated
+/// error applies to all runs together.
+/// </summary>
 static class LinkLimits
 {
-    /// <summary>Minimum length of a judged run, s. The reduction increases with the length of a run.</summary>
+    /// <summary>Minimum duration of a judged run, s. The reduction of the error increases with the duration.</summary>
     public const double Seconds = 30;
 
     const double CurrentAfterS = 2, CurrentAfterAtWorstS = 3;
@@ -21,7 +24,7 @@ static class LinkLimits
     };
 
     /// <param name="runs">All runs of one profile.</param>
-    /// <returns>One line for each missed limit.</returns>
+    /// <returns>One line for each limit that was not kept.</returns>
     public static IEnumerable<string> Missed(IReadOnlyList<LinkResult> runs)
     {
         var profile = runs[0].Profile;
@@ -52,7 +55,7 @@ static class LinkLimits
         return missed.Where(line => line != null);
     }
 
-    /// <summary>Gets the median over the runs that have the value; null if half of the runs or more lack it.</summary>
+    /// <summary>Gets the median over the runs that have a value; null if at least half of the runs have none.</summary>
     public static double? Median(IReadOnlyList<LinkResult> runs, Func<LinkResult, double?> value)
     {
         var known = runs.Select(value).Where(v => v.HasValue).Select(v => v.Value).ToList();

@@ -5,14 +5,14 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>One gateway and one headset, each in a separate process, over one emulated link.</summary>
+/// <summary>Runs a gateway and a headset in separate processes over one emulated link.</summary>
 static class LinkRun
 {
     const string Robot = "youbot";
     const double FramesPerSecond = 60;
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
 
-    /// <summary>Timeout of the headset, in addition to its run time.</summary>
+    /// <summary>Timeout of the headset in addition to its run time.</summary>
     static readonly TimeSpan HeadsetTimeout = TimeSpan.FromSeconds(60);
 
     public static async Task<LinkResult> PlayAsync(LinkSettings settings, LinkProfile profile, int seed, CancellationToken stop)
@@ -45,7 +45,7 @@ static class LinkRun
         }
     }
 
-    /// <summary>Removes the remains of earlier runs that were killed.</summary>
+    /// <summary>Removes namespaces and files of earlier runs that were killed.</summary>
     public static void RemoveLeftovers()
     {
         NetworkNamespace.RemoveLeftovers();
@@ -61,7 +61,7 @@ static class LinkRun
             "--visu-ms", Visualisation.TotalMilliseconds.ToString(CultureInfo.InvariantCulture)));
         var errors = headset.StandardError.ReadToEndAsync(CancellationToken.None);
         var output = await headset.StandardOutput.ReadToEndAsync(stop).WaitAsync(TimeSpan.FromSeconds(seconds) + HeadsetTimeout, stop);
-        // A run with a bad result fails, but is scored like any other; a run without a result is not.
+        // A headset with a bad result exits with an error but is scored like any other. Only a headset without a result is an error here.
         return output.Length > 0 ? output : throw new InputException("the headset printed no result: " + (await errors).ReplaceLineEndings(" "));
     }
 

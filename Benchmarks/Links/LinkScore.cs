@@ -5,7 +5,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>Compares the frames of a session with the truth.</summary>
+/// <summary>Compares the frames of a session with the true values.</summary>
 sealed class LinkScore
 {
     readonly SessionFrames _session;
@@ -24,7 +24,7 @@ sealed class LinkScore
     }
 
     /// <param name="profile">Profile of the link.</param>
-    /// <param name="linkStart">Start of the link, from which stalls are counted.</param>
+    /// <param name="linkStart">Headset time at the start of the link. The times of stalls are relative to it.</param>
     public LinkResult Result(LinkProfile profile, HeadsetTime linkStart, int seed)
     {
         var (hold, shown) = (new List<double>(), new List<double>());
@@ -46,7 +46,7 @@ sealed class LinkScore
             Rms(hold) > 0 ? 1 - Rms(shown) / Rms(hold) : null, Rms(hold), Rms(shown), Percentile(shown, 0.95),
             Percentile(errors, 0.5), Percentile(errors, 0.99), Percentile(errors, 1),
             Percentile(stated.Select(frame => frame.StatedError.Value.TotalMicroseconds), 0.5),
-            // A frame without a stated error does not count as within it.
+            // A frame without a stated error counts as not within it.
             clock.Count == 0 ? null : clock.Average(frame => ClockError(frame) <= frame.StatedError ? 1.0 : 0),
             Greatest(stalls, stall => FirstAfter(stall.From, isCurrent: false)), Greatest(stalls, stall => FirstAfter(stall.To, isCurrent: true)))
         {
@@ -54,7 +54,7 @@ sealed class LinkScore
         };
     }
 
-    // Relative to the most punctual frame, because the first one may be late itself.
+    // Lateness is relative to the most punctual frame, because the first frame can be late itself.
     double FrameLateMs(double fraction)
     {
         var late = _session.All.Select((frame, i) => Since(frame.Start).Value - i / _framesPerSecond).ToList();
@@ -81,7 +81,7 @@ sealed class LinkScore
         return longest.TotalSeconds;
     }
 
-    // Stalls within the scored frames, with at least a second to recover.
+    // Returns the stalls within the scored frames that have at least one second after them.
     IEnumerable<(HeadsetTime From, HeadsetTime To)> Stalls(LinkProfile profile, HeadsetTime linkStart)
     {
         if (profile.StallInterval == TimeSpan.Zero || _scored.Count == 0) yield break;
@@ -90,7 +90,7 @@ sealed class LinkScore
             if (from > _scored[0].Start) yield return (from, from + profile.StallLength);
     }
 
-    // Up to the end of the run if there is no such frame.
+    // If there is no such frame, returns the time to the end of the run.
     double FirstAfter(HeadsetTime time, bool isCurrent) =>
         ((_scored.FirstOrDefault(frame => frame.Start >= time && frame.IsCurrent == isCurrent) ?? _scored[^1]).Start - time).TotalSeconds;
 

@@ -6,7 +6,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>The true clock and motion of a simulated gateway on this machine, whose processes share the monotonic counter.</summary>
+/// <summary>The true clock and motion of a simulated gateway on this machine. All processes share the monotonic counter.</summary>
 sealed partial class LinkTruth : IDemoTruth
 {
     readonly PickAndPlaceMotion _motion;
@@ -14,9 +14,9 @@ sealed partial class LinkTruth : IDemoTruth
     readonly long _interceptNs;
     readonly double _skew;
 
-    /// <param name="clockLine">The clock's parameters as printed by the gateway.</param>
-    /// <param name="motionStart">Start of the motion on the control clock, ns.</param>
-    /// <param name="robot">"youbot", "ur5" or a file.</param>
+    /// <param name="clockLine">Parameters of the clock, as printed by the gateway.</param>
+    /// <param name="motionStart">Start of the motion in control time, ns.</param>
+    /// <param name="robot">"youbot", "ur5" or the path of a file.</param>
     public LinkTruth(string clockLine, string motionStart, string robot)
     {
         _motion = new PickAndPlaceMotion(RobotFiles.Load(robot));

@@ -4,19 +4,19 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>links: measures a headset over slow and lossy links with the kernel's own TCP.</summary>
+/// <summary>links: measures a headset over slow and lossy links, with the TCP implementation of the kernel.</summary>
 static class LinksVerb
 {
     static readonly Option<string[]> Profiles = new("--profile")
     {
-        Description = $"Link to run, any number of times [{string.Join(", ", LinkProfile.All.Select(p => p.Name))}] [default: all]",
+        Description = $"Link to run; can be given several times [{string.Join(", ", LinkProfile.All.Select(p => p.Name))}] [default: all]",
         HelpName = "NAME",
     };
     static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs over each link", 5, 1, 1000, "");
     static readonly Option<double> Seconds = NumberOption.Create(
         "--seconds", "Length of a run; limits hold for 30 s or more", LinkLimits.Seconds, 5, 3600, "s");
     static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the first run; each further run uses the next one", 1, 0, 1_000_000, "");
-    static readonly Option<bool> Reorder = new("--reorder") { Description = "Allow packets to overtake each other" };
+    static readonly Option<bool> Reorder = new("--reorder") { Description = "Allow packets to arrive in another order" };
     static readonly Option<string> Out = new("--out") { Description = "File for the results of all runs, as JSON", HelpName = "FILE" };
     static readonly Option<string> Sessions = new("--sessions")
     {
@@ -60,7 +60,7 @@ static class LinksVerb
         }
         finally
         {
-            // Written also for an interrupted run.
+            // Also writes the results of an interrupted run.
             if (results.Count > 0) LinkTable.Write(results);
             if (file != null) await File.WriteAllTextAsync(file, LinkTable.Json(results), CancellationToken.None);
         }

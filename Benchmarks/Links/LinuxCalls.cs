@@ -19,14 +19,14 @@ static class LinuxCalls
 
     public static bool IsRoot => geteuid() == 0;
 
-    /// <summary>Moves the calling thread into a network namespace.</summary>
+    /// <summary>Moves the calling thread to a network namespace.</summary>
     public static void Enter(string namespacePath)
     {
         using var handle = Open(namespacePath, CloseOnExec);
         Check(setns(handle, NetworkNamespaceType), "setns");
     }
 
-    /// <summary>Creates a TUN device in the calling thread's network namespace. The device exists until the handle is closed.</summary>
+    /// <summary>Creates a TUN device in the network namespace of the calling thread. The device exists until the handle is closed.</summary>
     public static SafeFileHandle CreateTun(string device)
     {
         var handle = Open("/dev/net/tun", ReadWrite | NonBlocking | CloseOnExec);
@@ -43,10 +43,10 @@ static class LinuxCalls
     /// <returns>Length of the packet; 0 if there is none.</returns>
     public static int Read(SafeFileHandle tun, byte[] packet) => (int)Math.Max(0, read(tun, packet, (nuint)packet.Length));
 
-    /// <returns>False if the device did not accept the packet.</returns>
+    /// <returns>Whether the device accepted the packet.</returns>
     public static bool Write(SafeFileHandle tun, byte[] packet, int length) => write(tun, packet, (nuint)length) == length;
 
-    /// <summary>Waits until a packet can be read, at most for a time.</summary>
+    /// <summary>Waits until a packet can be read or the timeout has expired.</summary>
     public static void WaitReadable(SafeFileHandle tun, TimeSpan timeout)
     {
         var polled = new PolledFile { File = (int)tun.DangerousGetHandle(), Events = Readable };
@@ -54,15 +54,15 @@ static class LinuxCalls
         {
             Seconds = (nint)(timeout.Ticks / TimeSpan.TicksPerSecond), Nanoseconds = (nint)(timeout.Ticks % TimeSpan.TicksPerSecond * 100),
         };
-        // An interrupted wait is only shorter: the caller checks the time again.
+        // If a signal interrupts the wait, it only ends early. The caller checks the time anyway.
         _ = ppoll(ref polled, 1, ref time, 0);
     }
 
-    /// <summary>Makes the calling thread's timeouts accurate to microseconds, and gives it priority over other threads.</summary>
+    /// <summary>Makes timeouts of the calling thread accurate to microseconds and increases its priority.</summary>
     public static void SharpenTimeouts()
     {
         Check(prctl(TimerSlack, 1, 0, 0, 0), "prctl PR_SET_TIMERSLACK");
-        // Errors are ignored: a container may forbid either call.
+        // Errors are ignored, because a container can forbid these calls.
         if (sched_setscheduler(0, FirstInFirstOut, RealTimePriority) < 0) _ = setpriority(0, 0, -20);
     }
 

@@ -4,7 +4,7 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>A network namespace of this process with one TUN device. Disposing ends the processes in it and removes it.</summary>
+/// <summary>A network namespace with one TUN device. Dispose ends the processes in the namespace and removes it.</summary>
 sealed class NetworkNamespace : IDisposable
 {
     const string Folder = "/run/netns";
@@ -16,8 +16,8 @@ sealed class NetworkNamespace : IDisposable
 
     public SafeFileHandle Tun { get; private set; }
 
-    /// <param name="role">Name of its role; unique in this process.</param>
-    /// <param name="address">Address of the device, with the prefix length.</param>
+    /// <param name="role">Role of the namespace, which is part of its name; unique in this process.</param>
+    /// <param name="address">Address of the device with the prefix length.</param>
     public static NetworkNamespace Create(string role, string address)
     {
         var created = new NetworkNamespace(RunName.Create(role));
@@ -41,13 +41,13 @@ sealed class NetworkNamespace : IDisposable
         }
     }
 
-    /// <summary>Removes the namespaces and ends the processes of earlier runs that were killed.</summary>
+    /// <summary>Removes the namespaces of earlier runs that were killed, and ends the processes in them.</summary>
     public static void RemoveLeftovers()
     {
         foreach (var name in RunName.Leftovers(Folder)) new NetworkNamespace(name).Dispose();
     }
 
-    /// <summary>Gets the start information of a program in the namespace.</summary>
+    /// <summary>Gets the start information for running a program in the namespace.</summary>
     public ProcessStartInfo Inside(params string[] command) => new("ip", ["netns", "exec", _name, .. command])
     {
         RedirectStandardOutput = true, RedirectStandardError = true,
@@ -75,7 +75,7 @@ sealed class NetworkNamespace : IDisposable
         }
     }
 
-    // The thread stays in the namespace that it entered, so it must not be reused.
+    // Runs work on a new thread. A thread stays in the namespace that it entered, so it must not be reused.
     static T OnThreadOfItsOwn<T>(Func<T> work) =>
         Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).GetAwaiter().GetResult();
 

@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>Names of the namespaces and files of a run, by which a later run finds leftovers.</summary>
+/// <summary>Creates names for the namespaces and files of a run. A later run can find leftovers by these names.</summary>
 static class RunName
 {
     const string Prefix = "nowpose-link-";
 
     public static string Create(string role) => string.Create(CultureInfo.InvariantCulture, $"{Prefix}{Environment.ProcessId}-{role}");
 
-    /// <summary>Gets the names in a folder whose run has ended.</summary>
+    /// <summary>Gets the names in a folder that belong to runs that have ended.</summary>
     public static IEnumerable<string> Leftovers(string folder) => Directory.Exists(folder)
         ? Directory.EnumerateFiles(folder, Prefix + "*").Select(Path.GetFileName).Where(name => !IsOwnerAlive(name)).ToList() : [];
 
@@ -18,7 +18,7 @@ static class RunName
         var id = name[Prefix.Length..].Split('-')[0];
         try
         {
-            // The process id may have been reused by another program.
+            // The process id can now belong to another program.
             return File.ReadAllText($"/proc/{id}/cmdline").Contains(typeof(RunName).Assembly.GetName().Name);
         }
         catch (IOException)

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>The frames and the clock states in a headset's session file.</summary>
+/// <summary>The frames and clock states of a headset's session file.</summary>
 sealed class SessionFrames
 {
     readonly Dictionary<string, HeadsetTime> _clockStates = [];
@@ -11,7 +11,7 @@ sealed class SessionFrames
     public IReadOnlyList<Frame> All => _frames;
 
     /// <param name="Light">Estimated display time of the frame; null while the clock is unknown.</param>
-    /// <param name="StatedError">Null while unknown.</param>
+    /// <param name="StatedError">Error of the clock as stated by the headset; null while the clock is unknown.</param>
     public sealed record Frame(
         HeadsetTime Start, ControlTime? Light, bool IsCurrent, double[] Joints, double[] Held, TimeSpan? StatedError);
 
@@ -27,7 +27,7 @@ sealed class SessionFrames
         return session;
     }
 
-    /// <summary>Gets the time at which the clock was first in one of these states; null if never.</summary>
+    /// <summary>Gets the time at which the clock was in one of the given states for the first time; null if it never was.</summary>
     public HeadsetTime? FirstIn(params string[] states)
     {
         var times = states.Where(_clockStates.ContainsKey).Select(state => _clockStates[state]).ToList();

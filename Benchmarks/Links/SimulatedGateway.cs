@@ -2,21 +2,21 @@ using System.Diagnostics;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <c>gateway simulate</c> in a separate process, which ends with its network namespace.
+/// Runs <c>gateway simulate</c> in a separate process, which ends with its network namespace.
 sealed class SimulatedGateway
 {
     static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(60);
 
     readonly Dictionary<string, string> _values = [];
 
-    /// <param name="robot">"youbot", "ur5" or a file.</param>
+    /// <param name="robot">"youbot", "ur5" or the path of a file.</param>
     public static async Task<SimulatedGateway> StartAsync(EmulatedLink link, string robot, int seed, CancellationToken stop)
     {
         var process = Process.Start(link.InGateway(
             "dotnet", Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.dll"), "simulate", "--bind", "any", "--insecure-lan",
             "--robot", robot, "--seed", FormattableString.Invariant($"{seed}")));
         var gateway = new SimulatedGateway();
-        // Read continuously: a full pipe would block the gateway.
+        // Reads the error stream all the time, because a full pipe would block the gateway.
         var errors = process.StandardError.ReadToEndAsync(CancellationToken.None);
         if (!await gateway.ReadAsync(process.StandardOutput).WaitAsync(StartTimeout, stop))
             throw new InputException("the gateway ended before it was ready: " + (await errors).ReplaceLineEndings(" "));
@@ -24,11 +24,11 @@ sealed class SimulatedGateway
         return gateway;
     }
 
-    /// <summary>Gets the value of a line "key value" that the gateway printed at its start.</summary>
+    /// <summary>Gets the value of a line "key value" that the gateway printed when it started.</summary>
     public string this[string key] => _values.TryGetValue(key, out var value)
         ? value : throw new InputException($"the gateway printed no line '{key}'");
 
-    // False if the gateway ended.
+    // Returns false if the gateway ended.
     async Task<bool> ReadAsync(StreamReader output)
     {
         while (await output.ReadLineAsync() is string line)

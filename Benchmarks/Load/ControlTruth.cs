@@ -5,13 +5,15 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>The gateway's control clock as a function of this machine's counter, which both processes share.</summary>
-/// <remarks>Measured by the exchange with the shortest round-trip time over an idle loopback; the error is at most half of it.</remarks>
+/// <summary>Converts values of this machine's counter, which both processes share, to the gateway's control time.</summary>
+/// <remarks>
+/// The offset comes from the exchange with the shortest round-trip time over an idle loopback. Its error is at most half that time.
+/// </remarks>
 sealed class ControlTruth
 {
     const int Exchanges = 150;
 
-    /// <summary>Interval of the exchanges. The gateway closes connections with more than 100 a second.</summary>
+    /// <summary>Interval of the exchanges. The gateway closes connections with more than 100 exchanges per second.</summary>
     static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(12);
 
     readonly long _offsetNs;
@@ -35,7 +37,7 @@ sealed class ControlTruth
         return best;
     }
 
-    /// <summary>Gets the control time in ns since its epoch.</summary>
+    /// <summary>Gets the control time for a value of the counter, in ns since the epoch.</summary>
     public long NanosecondsAt(long count) => NanosecondsOf(count) + _offsetNs;
 
     static ControlTruth Exchange(Socket socket, uint sequence)

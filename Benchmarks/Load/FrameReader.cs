@@ -4,7 +4,8 @@ using System.Buffers.Text;
 namespace Nowpose.Benchmarks.Load;
 
 /// <summary>
-/// A minimal implementation of RFC 6455 and rosbridge that reads the stamps of joint states: 200 of these share a machine with the gateway.
+/// Reads WebSocket frames (RFC 6455) and the time stamps of rosbridge's joint states. Minimal, because 200 clients share a machine with the
+/// gateway.
 /// </summary>
 sealed class FrameReader
 {
@@ -17,7 +18,7 @@ sealed class FrameReader
 
     public void Added(int bytes) => _length += bytes;
 
-    /// <summary>Gets the next complete frame, if there is one. The previous payload is overwritten.</summary>
+    /// <summary>Gets the next complete frame, if there is one. Overwrites the previous payload.</summary>
     public bool TryTake(ref int at, out int opcode, out ReadOnlySpan<byte> payload)
     {
         opcode = 0;
@@ -37,14 +38,14 @@ sealed class FrameReader
         return true;
     }
 
-    /// <summary>Releases the space of the frames that were taken.</summary>
-    public void Forget(int at)
+    /// <summary>Releases the space of the frames that have been read.</summary>
+    public void Discard(int at)
     {
         _buffer.AsSpan(at, _length - at).CopyTo(_buffer);
         _length -= at;
     }
 
-    /// <summary>Gets the stamp of a joint state, ns; false for any other message.</summary>
+    /// <summary>Gets the time stamp of a joint state, ns. Returns false for any other message.</summary>
     public static bool TryReadStamp(ReadOnlySpan<byte> message, out long nanoseconds)
     {
         nanoseconds = 0;
@@ -53,7 +54,7 @@ sealed class FrameReader
         return true;
     }
 
-    /// <summary>Creates a client's frame. A mask of zeros leaves its bytes unchanged.</summary>
+    /// <summary>Creates a frame as a client sends it. The mask of zeros leaves the bytes unchanged.</summary>
     public static byte[] Frame(int opcode, ReadOnlySpan<byte> payload)
     {
         var isShort = payload.Length < 126;

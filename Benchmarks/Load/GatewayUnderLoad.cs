@@ -4,12 +4,12 @@ using System.Net;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>A gateway in a separate process, with a simulated robot whose samples are sent at the time of their stamp.</summary>
+/// <summary>A gateway in a separate process with a simulated robot. Each sample is sent at the time of its time stamp.</summary>
 sealed class GatewayUnderLoad : IDisposable
 {
     static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(30);
 
-    /// <summary>The gateway that was built with this program.</summary>
+    /// <summary>Path of the gateway that was built together with this program.</summary>
     public static readonly string OwnProgram = Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.dll");
 
     readonly Process _process;
@@ -51,7 +51,7 @@ sealed class GatewayUnderLoad : IDisposable
         ];
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true };
         foreach (var argument in arguments) start.ArgumentList.Add(argument);
-        // As set by the systemd unit and the container: with one arena for hundreds of threads, freed memory can be reused by all of them.
+        // The systemd unit and the container set this, too. With a single arena, all threads can reuse freed memory.
         start.Environment["MALLOC_ARENA_MAX"] = "1";
         var gateway = new GatewayUnderLoad(new Process { StartInfo = start, EnableRaisingEvents = true });
         gateway._process.OutputDataReceived += (_, line) => gateway.Take(line.Data);

@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>Counts latencies in classes of 10 µs; all above a second are one class. Thread-safe; counting does not allocate.</summary>
+/// <summary>Histogram of latencies with classes of 10 µs. Latencies above 1 s are in the last class. Thread-safe; adding does not allocate.</summary>
 sealed class LatencyCounts
 {
     const long StepNs = 10_000;
@@ -24,7 +24,7 @@ sealed class LatencyCounts
         }
     }
 
-    /// <summary>Gets the latency that a share of all does not exceed; zero if there are none.</summary>
+    /// <summary>Gets the latency that a share of all latencies does not exceed; zero if there are none.</summary>
     public TimeSpan Quantile(double share)
     {
         var left = (long)Math.Ceiling(share * Total);

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>A minimal client that behaves like a headset on both ports.</summary>
+/// <summary>A minimal client that uses both ports in the same way as a headset.</summary>
 sealed class LeanHeadset : IDisposable
 {
     static readonly TimeSpan SyncInterval = TimeSpan.FromMilliseconds(ProtocolLimits.SyncIntervalMs);
@@ -23,8 +23,8 @@ sealed class LeanHeadset : IDisposable
     long _lost;
     long _refused;
 
-    /// <param name="name">Name in its diagnostics.</param>
-    /// <param name="latencies">Latencies of all headsets together.</param>
+    /// <param name="name">Name in the client's diagnostics.</param>
+    /// <param name="latencies">Collects the latencies of all clients.</param>
     public LeanHeadset(string name, double rateHz, LatencyCounts latencies, ControlTruth truth)
     {
         _latencies = latencies;
@@ -36,13 +36,13 @@ sealed class LeanHeadset : IDisposable
 
     public long Received => Interlocked.Read(ref _received);
 
-    /// <summary>Number of missing samples, from the gaps between the received stamps.</summary>
+    /// <summary>Number of missing samples, computed from the gaps between the received time stamps.</summary>
     public long Lost => Interlocked.Read(ref _lost);
 
-    /// <summary>Number of unexpected messages: something that it sent was refused.</summary>
+    /// <summary>Number of unexpected messages. They mean that the gateway refused a message of this client.</summary>
     public long Refused => Interlocked.Read(ref _refused);
 
-    /// <summary>The reason of its end; null while it runs.</summary>
+    /// <summary>Reason why the client ended; null while it runs.</summary>
     public string Problem { get; private set; }
 
     public async Task OpenAsync(GatewayUnderLoad gateway)
@@ -51,11 +51,11 @@ sealed class LeanHeadset : IDisposable
         await LeanSocket.SendTextAsync(_positions, RosbridgeWriter.Subscribe(RosTopics.JointStates));
         _sync = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
         await _sync.ConnectAsync(gateway.Sync);
-        // Immediately, like headsets: a connection that sends nothing uses one of the few pending places of its address.
+        // Sends immediately, like a headset, because the gateway limits the number of connections that have sent nothing.
         if (!await TryExchangeAsync()) throw new InputException("the gateway closed the clock sync");
     }
 
-    /// <summary>Runs until it is disposed, or the gateway closes the connection.</summary>
+    /// <summary>Runs until the client is disposed or the gateway closes the connection.</summary>
     public Task RunAsync() => Task.WhenAll(GuardAsync("positions", ReceiveAsync), GuardAsync("sync", ExchangeAsync));
 
     public void Clear()
@@ -107,7 +107,7 @@ sealed class LeanHeadset : IDisposable
             else Interlocked.Increment(ref _refused);
         }
 
-        reader.Forget(at);
+        reader.Discard(at);
         return true;
     }
 
@@ -122,7 +122,7 @@ sealed class LeanHeadset : IDisposable
 
     async Task ExchangeAsync()
     {
-        // Distributed over the interval, like the exchanges of real headsets.
+        // Waits for a random part of the interval, so that the exchanges of the clients are distributed like those of real headsets.
         await Task.Delay(TimeSpan.FromMilliseconds(Random.Shared.NextDouble() * SyncInterval.TotalMilliseconds));
         while (await TryExchangeAsync())
         {
@@ -131,7 +131,7 @@ sealed class LeanHeadset : IDisposable
         }
     }
 
-    // False if the gateway closed the connection.
+    // Returns false if the gateway closed the connection.
     async Task<bool> TryExchangeAsync()
     {
         SyncFrame.Request(++_sequence, Stopwatch.GetTimestamp()).Write(_frame);

@@ -4,12 +4,12 @@ using System.Text;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>A minimal WebSocket: a socket after the upgrade.</summary>
+/// <summary>A minimal WebSocket client: a TCP socket after the HTTP upgrade.</summary>
 static class LeanSocket
 {
     const int Pong = 10;
 
-    /// <param name="receiveBytes">Size of the system's receive buffer; 0 for the default.</param>
+    /// <param name="receiveBytes">Size of the operating system's receive buffer; 0 for the default.</param>
     public static async Task<Socket> OpenAsync(IPEndPoint server, int receiveBytes = 0)
     {
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };

@@ -2,15 +2,15 @@ using Nowpose.Cli;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>Compares the forwarding P99 of two builds of the gateway by alternating runs with the same load.</summary>
-/// <remarks>The two runs of a round follow each other, so that other load on the machine affects both. The first build alternates, too.</remarks>
-/// <param name="rounds">Results of this build and of the other one in each round.</param>
+/// <summary>Compares the P99 of the forwarding latency of two builds of the gateway in alternating runs under the same load.</summary>
+/// <remarks>The two runs of a round follow each other, so that other load on the machine affects both. The order alternates.</remarks>
+/// <param name="rounds">Results of this build and of the other build in each round.</param>
 sealed class LoadComparison(IReadOnlyList<(LoadResult Own, LoadResult Other)> rounds)
 {
-    /// <summary>Maximum P99 of this build relative to that of the other one.</summary>
+    /// <summary>Maximum P99 of this build relative to the P99 of the other build.</summary>
     public const double MaxRatio = 1.2;
 
-    /// <summary>Median over all rounds of the P99 of this build divided by that of the other one.</summary>
+    /// <summary>Median over all rounds of the P99 of this build divided by the P99 of the other build.</summary>
     public double Ratio => Quantile.Of(rounds.Select(RatioOf), 0.5);
 
     public void Write(TextWriter to)

@@ -1,12 +1,12 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>The result of a gateway under a load.</summary>
+/// <summary>The result of a gateway under load.</summary>
 sealed record LoadResult(
     int Headsets, double RateHz, double Seconds, long Messages, double MessagesPerSecond, long Lost, int Ended, long Refused,
     double ForwardP50Ms, double ForwardP99Ms, double ForwardMaxMs, double SyncErrorP50Us, double SyncErrorP95Us, double TruthBoundUs,
     double MemoryMeanMib, double MemoryMaxMib, double MemoryDeviation, double GatewayCores, double ToolCores)
 {
-    /// <summary>The limit that the gateway exceeds under this load; null for none.</summary>
+    /// <summary>Name of the limit that the gateway exceeds; null if it keeps all limits.</summary>
     public string Break =>
         ForwardP99Ms >= LoadLimits.ForwardingP99.TotalMilliseconds ? "forwarding P99"
         : Lost > 0 ? "lost samples"

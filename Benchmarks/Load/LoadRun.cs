@@ -2,10 +2,10 @@ using System.Diagnostics;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>Connects an increasing number of headsets to a gateway and measures the result.</summary>
+/// <summary>Connects headsets to a gateway and measures the gateway. The number of headsets can increase between measurements.</summary>
 sealed class LoadRun : IDisposable
 {
-    /// <summary>Number of concurrent connection attempts: a gateway limits the pending connections of one address.</summary>
+    /// <summary>Number of concurrent connection attempts. The gateway limits the pending connections of an address.</summary>
     const int ConnectingAtOnce = 8;
 
     readonly GatewayUnderLoad _gateway;
@@ -36,13 +36,13 @@ sealed class LoadRun : IDisposable
         }
         catch
         {
-            // Disposed, because this separate process would outlive the current one.
+            // The gateway is a separate process and would otherwise continue to run after this one.
             gateway.Dispose();
             throw;
         }
     }
 
-    /// <summary>Measures with a number of headsets, which must not decrease between calls.</summary>
+    /// <summary>Measures the gateway with a number of headsets. The number must not decrease between calls.</summary>
     public async Task<LoadResult> MeasureAsync(LoadSettings settings, CancellationToken stop)
     {
         await ConnectAsync(settings.Headsets, stop);

@@ -1,8 +1,8 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>The load on a gateway.</summary>
+/// <summary>Settings of the load on a gateway.</summary>
 sealed record LoadSettings(int Headsets, double RateHz, TimeSpan Length)
 {
-    /// <summary>Time that is not measured: connections settle, code is compiled, and the gateway's memory reaches its size.</summary>
+    /// <summary>Time before the measurement in which connections settle, code is compiled and the gateway's memory reaches its size.</summary>
     public TimeSpan WarmUp { get; init; } = TimeSpan.FromSeconds(10);
 }

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>Writes results for readers and for programs.</summary>
+/// <summary>Writes results as a table and as JSON.</summary>
 static class LoadTable
 {
     static readonly JsonSerializerOptions Snake = new()

@@ -3,10 +3,10 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>gateway: measures a gateway with very many headsets.</summary>
+/// <summary>gateway: measures a gateway with hundreds of headsets.</summary>
 static class LoadVerb
 {
-    /// <summary>Other connections: the sampled headset, one that reads nothing and its predecessor, and the measurement of the truth.</summary>
+    /// <summary>Number of additional connections: the sampled headset, a headset that stops reading and its predecessor, and the truth.</summary>
     const int OtherConnections = 16;
 
     const int MaxConnections = 10_000;
@@ -20,11 +20,11 @@ static class LoadVerb
         var seconds = NumberOption.Create("--seconds", "Duration of the measurement, after a warm-up of 10 s", 300, 1, 86_400, "s");
         var breaks = new Option<bool>("--until-it-breaks")
         {
-            Description = "Afterwards, add a quarter more headsets every 20 s until P99 reaches 5 ms or samples are lost",
+            Description = "Afterwards, increase the number of headsets by a quarter every 20 s until P99 reaches 5 ms or samples are lost",
         };
         var compared = new Option<string>("--compare")
         {
-            Description = "Compare P99 with that of another build, given by the path of its Nowpose.Gateway.dll, in alternating runs", HelpName = "PATH",
+            Description = "Path of another build's Nowpose.Gateway.dll; compare the P99 of both builds in alternating runs", HelpName = "PATH",
         };
         var rounds = NumberOption.Create("--rounds", "Number of runs of each build with --compare", 5, 1, 100, "");
         var command = new Command(

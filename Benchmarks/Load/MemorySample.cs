@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>A gateway's memory after some sessions.</summary>
+/// <summary>The memory of a gateway after a number of sessions.</summary>
 readonly record struct MemorySample(int Sessions, double ResidentBytes, double ManagedBytes)
 {
     const double Mebibyte = 1024 * 1024;

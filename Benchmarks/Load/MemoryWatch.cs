@@ -1,11 +1,11 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>The gateway's memory, sampled every second.</summary>
+/// <summary>Samples the gateway's memory every second.</summary>
 sealed class MemoryWatch
 {
     const double Mebibyte = 1024 * 1024;
 
-    /// <summary>Length of the moving average in s, so that garbage collections do not look like leaks.</summary>
+    /// <summary>Duration over which samples are averaged, s, so that garbage collections do not look like leaks.</summary>
     const int Window = 10;
 
     readonly List<long> _bytes = [];
@@ -16,7 +16,7 @@ sealed class MemoryWatch
 
     public double MaxMiB => _bytes.Count == 0 ? 0 : _bytes.Max() / Mebibyte;
 
-    /// <summary>Maximum deviation of the ten-second mean from the mean of all samples, as a share of the latter.</summary>
+    /// <summary>Maximum deviation of a ten-second mean from the mean of all samples, as a share of the mean.</summary>
     public double Deviation =>
         _bytes.Count == 0 ? 0 : _bytes.Chunk(Window).Where(chunk => chunk.Length == Window || _bytes.Count < Window)
             .Max(chunk => Math.Abs((chunk.Average() / _bytes.Average()) - 1));

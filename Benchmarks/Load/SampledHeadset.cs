@@ -7,7 +7,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>One headset with the whole runtime, whose clock is compared with the truth at each of its frames.</summary>
+/// <summary>A headset with the complete runtime. Its clock is compared with the true time in each frame.</summary>
 sealed class SampledHeadset : IDisposable
 {
     static readonly TimeSpan Frame = TimeSpan.FromMilliseconds(1000 / 60.0);
@@ -31,7 +31,7 @@ sealed class SampledHeadset : IDisposable
         _thread.Start();
     }
 
-    /// <summary>Starts the measurement.</summary>
+    /// <summary>Starts the measurement. Discards earlier values.</summary>
     public void Measure()
     {
         lock (_errorsUs)
@@ -41,7 +41,7 @@ sealed class SampledHeadset : IDisposable
         }
     }
 
-    /// <summary>Gets a quantile of the absolute error of control times converted from headset times, µs; NaN while the clock is unknown.</summary>
+    /// <summary>Gets a quantile of the absolute error of the control time, µs; NaN while the clock is unknown.</summary>
     public double ErrorUs(double share)
     {
         lock (_errorsUs)

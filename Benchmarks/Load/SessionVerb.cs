@@ -3,10 +3,10 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>sessions: measures the memory that a gateway keeps after headsets have disconnected.</summary>
+/// <summary>sessions: measures how much memory a gateway keeps after headsets have disconnected.</summary>
 static class SessionVerb
 {
-    /// <summary>Maximum growth of the memory in the last quarter over the quarter before, as a share.</summary>
+    /// <summary>Maximum relative growth of the memory from the third to the last quarter of the run.</summary>
     const double MaxGrowth = 0.03;
 
     const int ConnectingAtOnce = 8;
@@ -43,7 +43,7 @@ static class SessionVerb
         return Judge(samples, rounds);
     }
 
-    // Each headset opens both connections, receives samples, sends diagnostics and disconnects.
+    // Runs sessions: each headset opens both connections, receives samples, sends diagnostics and disconnects.
     static async Task RunSessionsAsync(GatewayUnderLoad gateway, ControlTruth truth, int count, double rateHz, TimeSpan stay, CancellationToken stop)
     {
         var latencies = new LatencyCounts();

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>A headset that requests much data and reads nothing. The gateway closes it when no pong arrives, and it reconnects.</summary>
+/// <summary>A headset that requests a lot of data and stops reading. When the gateway closes the connection, the headset reconnects.</summary>
 static class StalledHeadset
 {
     const int LittleBytes = 4096;
@@ -19,14 +19,14 @@ static class StalledHeadset
             while (true)
             {
                 if (await ProblemAsync(gateway.WebSocket, stop) is not { } problem) continue;
-                // Logged, because the results must be measured with this headset connected.
+                // Logs each disconnection, because the results are valid only with this headset connected.
                 Console.Error.WriteLine($"the headset that stops reading: {problem}; it reconnects");
                 await Task.Delay(Pause, stop);
             }
         }
         catch (OperationCanceledException)
         {
-            // Stopped.
+            // Expected: the measurement has ended.
         }
     }
 
@@ -39,7 +39,7 @@ static class StalledHeadset
         }
         catch (Exception end) when (end is SocketException or IOException)
         {
-            // The gateway has ended first.
+            // The gateway closed the connection.
             stop.ThrowIfCancellationRequested();
             return end.Message;
         }
@@ -49,7 +49,7 @@ static class StalledHeadset
     {
         using var socket = await LeanSocket.OpenAsync(server, LittleBytes);
         await LeanSocket.SendTextAsync(socket, RosbridgeWriter.Subscribe(RosTopics.JointStates));
-        // Each of these is answered with the whole robot description, which soon exceeds every buffer.
+        // The gateway answers each of these messages with the complete robot description, which soon fills all buffers.
         for (var i = 0; i < Descriptions; i++)
             await LeanSocket.SendTextAsync(socket, RosbridgeWriter.Subscribe(RosTopics.RobotDescription));
         await Task.Delay(StallTime, stop);

@@ -3,22 +3,23 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Paths;
 
-/// <summary>Runs with one change of one size on one link, and the check of their limits.</summary>
+/// <summary>All runs with one kind and size of change on one link, with their limits.</summary>
 sealed class PathCell
 {
-    /// <summary>Maximum error relative to the physical limit, in addition to the link's error without a change.</summary>
+    /// <summary>Maximum error relative to the physical limit. The error of the link without a change is added.</summary>
     const double ErrorFactor = 1.2;
 
-    /// <summary>Minimum of the limit on the skew's deviation from its previous value, ppm.</summary>
+    /// <summary>Minimum value of the limit for the skew's deviation from its value before the change, ppm.</summary>
     const double MinSkewLimitPpm = 5;
 
     /// <summary>
-    /// Maximum deviation of the skew relative to that without a change. Once the minimum delays of both directions have changed, the exchanges
-    /// before and after it determine the skew only separately: half as many in half the time each, which doubles the standard error.
+    /// Maximum deviation of the skew relative to that without a change. If the minimum delays of both directions have changed, the exchanges
+    /// before and after the change can only be fitted separately. Each part has half of the exchanges in half of the time, which doubles the
+    /// standard error.
     /// </summary>
     const double SkewFactor = 2;
 
-    /// <summary>Size from which on the skew has a limit, ms. Smaller changes are close to the jitter.</summary>
+    /// <summary>Minimum size of a change for which the skew is limited, ms. Smaller changes are close to the jitter.</summary>
     const double MinSizeForSkewMs = 2;
 
     const double MinWithin = 0.99;
@@ -28,7 +29,7 @@ sealed class PathCell
     readonly bool _isSkewLimited;
 
     /// <param name="runs">Runs with the change.</param>
-    /// <param name="undisturbed">Runs with the same link and seeds without a change.</param>
+    /// <param name="undisturbed">Runs without a change, with the same link and seeds.</param>
     public PathCell(
         LinkProfile link, PathChange change, double sizeMs, IReadOnlyCollection<PathRun> runs, IReadOnlyCollection<PathRun> undisturbed)
     {
@@ -50,7 +51,7 @@ sealed class PathCell
 
     double MaxSkewPpm => Math.Max(MinSkewLimitPpm, SkewFactor * _ownSkewPpm);
 
-    /// <summary>One line for each missed limit; empty if all limits are kept.</summary>
+    /// <summary>One line for each limit that is not kept; empty if all limits are kept.</summary>
     public IEnumerable<string> Missed
     {
         get
@@ -63,7 +64,10 @@ sealed class PathCell
         }
     }
 
-    /// <summary>Gets relative error, skew, minimum share within the stated uncertainty, and its mean; ** marks a missed limit.</summary>
+    /// <summary>
+    /// Gets error and physical limit, skew, minimum share within the stated error, and mean stated error. ** marks a limit that is not
+    /// kept.
+    /// </summary>
     public override string ToString()
     {
         var text = Text($"{_errorMs:0.00} / {_physicsMs:0.##} ms, {SkewPpm:0.0} ppm, {100 * _within:0} %, ± {_statedMs:0.00} ms");

@@ -1,12 +1,12 @@
 namespace Nowpose.Benchmarks.Paths;
 
-/// <summary>A change of the minimum delays of a path.</summary>
-/// <param name="Name">Description of the change for the table.</param>
-/// <param name="Extra">Additional delays relative to the size, by seconds since the change; negative before it.</param>
-/// <param name="Limit">Minimum error of any estimator after the change: half the difference of both directions, relative to the size.</param>
+/// <summary>A change of a path's minimum delays.</summary>
+/// <param name="Name">Description of the change in the table.</param>
+/// <param name="Extra">Gets the additional delays, relative to the size of the change, from the time since the change, s; negative before it.</param>
+/// <param name="Limit">Minimum error of any estimator after the change, relative to its size: half the difference between both directions.</param>
 sealed record PathChange(string Name, Func<double, (double Up, double Down)> Extra, double Limit)
 {
-    /// <summary>Seconds after which a path changes back.</summary>
+    /// <summary>Time after which a temporary change ends, s.</summary>
     const double Stay = 100;
 
     public static readonly PathChange None = new("no change", _ => (0, 0), 0);

@@ -3,11 +3,11 @@ using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks.Paths;
 
-/// <summary>Errors of a clock estimator while a path changes, in virtual time: exchanges over TCP on a lossy link, against the true clock.</summary>
+/// <summary>Errors of a clock estimator while a path changes, in virtual time. Exchanges use TCP on a lossy link.</summary>
 /// <param name="ErrorMs">Maximum error from 5 s after the change on, ms.</param>
-/// <param name="SkewPpm">Maximum deviation of the skew from its previous value, in the same time, ppm.</param>
-/// <param name="Within">Share of that time in which the error is within the stated uncertainty.</param>
-/// <param name="StatedMs">Mean of the stated uncertainty in that time, ms.</param>
+/// <param name="SkewPpm">Maximum deviation of the skew from its value before the change, from 5 s after the change on, ppm.</param>
+/// <param name="Within">Share of this time in which the error does not exceed the stated error.</param>
+/// <param name="StatedMs">Mean stated error in this time, ms.</param>
 readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within, double StatedMs)
 {
     const double ChangeAt = 150, Length = 400, Settling = 5, Step = 0.1;

@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Benchmarks.Paths;
 
-/// <summary>paths: measures the clock when the minimum delays of a path change, for example when a headset roams.</summary>
+/// <summary>paths: measures the clock when the minimum delays of a path change, for example when a headset changes its access point.</summary>
 static class PathsVerb
 {
     static readonly double[] SizesMs = [0.5, 2, 4, 20];

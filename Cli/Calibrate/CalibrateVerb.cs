@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate</c>: visualisation latency and constant-latency range from measurements. Each method is a verb below it.
+/// <c>calibrate</c>: measures the visualisation latency and the constant-latency range. Each method is a subcommand.
 static class CalibrateVerb
 {
     public static Command Create() => new(

@@ -1,29 +1,30 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Web;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>The folder that a calibration writes to. The files of an earlier calibration stay until there is a better result.</summary>
+/// <summary>The output folder of a calibration. Files of an earlier calibration are kept until a better result replaces them.</summary>
 sealed class CalibrationOutput
 {
     readonly string _folder;
 
     CalibrationOutput(string folder) => _folder = folder;
 
-    /// <summary>Path of the profile for the headset, which <see cref="LatencyProfileFile"/> reads.</summary>
+    /// <summary>Path of the profile for the headset. <see cref="LatencyProfileFile"/> reads this file.</summary>
     public string ProfilePath => Path.Combine(_folder, "profile.json");
 
     public string PagePath => Path.Combine(_folder, "calibration.html");
 
-    /// <summary>Path of a new profile that has no render time limit, used when the existing profile has one.</summary>
+    /// <summary>Path for a new profile without a render time limit. Used if the existing profile has a limit.</summary>
     public string UnlimitedProfilePath => Path.Combine(_folder, "profile-without-limit.json");
 
     /// <summary>Path of the table that <c>calibrate range</c> reads.</summary>
     public string PairsPath => Path.Combine(_folder, "pairs.csv");
 
-    /// <summary>Creates the folder.</summary>
-    /// <exception cref="InputException">The folder is not writable. This is checked before the work, not after it.</exception>
+    /// <summary>Creates the folder and checks that it is writable, so that a long measurement does not fail at its end.</summary>
+    /// <exception cref="InputException">The folder is not writable.</exception>
     public static CalibrationOutput At(string folder) => OutputPath.InFolder("--out", folder, full =>
     {
         var trial = Path.Combine(full, Path.GetRandomFileName());
@@ -39,7 +40,7 @@ sealed class CalibrationOutput
     {
         File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
         if (profile == null) return null;
-        var path = profile.Range == null && EarlierLimit() is TimeSpan limit ? Beside(limit) : ProfilePath;
+        var path = profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
         LatencyProfileFile.Save(path, profile);
         return path;
     }
@@ -53,15 +54,14 @@ sealed class CalibrationOutput
                 CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
     }
 
-    string Beside(TimeSpan limit)
+    // Gets the path for a profile without a limit, and reports that the existing profile is kept.
+    string PathBeside(TimeSpan limit)
     {
-        Console.Error.WriteLine(FormattableString.Invariant(
-            $"nowpose: {ProfilePath} has a render time limit of {limit.TotalMilliseconds:0.00} ms and was kept; ")
-            + $"the new profile has no limit and was written beside it. To keep the limit with the new L_visu, run vlc, sine or nudge with --profile {ProfilePath}");
+        Console.Error.WriteLine(ConsoleMessages.ProfileKept(ProfilePath, limit.TotalMilliseconds));
         return UnlimitedProfilePath;
     }
 
-    // Null if there is no usable profile, or it has no limit.
+    // Gets the limit of the existing profile; null without a limit or without a readable profile.
     TimeSpan? EarlierLimit()
     {
         try

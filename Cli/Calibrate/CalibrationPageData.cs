@@ -5,16 +5,16 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>The content of calibration.html for one calibration.</summary>
 /// <param name="Title">Name of the measuring method.</param>
 /// <param name="Result">The outcome in one sentence.</param>
-/// <param name="Facts">Name and value pairs; the numbers of the profile come first.</param>
+/// <param name="Facts">Pairs of name and value; the numbers of the profile come first.</param>
 sealed record CalibrationPageData(string Title, string Result, IReadOnlyList<string[]> Facts)
 {
-    /// <summary>Warnings to read before the result is used; empty when there are none.</summary>
+    /// <summary>Warnings that a reader must know before using the result; empty if there are none.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
     public IReadOnlyList<CalibrationSection> Sections { get; init; } = [];
 }
 
-/// <summary>One or more plots with their explanation and their table.</summary>
+/// <summary>A section of the page: one or more plots with an explanation and a table.</summary>
 /// <param name="Heading">The heading, for example "Render time and L_visu over pictures".</param>
 /// <param name="Source">Figure or section of the paper, for example "Fig. 10"; null if there is none.</param>
 /// <param name="Words">Explanation of the plots.</param>

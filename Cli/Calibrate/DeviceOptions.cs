@@ -2,11 +2,10 @@ using System.CommandLine;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
-using Nowpose.Latency.Reprojection;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>Options for the conditions of the measured headset, for measurements that do not state them themselves.</summary>
+/// <summary>Options that state the conditions of a measurement whose files do not contain them: device, display rate and others.</summary>
 sealed class DeviceOptions
 {
     readonly Option<string> _device = new("--device")
@@ -16,9 +15,9 @@ sealed class DeviceOptions
     };
 
     readonly Option<double> _displayHz = NumberOption.Create(
-        "--display-hz", "Refresh rate of the headset's display; 0: the default as for --device", 0.0, 0, 1000, "Hz");
+        "--display-hz", "Refresh rate of the headset's display; 0: same default as --device", 0.0, 0, 1000, "Hz");
 
-    readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API, as SystemInfo.graphicsDeviceType names it: Direct3D11");
+    readonly Option<string> _graphicsApi = Text("--graphics-api", "Graphics API as named by SystemInfo.graphicsDeviceType, for example Direct3D11");
 
     readonly Option<string> _graphicsJobs = Text(
         "--graphics-jobs", "Rendering threads, as SystemInfo.renderingThreadingMode names them: MultiThreaded without Graphics Jobs");
@@ -42,7 +41,7 @@ sealed class DeviceOptions
         foreach (var option in options) verb.Options.Add(option);
     }
 
-    /// <summary>Gets the conditions given as options; the others are unknown.</summary>
+    /// <summary>Gets the conditions that were given as options. The other conditions stay unknown.</summary>
     /// <exception cref="InputException">A value is invalid.</exception>
     public DisplayConditions Conditions(ParseResult parsed) => DisplayConditions.Parse(condition => condition switch
     {
@@ -56,17 +55,17 @@ sealed class DeviceOptions
         _ => null,
     }).Or(new DisplayConditions(displayHz: parsed.GetValue(_displayHz)));
 
-    /// <summary>The option for the source of the render time, for methods that find a limit.</summary>
+    /// <summary>Creates the option for the source of the render time, used by methods that find a render time limit.</summary>
     public static Option<string> Source() => ChoiceOption.Create(
         "--source", "Source of render_ms; the limit is valid for this source only", RenderTimeSourceNames.NameOf(RenderTimeSourceKind.DisplayGpuTime),
         [.. Enum.GetValues<RenderTimeSourceKind>().Where(kind => kind != RenderTimeSourceKind.None).Select(RenderTimeSourceNames.NameOf)]);
 
-    /// <param name="source">A choice of <see cref="Source"/>.</param>
+    /// <param name="source">One of the values that <see cref="Source"/> allows.</param>
     public static RenderTimeSourceKind KindOf(string source) =>
         RenderTimeSourceNames.TryParse(source, out var kind) ? kind : throw new InputException($"--source: '{source}' is unknown; allowed: {RenderTimeSourceNames.All}");
 
-    static Option<string> Text(string name, string description) => new(name) { Description = description + "; default as for --device" };
+    static Option<string> Text(string name, string description) => new(name) { Description = description + "; same default as --device" };
 
     static Option<string> Choice(string name, string description, string[] allowed) =>
-        ChoiceOption.Create(name, description + "; default as for --device", null, allowed);
+        ChoiceOption.Create(name, description + "; same default as --device", null, allowed);
 }

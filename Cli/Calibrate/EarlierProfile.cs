@@ -1,12 +1,13 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>--profile</c>: the profile whose render time limit is kept by methods that find L_visu alone.
-/// <remarks>Without an earlier profile, the object still holds the conditions of the measurement.</remarks>
+/// <c>--profile</c>: an earlier profile whose render time limit is kept by methods that measure only L_visu.
+/// <remarks>If no profile was given, the object contains only the conditions of the measurement.</remarks>
 sealed class EarlierProfile
 {
     readonly IReadOnlyList<string> _warnings;
@@ -21,7 +22,7 @@ sealed class EarlierProfile
     /// <summary>The earlier profile, or null for none.</summary>
     public LatencyProfile Profile { get; }
 
-    /// <summary>Conditions of the measurement: from the options, else from the sweep's log, else from the earlier profile.</summary>
+    /// <summary>Conditions of the measurement. Options take precedence over the sweep's log, and the log over the earlier profile.</summary>
     public DisplayConditions Conditions { get; }
 
     public static Option<string> Option() => new("--profile")
@@ -29,7 +30,7 @@ sealed class EarlierProfile
         Description = "An earlier profile of the same device, whose render time limit is kept",
     };
 
-    /// <summary>Reads the profile. Call this before the measurement, so that an invalid profile is reported early.</summary>
+    /// <summary>Reads the profile. Call this method before the measurement, so that an invalid profile is reported early.</summary>
     /// <param name="path">Path of the profile, or null for none.</param>
     /// <param name="given">Conditions given as options.</param>
     /// <param name="sweep">Conditions from the sweep's log, or null for none.</param>
@@ -38,28 +39,25 @@ sealed class EarlierProfile
     {
         var warnings = new List<string>();
         if (sweep != null)
-            warnings.AddRange(sweep.MismatchesWith(given).Select(each =>
-                $"--sweep: the log was written with {each.Label} '{each.Calibrated}', the options say '{each.Actual}'; "
-                + "the pictures must belong to the sweep: repeat both with the same settings"));
+            warnings.AddRange(sweep.MismatchesWith(given).Select(each => CalibrationMessages.OtherSweep(each.Label, each.Calibrated, each.Actual)));
         var conditions = sweep == null ? given : given.Or(sweep);
         var profile = path == null ? null : LatencyProfileFile.Load(path);
         if (profile?.RefusalFor(conditions) is string refusal) throw new InputException($"--profile: {path}: {refusal}");
         if (profile != null)
             warnings.AddRange(profile.MismatchesWith(conditions).Select(each =>
-                $"--profile: {path}: was measured with {each.Label} '{each.Calibrated}', this measurement has '{each.Actual}'; "
-                + "the values kept from the profile may be wrong: repeat the load sweep"));
+                CalibrationMessages.OtherProfile(path, each.Label, each.Calibrated, each.Actual)));
         return new EarlierProfile(profile, conditions, warnings);
     }
 
-    /// <summary>Returns the page with the mismatches of the conditions before its other warnings.</summary>
+    /// <summary>Returns the page with the warnings about different conditions before its other warnings.</summary>
     public CalibrationPageData WithWarnings(CalibrationPageData page) => page with { Warnings = [.. _warnings, .. page.Warnings] };
 
-    /// <summary>Returns the earlier profile with another latency for head motion, or null without an earlier profile.</summary>
+    /// <summary>Returns the earlier profile with the given latency for head motion; null without an earlier profile.</summary>
     public LatencyProfile With(HeadMotionLatency head) => Profile == null ? null : new(
         Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Conditions, Profile.MeasuredUtc, Profile.Method,
         Profile.Measurements, Profile.Range?.Limit.TotalMilliseconds, Profile.RenderTimeSource, Profile.ValidToRenderTime?.TotalMilliseconds, head);
 
-    /// <summary>Returns the profile with another L_visu. The latency for head motion is kept because it is measured separately.</summary>
+    /// <summary>Returns a profile with the given L_visu. Keeps the latency for head motion, which is measured separately.</summary>
     public LatencyProfile With(double visuMs, double spreadMs, CalibrationMethod method, int measurements) => new(
         visuMs, spreadMs, Conditions, DateTime.UtcNow, method, measurements, Profile?.Range?.Limit.TotalMilliseconds,
         Profile?.RenderTimeSource ?? RenderTimeSourceKind.None, Profile?.ValidToRenderTime?.TotalMilliseconds, Profile?.HeadMotion);

@@ -7,12 +7,12 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate head PICTURES</c>: the latency that remains for head motion, from pictures of both codes while the headset moves.
+/// <c>calibrate head PICTURES</c>: measures the latency that remains for head motion, from pictures of both codes on a moving headset.
 static class HeadVerb
 {
     static readonly Argument<string[]> Pictures = new("PICTURES")
     {
-        Description = "Pictures of a headset that is turned to the left and right, 25 per second or more, in the order in which they were taken: files, "
+        Description = "Pictures of a headset that turns left and right, at 25 pictures per second or more, in the order in which they were taken: files, "
             + "a folder or a video (needs ffmpeg).",
         Arity = ArgumentArity.OneOrMore,
     };
@@ -20,7 +20,7 @@ static class HeadVerb
     static readonly Option<double> ControlDelay = VlcVerb.ControlDelayOption();
     static readonly Option<string> Earlier = new("--profile")
     {
-        Description = "Profile of the still pictures, to which the latency for head motion is added",
+        Description = "Profile measured with a still headset; the latency for head motion is added to it",
     };
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -34,7 +34,7 @@ static class HeadVerb
             Pictures, Readout, ControlDelay, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }
@@ -46,7 +46,7 @@ static class HeadVerb
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, isStill: false, cancel);
-        VlcVerb.Tell(read);
+        VlcVerb.ReportRejected(read);
         if (read.Read.Count == 0)
             return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw new InputException(read.NothingRead());
         var result = ResultOf(read, arguments[0]);

@@ -1,12 +1,13 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Nudge;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate nudge</c>: L_visu by eye, from the offsets at which hologram and robot coincide in two directions.
+/// <c>calibrate nudge</c>: measures L_visu by eye, from the offsets at which hologram and robot coincide in two directions of motion.
 static class NudgeVerb
 {
     static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");
@@ -20,7 +21,7 @@ static class NudgeVerb
 
     public static Command Create()
     {
-        var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot agree in both directions. Without options: print the instructions.")
+        var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot coincide in both directions of motion. Without options: print the instructions.")
         {
             Speed, Configured, Forward, Backward, Earlier, Output, Json,
         };
@@ -36,7 +37,7 @@ static class NudgeVerb
             Console.Out.Write(NudgeGuide.Text);
             return ExitStatus.Done;
         }
-        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException("--speed-mm-s is missing; allowed: 1 to 10000 mm/s");
+        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException(CalibrationMessages.NoSpeed);
         var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Configured), parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));
@@ -51,7 +52,7 @@ static class NudgeVerb
 
     static Option<double[]> Offsets(string name, string direction) => new(name)
     {
-        Description = $"Offset along the motion at which hologram and robot agreed moving {direction}, mm; repeat for several measurements [-1000 to 1000 mm]",
+        Description = $"Offset along the motion at which hologram and robot coincided while moving {direction}, in mm; repeat the option for more measurements [-1000 to 1000 mm]",
         AllowMultipleArgumentsPerToken = true,
         DefaultValueFactory = _ => [],
     };

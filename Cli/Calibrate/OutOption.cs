@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>--out</c> and <c>--json</c>, the same for all calibration methods.
+/// <c>--out</c> and <c>--json</c>: options that all calibration methods share.
 static class OutOption
 {
     public static Option<string> Create() => new("--out")
@@ -11,5 +11,5 @@ static class OutOption
         DefaultValueFactory = _ => "nowpose-calibration",
     };
 
-    public static Option<bool> Json() => new("--json") { Description = "Print JSON instead of a table." };
+    public static Option<bool> Json() => new("--json") { Description = "Print JSON instead of a table" };
 }

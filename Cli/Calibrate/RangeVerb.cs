@@ -1,12 +1,13 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate range FILE.csv</c>: the constant-latency range from pairs of render time and L_visu.</summary>
+/// <summary><c>calibrate range FILE.csv</c>: finds the constant-latency range from pairs of render time and L_visu.</summary>
 static class RangeVerb
 {
     public static Command Create()
@@ -37,7 +38,7 @@ static class RangeVerb
         return ExitStatus.Done;
     }
 
-    // Checked where the loads are known: a render time that does not change with the load can neither find a limit nor monitor one.
+    // Requires that the render time changes with the load. Otherwise no limit can be found or monitored. Needs the loads.
     static void RequireSight(IReadOnlyList<MeasuredPicture> pictures, string file, string source)
     {
         const double MinRise = 0.1;
@@ -47,9 +48,7 @@ static class RangeVerb
         if (third == 0) return;
         double low = loads[..third].Average(), high = loads[^third..].Average();
         if (high - low >= MinRise * low) return;
-        throw new InputException(FormattableString.Invariant(
-            $"{file}: this source does not respond to load: at the lowest loads {source} was {low:0.00} ms, at the highest {high:0.00} ms; ")
-            + "repeat the sweep with another source of the render time, or run calibrate vlc for L_visu without a limit");
+        throw new InputException(RangeMessages.SourceDoesNotRespond(file, source, low, high));
     }
 
     static RangeFitResult FitOf(IReadOnlyList<MeasuredPicture> pictures, string file)

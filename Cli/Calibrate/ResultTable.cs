@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Calibrate;
@@ -5,11 +6,11 @@ namespace Nowpose.Cli.Calibrate;
 /// <summary>Prints a calibration's result to stdout and its warnings to stderr.</summary>
 static class ResultTable
 {
-    /// <summary>Maximum length of a list in the table, in characters; the page has all of it.</summary>
+    /// <summary>Maximum length of a list in the table, in characters. The page shows the complete list.</summary>
     const int MaxLength = 400;
 
     /// <param name="profilePath">Path of the profile, or null for none.</param>
-    /// <param name="json">The JSON to print instead of the table, or null for the table.</param>
+    /// <param name="json">JSON to print instead of the table; null prints the table.</param>
     public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
     {
         if (json == null) PrintTable(page);
@@ -34,6 +35,6 @@ static class ResultTable
     static string Shortened(string list)
     {
         var end = list.Length > MaxLength ? list.LastIndexOf(", ", MaxLength, StringComparison.Ordinal) : -1;
-        return end < 0 ? list : FormattableString.Invariant($"{list[..end]} and {list[end..].Split(", ").Length - 1} more, which the page and --json name");
+        return end < 0 ? list : CalibrationPageTexts.Shortened(list[..end], list[end..].Split(", ").Length - 1);
     }
 }

@@ -1,34 +1,35 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Simulate;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate simulate</c>: pictures with known truth, to try the evaluation without hardware.</summary>
+/// <summary><c>calibrate simulate</c>: creates pictures with known true values, to try the evaluation without hardware.</summary>
 static class SimulateVerb
 {
     static readonly SimulationSettings Standard = new();
 
-    static readonly Option<int> Pictures = NumberOption.Create("--pictures", "Number of pictures.", Standard.Pictures, 1, 100_000, "");
-    static readonly Option<double> Visu = NumberOption.Create("--visu-ms", "True L_visu while frames are ready in time.", Standard.VisuMs, 17, 300, "ms");
-    static readonly Option<double> Spoiled = NumberOption.Create("--spoiled", "Share of pictures with a defect.", Standard.Spoiled, 0, 1, "");
+    static readonly Option<int> Pictures = NumberOption.Create("--pictures", "Number of pictures", Standard.Pictures, 1, 100_000, "");
+    static readonly Option<double> Visu = NumberOption.Create("--visu-ms", "True L_visu while frames are ready in time", Standard.VisuMs, 17, 300, "ms");
+    static readonly Option<double> Spoiled = NumberOption.Create("--spoiled", "Share of pictures with a defect", Standard.Spoiled, 0, 1, "");
     static readonly Option<int> PerPlace = NumberOption.Create(
-        "--per-place", "Number of pictures after which the camera moves.", Standard.PicturesPerPlace, 1, 100_000, "");
+        "--per-place", "Number of pictures after which the camera changes its position", Standard.PicturesPerPlace, 1, 100_000, "");
     static readonly Option<int> LoadSteps = NumberOption.Create(
-        "--load-steps", "Number of load steps from 0 to 2 million vertices; 0: a constant load of 300 000 vertices.", Standard.LoadSteps, 0, 100, "");
+        "--load-steps", "Number of load steps from 0 to 2 million vertices; 0 means a constant load of 300 000 vertices", Standard.LoadSteps, 0, 100, "");
     static readonly Option<double> Lit = NumberOption.Create(
-        "--lit-ms", "Time for which each frame is lit; the results scatter by half of it.", Standard.LitMs, 0.5, 16.6, "ms");
+        "--lit-ms", "Time for which each frame is lit; the results scatter by half of it", Standard.LitMs, 0.5, 16.6, "ms");
     static readonly Option<double> Exposure = NumberOption.Create(
-        "--exposure-ms", "Maximum exposure time; the exposure is drawn uniformly between 1 ms and this.", Standard.ExposureMs, 1, 40, "ms");
+        "--exposure-ms", "Maximum exposure time; exposures are distributed uniformly from 1 ms to this value", Standard.ExposureMs, 1, 40, "ms");
     static readonly Option<double> Readout = NumberOption.Create(
-        "--readout-ms", "Rolling shutter: delay of the last row's exposure after the first row's.", 0.0, -100, 100, "ms");
+        "--readout-ms", "Rolling shutter: delay of the last row's exposure after the first row's", 0.0, -100, 100, "ms");
     static readonly Option<double?> HeadLatency = NumberOption.CreateOptional(
-        "--head-latency-ms", "Create pictures for calibrate head instead: headset and camera turn to and fro with this latency for head motion, at "
-        + "30 pictures a second, from one place and at a constant load", -100.0, 300, "ms");
-    static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers.", Standard.Seed, int.MinValue, int.MaxValue, "");
+        "--head-latency-ms", "Create pictures for calibrate head instead: headset and camera turn left and right with this latency for head motion, at "
+        + "30 pictures per second, from one position and at a constant load", -100.0, 300, "ms");
+    static readonly Option<int> Seed = NumberOption.Create("--seed", "Seed of the random numbers", Standard.Seed, int.MinValue, int.MaxValue, "");
     static readonly Option<bool> Check = new("--check")
     {
-        Description = "Read each picture immediately instead of storing it, and report the accuracy. Exit status 1 if L_visu is wrong.",
+        Description = "Read each picture immediately instead of storing it, and report the accuracy. The exit status is 1 if the error is too large.",
     };
     static readonly Option<string> Output = new("--out")
     {
@@ -41,7 +42,7 @@ static class SimulateVerb
         {
             Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, HeadLatency, Seed, Check, Output,
         };
-        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }
@@ -64,7 +65,7 @@ static class SimulateVerb
     {
         var check = SimulationCheck.Run(settings, cancel);
         foreach (var line in check.Lines()) Console.Out.WriteLine(line);
-        // The documented limit is one misread picture in 10 000.
+        // These limits are documented: one misread picture in 10 000 is allowed.
         var isGood = Math.Abs(check.MeanErrorMs) <= 1 && check.ErrorP95Ms <= 2 && check.Misread <= Math.Max(1, check.Pictures / 10_000);
         return isGood ? ExitStatus.Done : ExitStatus.Failed;
     }
@@ -73,7 +74,7 @@ static class SimulateVerb
     {
         var taken = SimulationOutput.Write(settings, folder, cancel);
         var full = Path.GetFullPath(folder);
-        Console.Out.WriteLine($"{taken} pictures in {Path.Combine(full, "pictures")}, with {Path.Combine(full, "sweep.csv")} and {Path.Combine(full, "truth.csv")}");
+        Console.Out.WriteLine(SimulationMessages.Written(taken, Path.Combine(full, "pictures"), Path.Combine(full, "sweep.csv"), Path.Combine(full, "truth.csv")));
         return ExitStatus.Done;
     }
 }

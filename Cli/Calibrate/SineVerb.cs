@@ -8,13 +8,13 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate sine RECORDING</c>: total latency from a camera's recording of a jog to and fro.
+/// <c>calibrate sine RECORDING</c>: measures the end-to-end latency from a video of a jog back and forth.
 static class SineVerb
 {
     static readonly Argument<string> Recording = new("RECORDING")
     {
-        Description = "Positions in the camera's pictures: the time in s (t or t_s), then the positions of robot and hologram in pixels, .csv or .csv.gz; "
-            + "or the video itself, with both boxes (needs ffmpeg).",
+        Description = "Table of positions in the camera's pictures (.csv, .csv.gz): the time in s (t or t_s), then robot and hologram in pixels; "
+            + "or a video, with both boxes (needs ffmpeg).",
     };
     static readonly Option<string> Columns = new("--columns") { Description = "Names of the columns of robot and hologram, if there are more than two: ROBOT,HOLOGRAM" };
     static readonly Option<string> Control = new("--control")
@@ -30,7 +30,7 @@ static class SineVerb
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; half of it is subtracted, too", 50.0, 1, 1000, "ms");
     static readonly Option<double?> Configured = NumberOption.CreateOptional(
-        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the remaining lag is the error of this value", 0.0, 500, "ms");
+        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the measured lag is the error of this value", 0.0, 500, "ms");
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -38,12 +38,12 @@ static class SineVerb
 
     public static Command Create()
     {
-        var verb = new Command("sine", "Estimate the total latency from a filmed jog back and forth. A phone's camera is sufficient.")
+        var verb = new Command("sine", "Estimate the end-to-end latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
             Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a separate thread, so that Ctrl-C finds the action started.
+        // Runs on a separate thread, so that Ctrl-C can cancel it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }

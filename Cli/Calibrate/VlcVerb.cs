@@ -1,12 +1,13 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate vlc PICTURES</c>: L_visu from pictures that show the control's and the headset's code at the same time.
+/// <c>calibrate vlc PICTURES</c>: measures L_visu from pictures that show the control's and the headset's code at the same time.
 static class VlcVerb
 {
     /// <summary>Maximum number of rejected pictures that are listed individually.</summary>
@@ -33,7 +34,7 @@ static class VlcVerb
             Pictures, Sweep, Readout, ControlDelay, Earlier, Output, Json,
         };
         Device.AddTo(verb);
-        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
         return verb;
     }
@@ -47,7 +48,7 @@ static class VlcVerb
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, isStill: true, cancel);
-        Tell(result);
+        ReportRejected(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Pictures.Count == 0) return status;
         var evaluation = new VlcEvaluation(result, sweep, earlier);
@@ -63,11 +64,12 @@ static class VlcVerb
     public static Option<double> ControlDelayOption() => NumberOption.Create(
         "--control-delay-ms", "Delay of the device that shows the control code: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
 
-    public static void Tell(VlcResult result)
+    /// <summary>Prints the rejected pictures with their reasons to stderr.</summary>
+    public static void ReportRejected(VlcResult result)
     {
         if (result.Read.Count == 0) return;
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
         foreach (var picture in rejected.Take(MaxListed)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
-        if (rejected.Count > MaxListed) Console.Error.WriteLine($"nowpose: {rejected.Count - MaxListed} more were rejected");
+        if (rejected.Count > MaxListed) Console.Error.WriteLine(ConsoleMessages.MoreRejected(rejected.Count - MaxListed));
     }
 }

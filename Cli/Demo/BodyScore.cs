@@ -4,19 +4,19 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Compares the displayed objects with the truth in the frames in which they move.</summary>
+/// <summary>Compares the displayed objects with their true poses in all frames in which the objects move.</summary>
 /// <param name="frames">The scored frames.</param>
 sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
 {
     const double MillimetresPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
 
-    /// <summary>Time before and after the light in which an object must move to count as moving, s.</summary>
+    /// <summary>An object counts as moving if it moves within this time before and after the display time, s.</summary>
     const double HalfInterval = 0.005;
 
     /// <summary>Minimum speeds of a moving object, m/s and rad/s.</summary>
     const double MinSpeed = 0.001, MinTurning = 0.005;
 
-    /// <summary>Gets the results; null where the cell has no objects, or none has moved.</summary>
+    /// <summary>Gets the results; null if the cell has no objects or no object has moved.</summary>
     public DemoResult.BodyErrors Result()
     {
         if (run.Settings.Work is not { } work || run.Bodies == null) return null;
@@ -25,7 +25,7 @@ sealed class BodyScore(DemoRun run, IEnumerable<int> frames)
             Of(errors.Select(e => (e.HoldMm, e.Mm)).ToList()), Of(errors.Select(e => (e.HoldDeg, e.Deg)).ToList()));
     }
 
-    /// <summary>Gets the largest distance between a gripped object and its place in the displayed gripper, mm; null for none.</summary>
+    /// <summary>Gets the largest distance between a gripped object and its position in the displayed gripper, mm; null if none was gripped.</summary>
     public double? LargestSlipMm()
     {
         if (run.Settings.Work is not { } work || run.Bodies == null) return null;

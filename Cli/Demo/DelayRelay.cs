@@ -4,7 +4,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>A TCP relay on loopback that delays each direction of each connection by a network profile and keeps the order.</summary>
+/// <summary>A TCP relay on loopback. Delays the data in each direction by a network profile and keeps its order.</summary>
 sealed class DelayRelay : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -14,7 +14,7 @@ sealed class DelayRelay : IDisposable
     readonly Thread _accepting;
     int _seed;
 
-    /// <param name="seed">The seed from which the seed of each connection and direction is derived.</param>
+    /// <param name="seed">Base of the seeds; each connection and direction derives its own seed from it.</param>
     public DelayRelay(IPEndPoint target, NetworkProfile network, int seed)
     {
         _target = target;
@@ -30,7 +30,7 @@ sealed class DelayRelay : IDisposable
     public void Dispose()
     {
         _listener.Stop();
-        // The list no longer changes after this.
+        // The accepting thread has ended, so the list no longer changes.
         _accepting.Join();
         foreach (var connection in _connections) connection.Dispose();
     }
@@ -43,7 +43,7 @@ sealed class DelayRelay : IDisposable
         }
         catch (Exception end) when (end is SocketException or ObjectDisposedException or InvalidOperationException)
         {
-            // The listener was stopped.
+            // Expected: Dispose has stopped the listener.
         }
     }
 
@@ -58,7 +58,7 @@ sealed class DelayRelay : IDisposable
         }
         catch (SocketException)
         {
-            // The gateway is not reachable. The headset sees its connection closed, as with a real router.
+            // The gateway is not reachable. The relay closes the headset's connection, as a real router does.
             headset.Dispose();
             gateway.Dispose();
         }

@@ -5,32 +5,32 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The displayed poses of the cell's objects in all frames. Written during the run, read afterwards.</summary>
+/// <summary>Stores the displayed poses of the cell's objects for every frame. Filled during the run, read after it.</summary>
 sealed class DemoBodies(CellWork work)
 {
     readonly IReadOnlyList<string> _names = work.Names;
     readonly List<Shown> _shown = [];
     CompensationSession _followed;
 
-    /// <summary>Gets what a frame showed of an object; the default before its first sample.</summary>
+    /// <summary>Gets the displayed values of an object in a frame; <c>default</c> before the object's first sample.</summary>
     public Shown At(int frame, int body) => _shown[frame * _names.Count + body];
 
-    /// <summary>Gets whether samples of all objects had arrived.</summary>
+    /// <summary>Gets whether samples of all objects had arrived before a frame.</summary>
     public bool AreKnown(int frame) => Enumerable.Range(0, _names.Count).All(body => At(frame, body).IsKnown);
 
-    /// <summary>Shows the objects in a session from now on.</summary>
+    /// <summary>Requests the frames of all objects in a session and records them from now on.</summary>
     public void Follow(CompensationSession session)
     {
         if (session == null || session == _followed) return;
         _followed = session;
         foreach (var name in _names) session.Frames.Need(name);
-        // Also requested, because the objects stand there later.
+        // Also requests the conveyor and the fixtures, because they later become parents of the objects.
         session.Frames.Need(CellWork.Conveyor);
         foreach (var robot in work.Robots) session.Frames.Need(robot.Fixture);
     }
 
-    /// <summary>Records the objects in the newest frame.</summary>
-    /// <param name="frame">Null before the robot is known.</param>
+    /// <summary>Records the poses of all objects in the newest frame.</summary>
+    /// <param name="frame">The frame; null before the robot is known.</param>
     public void Add(DisplayFrame frame)
     {
         foreach (var name in _names)
@@ -42,9 +42,9 @@ sealed class DemoBodies(CellWork work)
         }
     }
 
-    /// <param name="IsKnown">Whether a sample had arrived.</param>
+    /// <param name="IsKnown">Whether a sample of the object had arrived.</param>
     /// <param name="Displayed">Pose of the object in the robot's base frame.</param>
-    /// <param name="Held">The same without compensation.</param>
-    /// <param name="Parent">Parent of the displayed pose.</param>
+    /// <param name="Held">Pose of the object without compensation.</param>
+    /// <param name="Parent">Parent frame of the displayed pose.</param>
     public readonly record struct Shown(bool IsKnown, RigidTransform Displayed, RigidTransform Held, string Parent);
 }

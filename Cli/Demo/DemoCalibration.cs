@@ -6,16 +6,16 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Calibrates the simulated headset before a run with a load, as a user would: a sweep of loads, recorded by a camera.</summary>
+/// <summary>Calibrates the simulated headset before a run with a load, in the same way as a user: with pictures of a load sweep.</summary>
 static class DemoCalibration
 {
     const int Steps = 20;
     const int PicturesPerStep = 50;
 
-    /// <summary>Number of frames in which the queue in front of the display settles.</summary>
+    /// <summary>Number of frames before the first picture of a load, in which the display's queue settles.</summary>
     const int FramesBefore = 10;
 
-    /// <param name="settings">The settings, including the error to add to L_visu.</param>
+    /// <param name="settings">The settings, including the error that is added to L_visu.</param>
     public static LatencyProfile Of(DemoSettings settings)
     {
         var fit = RangeFit.Fit(Sweep(settings));
@@ -26,7 +26,7 @@ static class DemoCalibration
 
     static List<LatencyPair> Sweep(DemoSettings settings)
     {
-        // Another seed, so that these are not the run's own frames.
+        // Uses another seed than the run, so that the calibration is made with different frames.
         var display = new DisplayPipeline(settings.Seed + 1, DemoDisplay.Settings(settings));
         var phase = new Random(settings.Seed);
         var pairs = new List<LatencyPair>();
@@ -41,6 +41,6 @@ static class DemoCalibration
         return pairs;
     }
 
-    // The difference of two codes in whole milliseconds, for a picture taken at any time between two codes.
+    // Simulates the reading of two codes with a resolution of 1 ms in a picture taken at a random time.
     static double Read(double visuMs, Random phase) => Math.Floor(visuMs + phase.NextDouble());
 }

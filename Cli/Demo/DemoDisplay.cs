@@ -2,19 +2,21 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The simulated headset's display: when frames start, and when their light is seen.</summary>
-/// <remarks>Without vertices to render: 60 frames a second, constant L_visu and no render times. Allocates no memory after construction.</remarks>
+/// <summary>Simulates the headset's display: the start and the display time of each frame.</summary>
+/// <remarks>
+/// Without vertices to render, it has 60 frames per second, a constant L_visu and no render times. Allocates only in its constructor.
+/// </remarks>
 sealed class DemoDisplay
 {
     public const int FramesPerSecond = 60;
 
-    /// <summary>Number of stored frames. At most two are in progress, so one of them is always finished.</summary>
-    const int Remembered = 4;
+    /// <summary>Number of stored frames. At most two are in progress, so at least one stored frame is finished.</summary>
+    const int Stored = 4;
 
     readonly DisplayPipeline _pipeline;
     readonly Func<TimeSpan, double> _verticesAt;
     readonly TimeSpan _visualisation;
-    readonly PipelineFrame[] _newest = new PipelineFrame[Remembered];
+    readonly PipelineFrame[] _newest = new PipelineFrame[Stored];
     long _frames;
 
     public DemoDisplay(DemoSettings settings)
@@ -26,24 +28,24 @@ sealed class DemoDisplay
         _pipeline = new DisplayPipeline(settings.Seed, Settings(settings));
     }
 
-    /// <summary>Start of the next frame, since the run began.</summary>
+    /// <summary>Start of the next frame, relative to the start of the run.</summary>
     public TimeSpan NextStart => _pipeline?.NextStart ?? TimeSpan.FromSeconds((double)_frames / FramesPerSecond);
 
     /// <summary>True L_visu of the newest frame.</summary>
     public TimeSpan Visualisation => Rendered?.Visualisation ?? _visualisation;
 
-    /// <summary>The newest frame's timing in the pipeline; null without vertices to render.</summary>
-    public PipelineFrame? Rendered => _pipeline == null || _frames == 0 ? null : _newest[(_frames - 1) % Remembered];
+    /// <summary>Timing of the newest frame in the pipeline; null without vertices to render.</summary>
+    public PipelineFrame? Rendered => _pipeline == null || _frames == 0 ? null : _newest[(_frames - 1) % Stored];
 
-    /// <summary>The driver's render time at the start of the newest frame: that of the last finished frame. Null if there is none.</summary>
+    /// <summary>Render time that the driver reports when the newest frame starts: that of the last finished frame; null if there is none.</summary>
     public TimeSpan? DriverTime
     {
         get
         {
             if (_pipeline == null) return null;
-            for (var back = 2; back <= Remembered && back <= _frames; back++)
+            for (var back = 2; back <= Stored && back <= _frames; back++)
             {
-                var frame = _newest[(_frames - back) % Remembered];
+                var frame = _newest[(_frames - back) % Stored];
                 if (frame.Done <= Rendered.Value.Start) return frame.RenderTime;
             }
             return null;
@@ -56,7 +58,7 @@ sealed class DemoDisplay
     /// <summary>Renders the next frame.</summary>
     public void Render()
     {
-        if (_pipeline != null) _newest[_frames % Remembered] = _pipeline.Next(_verticesAt(_pipeline.NextStart));
+        if (_pipeline != null) _newest[_frames % Stored] = _pipeline.Next(_verticesAt(_pipeline.NextStart));
         _frames++;
     }
 }

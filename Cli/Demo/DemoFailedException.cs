@@ -1,4 +1,4 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>A run ended without a valid result. The message gives the reason.</summary>
+/// <summary>Thrown if a run ends without a valid result. The message gives the reason.</summary>
 sealed class DemoFailedException(string message) : Exception(message);

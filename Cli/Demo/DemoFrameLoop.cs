@@ -4,8 +4,8 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The headset's frame loop at the rate of its display: reads C2, plays the frame and records the displayed pose.</summary>
-/// <param name="waitUntil">Returns once the headset clock has reached the given time.</param>
+/// <summary>Runs the headset's frame loop at the rate of its display. Reads C2, plays each frame and records the displayed poses.</summary>
+/// <param name="waitUntil">Waits until the headset clock reaches the given time.</param>
 sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadsetClock clock, IDemoTruth truth, Action<HeadsetTime> waitUntil)
 {
     readonly DemoDisplay _display = new(settings);
@@ -16,14 +16,14 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
 
     public DemoFrames Frames { get; } = new(settings.Robot.MovingJoints.Count, (int)(settings.Seconds * DemoDisplay.FramesPerSecond) + 1);
 
-    /// <summary>The displayed objects; null if the cell has none.</summary>
+    /// <summary>The recorded poses of the cell's objects; null if the cell has none.</summary>
     public DemoBodies Bodies => _bodies;
 
     /// <param name="report">Receives the finished seconds and a status text.</param>
     public void Run(Action<double, Func<string>> report, CancellationToken cancel)
     {
         var begin = clock.Now;
-        // Whole frames only; half a frame of margin avoids rounding errors.
+        // Includes only whole frames. The margin of half a frame avoids rounding errors.
         var end = ((int)(settings.Seconds * DemoDisplay.FramesPerSecond) - 0.5) / DemoDisplay.FramesPerSecond;
         while (_display.NextStart.TotalSeconds < end && !cancel.IsCancellationRequested)
         {
@@ -56,7 +56,7 @@ sealed class DemoFrameLoop(DemoSettings settings, IDemoHeadset headset, IHeadset
             frame?.Range ?? RangeState.Unknown, _display.Rendered ?? default, start - begin - due));
     }
 
-    // The runtime's own statistics must cover the scored frames only.
+    // Restarts the runtime's own statistics, so that they cover the scored frames only.
     void BeginScoring(HeadsetTime start, TimeSpan elapsed)
     {
         if (_isScored || elapsed < DemoScore.WarmUp || headset.Session?.Clock.ModelAt(start).State != ClockState.Synchronised) return;

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The headset: the package's own sample scene, played on the stand-in engine. Its displayed poses are read from its transforms.</summary>
+/// <summary>Plays the package's sample scene on the stand-in engine as the headset, and reads the displayed poses from its transforms.</summary>
 sealed class DemoHeadset : IDemoHeadset
 {
     const string Package = "Packages/com.nowpose.mril/";
@@ -21,22 +21,22 @@ sealed class DemoHeadset : IDemoHeadset
     CompensationSession _watched;
     SessionRecorder _recorder;
 
-    /// <param name="clock">The headset clock, which also times the frames.</param>
-    /// <param name="samples">Expected number of samples; more are accepted.</param>
-    /// <param name="recordingPath">Path of the session's recording; null for none.</param>
+    /// <param name="clock">The headset clock, which also controls the frame loop.</param>
+    /// <param name="samples">Expected number of samples. More samples are accepted.</param>
+    /// <param name="recordingPath">Path of the session's recording; null to record nothing.</param>
     public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples, string recordingPath = null)
     {
         _recordingPath = recordingPath;
         Log = new SessionLog(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
         _player = new Player(assets);
-        // Set before the scene wakes, because the component connects immediately.
+        // Sets the connection before the scene starts, because the component connects immediately.
         _player.LoadScene(Sample + SceneFor(robot, assets), roots =>
         {
             var component = roots.SelectMany(root => root.GetComponentsInChildren<MrilSession>(includeInactive: true)).Single();
             component.HeadsetClock = clock;
             component.Settings = settings;
-            // The demo has calibrated the headset. Profiles stored on this machine belong to other devices.
+            // Uses the demo's own calibration. Profiles stored on this machine belong to other devices.
             foreach (var loader in roots.SelectMany(root => root.GetComponentsInChildren<LatencyProfileLoader>(includeInactive: true)))
                 loader.enabled = false;
         });
@@ -60,13 +60,13 @@ sealed class DemoHeadset : IDemoHeadset
     /// <summary>Position of the tool in the scene; the origin before the robot is known.</summary>
     public ToolPosition Tool => ToolOf(_displayed);
 
-    /// <summary>Position of the tool of the scene's uncompensated ghost.</summary>
+    /// <summary>Position of the tool without compensation, from the scene's ghost.</summary>
     public ToolPosition HeldTool => ToolOf(_held);
 
-    /// <summary>Number of alarms in the scene that the render time left the constant-latency range.</summary>
+    /// <summary>Number of alarms that the scene raised because the render time left the constant-latency range.</summary>
     public int Alarms { get; private set; }
 
-    /// <summary>Errors that the scene's scripts have logged; null for none.</summary>
+    /// <summary>First error that the scene's scripts have logged; null if there is none.</summary>
     public string Complaint => _player.Logs
         .FirstOrDefault(entry => entry.Type is LogType.Error or LogType.Exception or LogType.Assert)?.ToString();
 
@@ -79,7 +79,7 @@ sealed class DemoHeadset : IDemoHeadset
     }
 
     /// <summary>Ends the recording and waits until its last line is written.</summary>
-    /// <returns>The reason if it ended early; null otherwise.</returns>
+    /// <returns>The reason if the recording ended early; otherwise null.</returns>
     public string EndRecording()
     {
         _recorder?.Dispose();
@@ -93,7 +93,7 @@ sealed class DemoHeadset : IDemoHeadset
         _player.Dispose();
     }
 
-    // The prefab with the youBot for a youBot. Any other robot is built from the gateway's description.
+    // The youBot has a prefab with its own scene. Any other robot is built from the gateway's description.
     static string SceneFor(RobotModel robot, AssetLibrary assets) =>
         assets.Load<RobotDescriptionAsset>(Package + "Runtime/Robots/youBot.asset").Read().SourceHash == robot.SourceHash
             ? "Connect to a Gateway.unity"
@@ -106,14 +106,14 @@ sealed class DemoHeadset : IDemoHeadset
         return ToolPosition.Of(UnityFrame.FromUnity(new UnityPose(place.x, place.y, place.z, 0, 0, 0, 1)));
     }
 
-    // The session is replaced once the gateway has described the robot.
+    // Follows the current session. The session is replaced when the gateway has described the robot.
     void Watch()
     {
         var session = _component.Session;
         if (session == _watched || session == null) return;
         _watched = session;
         Log.Follow(session);
-        // The first session of a cell for any robot has no joints and is not recorded.
+        // In a scene for any robot, the first session has no joints. It is not recorded.
         if (_recordingPath != null && session.Robot.MovingJoints.Count > 0) Record(session);
     }
 

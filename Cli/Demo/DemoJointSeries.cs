@@ -3,12 +3,12 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>One joint over time for Fig. 16: true, received and displayed position.</summary>
+/// <summary>Gets true, received and displayed position of one joint over time, for Fig. 16.</summary>
 sealed class DemoJointSeries(DemoRun run, ControlTime start)
 {
     readonly int _joints = run.Settings.Robot.MovingJoints.Count;
 
-    /// <summary>Gets the joint that travels farthest; null when nothing was displayed.</summary>
+    /// <summary>Gets the series of the joint with the longest travel; null if no frame was displayed.</summary>
     public object Busiest()
     {
         var shown = Enumerable.Range(0, run.Frames.Rows.Count).Where(i => run.Frames.Rows[i].State != PoseState.Incomplete).ToList();
@@ -27,7 +27,7 @@ sealed class DemoJointSeries(DemoRun run, ControlTime start)
         };
     }
 
-    // The held value changes when a sample arrives: its first frame shows when the sample would have been visible.
+    // The uncompensated value changes when a sample arrives, so its first frame is the first in which the sample is visible.
     object Received(int joint, List<int> shown, List<double> times)
     {
         var held = shown.Select(frame => run.Frames.Held(frame, joint)).ToList();

@@ -1,6 +1,8 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The scene's load over a run. It starts after the first third and ends with the last quarter, so that both edges are visible.</summary>
+/// <summary>
+/// The scene's load over a run. It begins after the first third and ends before the last quarter, so that both changes are visible.
+/// </summary>
 /// <param name="Vertices">Number of vertices during the load; 0 before and after it.</param>
 /// <param name="Seconds">Length of the whole run.</param>
 readonly record struct DemoLoad(double Vertices, double Seconds)

@@ -4,7 +4,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The folder that a run writes to.</summary>
+/// <summary>The output folder of a run.</summary>
 sealed class DemoOutput
 {
     DemoOutput(string folder)
@@ -19,14 +19,16 @@ sealed class DemoOutput
     public string ResultPath { get; }
     public string ReportPath { get; }
 
-    /// <summary>Path of the headset's recording, for <c>replay</c>, <c>sync</c> and <c>recommend</c>.</summary>
+    /// <summary>Path of the headset's recording, which <c>replay</c>, <c>sync</c> and <c>recommend</c> read.</summary>
     public string SessionPath { get; }
 
     /// <summary>Gets the path of the report in a folder.</summary>
     public static string ReportIn(string folder) => Path.Combine(folder, "report.html");
 
-    /// <summary>Creates the folder and removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
-    /// <exception cref="InputException">The folder is not writable. This is checked before the run, not after it.</exception>
+    /// <summary>
+    /// Creates the folder, checks that it is writable and removes the files of an earlier run, which could be mistaken for new ones.
+    /// </summary>
+    /// <exception cref="InputException">The folder is not writable.</exception>
     public static DemoOutput At(string folder) => OutputPath.InFolder("--out", folder, full =>
     {
         var output = new DemoOutput(full);
@@ -38,7 +40,7 @@ sealed class DemoOutput
         return output;
     });
 
-    /// <param name="figures">The paper's figures of this run; null without <c>--paper</c>.</param>
+    /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
         File.WriteAllText(ResultPath, DemoResultJson.Of(result));

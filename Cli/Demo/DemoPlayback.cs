@@ -4,18 +4,18 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The frames for the report's 3D playback, at the instants of the error's plot: true, displayed and held position of all joints.</summary>
-/// <remarks>At most 3600 instants, about two minutes at 30 a second: the page is sent by mail and must not grow with the run.</remarks>
+/// <summary>Selects the frames for the report's 3D playback. Each has the true, the displayed and the uncompensated position of all joints.</summary>
+/// <remarks>At most 3600 frames, two minutes at 30 per second. The page is sent by mail, so its size must not grow with the run.</remarks>
 sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
 {
     const int MaxInstants = 3600;
 
-    /// <summary>Minimum step in frames. Every second frame is sufficient to show a motion.</summary>
+    /// <summary>Minimum step between two selected frames. Every second frame is sufficient to show the motion.</summary>
     const int MinStep = 2;
 
     readonly int _joints = run.Settings.Robot.MovingJoints.Count;
 
-    /// <summary>Gets the instants. The fields are those of <c>Web/src/data.ts</c>; null when no frame was scored.</summary>
+    /// <summary>Gets the frames with the fields of <c>Web/src/data.ts</c>; null if no frame was scored.</summary>
     public object Instants()
     {
         var rows = run.Frames.Rows;
@@ -33,7 +33,7 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
         };
     }
 
-    // Null in frames before the first sample of an object.
+    // Gets the objects of the cell; null in frames before an object's first sample.
     object Objects(List<int> frames) => run.Settings.Work is not { } work || run.Bodies is not { } bodies ? null : new
     {
         work.Names,
@@ -64,6 +64,6 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
         return Joints(joint => joints[joint]);
     }
 
-    // The rounding is a tenth of a millimetre at two metres.
+    // Five decimals: 10 µrad at a distance of two metres are 0.02 mm.
     double[] Joints(Func<int, double> position) => [.. Enumerable.Range(0, _joints).Select(joint => Math.Round(position(joint), 5))];
 }

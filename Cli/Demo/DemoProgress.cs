@@ -3,10 +3,10 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Shows progress on stderr: a bar on a terminal, otherwise a line every few seconds.</summary>
+/// <summary>Shows on stderr how far the run is: as a bar on a terminal, otherwise as a line every few seconds.</summary>
 static class DemoProgress
 {
-    /// <param name="work">The work. It calls back with the finished seconds and a status text.</param>
+    /// <param name="work">The work. It calls its argument with the finished seconds and a status text.</param>
     public static void Run(double seconds, Action<Action<double, Func<string>>> work)
     {
         if (Console.IsErrorRedirected) Lines(seconds, work);

@@ -2,10 +2,10 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Compares the constant-latency range that the runtime estimated in a run under load with the true one.</summary>
+/// <summary>Evaluates the runtime's range state in a run under load.</summary>
 sealed class DemoRange(DemoRun run, IReadOnlyList<DemoError> errors)
 {
-    /// <summary>Gets the object for result.json; null without a load.</summary>
+    /// <summary>Gets the values for result.json; null without a load.</summary>
     public DemoResult.Ranges Result()
     {
         if (run.Settings.Load == null) return null;
@@ -17,17 +17,17 @@ sealed class DemoRange(DemoRun run, IReadOnlyList<DemoError> errors)
             rows.Count(row => row.Range == RangeState.Outside), run.Alarms);
     }
 
-    /// <summary>Gets the median of the true L_visu of scored frames inside or outside the range, ms; null if there are none.</summary>
+    /// <summary>Gets the median of the true L_visu of the scored frames inside or outside the range, ms; null if there are none.</summary>
     public double? VisualisationMs(bool isOutside)
     {
         var lengths = Of(isOutside).Select(e => run.Frames.Rows[e.Frame].Rendered.Visualisation.TotalMilliseconds).ToList();
         return lengths.Count == 0 ? null : Quantile.Of(lengths, 0.5);
     }
 
-    /// <summary>RMS error of the compensated tool over scored frames outside the range, mm; null if there are none.</summary>
+    /// <summary>RMS error of the compensated tool over the scored frames outside the range, mm; null if there are none.</summary>
     public double? RmsOutsideMm => RmsMm(e => e.Mm);
 
-    /// <summary>RMS error of the same frames without the delay of their light. The difference is the effect of the load alone.</summary>
+    /// <summary>RMS error of the same frames if they had been displayed without delay, mm; null if there are none.</summary>
     public double? RmsInTimeMm => RmsMm(e => e.InTimeMm);
 
     double? RmsMm(Func<DemoError, double> error)

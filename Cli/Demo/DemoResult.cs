@@ -3,24 +3,26 @@ using Nowpose.Cli.Demo.Paper;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The measured results of a demo run, with the field names of result.json. Null means that nothing was measured.</summary>
+/// <summary>The results of a demo run, with the field names of result.json. A value is null if it was not measured.</summary>
 sealed record DemoResult(
     double Seconds, int Frames, long Samples, long Dropped, string Network,
     DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame,
     DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range, DemoResult.LightErrors LightErrorMs, DemoResult.BodyErrors Bodies)
 {
-    /// <summary>The paper's claims with this run's numbers; null without <c>--paper</c>.</summary>
+    /// <summary>The paper's claims with the values of this run; null without <c>--paper</c>.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<PaperClaim> Claims { get; init; }
 
-    /// <summary>Milliseconds. <see cref="Visu"/> is the simulated headset's true L_visu.</summary>
+    /// <summary>Latencies in milliseconds. <see cref="Visu"/> is the simulated headset's true L_visu.</summary>
     public sealed record Latencies(double? AppP50, double? AppP95, double Visu, double? TotalErrorP95);
 
-    /// <summary>Error of the end-to-end latency: magnitude of the assumed minus the true control time of the light, ms.</summary>
+    /// <summary>Error of the end-to-end latency, ms: absolute difference between assumed and true display time.</summary>
     public sealed record LightErrors(double? P50, double? P95, double? Max);
 
-    /// <param name="StatedErrorUsP50">The runtime's estimated error. This and the next value are not in result.json, whose fields are fixed.</param>
-    /// <param name="WithinStatedShare">Share of the time in which the true error was within the estimated error.</param>
+    /// <param name="StatedErrorUsP50">
+    /// The runtime's estimated error, µs. Not in result.json, whose fields are fixed; the same applies to the next parameter.
+    /// </param>
+    /// <param name="WithinStatedShare">Share of the time in which the true error was smaller than the estimated error.</param>
     public sealed record ClockErrors(
         double? OffsetErrorUsP50, double? OffsetErrorUsP95, double? OffsetErrorUsMax, double? SkewErrorPpm, double? ConvergedS,
         [property: JsonIgnore] double? StatedErrorUsP50, [property: JsonIgnore] double? WithinStatedShare);
@@ -34,11 +36,11 @@ sealed record DemoResult(
         double? HoldRms, double? HoldMax, double? Rms, double? P95, double? Max,
         double? Reduction, double? ReductionFirstCycle, double? ReductionRepeated);
 
-    /// <summary>The runtime's own measurement, without the truth. The uncertainty is half of the 95 % confidence interval.</summary>
-    /// <param name="Withheld">Why the runtime gives no numbers; null if it gives them, or has none yet.</param>
+    /// <summary>The runtime's own measurement, which does not use the true motion. Uncertainties are half of the 95 % confidence interval.</summary>
+    /// <param name="Withheld">Reason why the runtime withholds its values; null if it does not, even before the first values.</param>
     public sealed record Hindcasts(double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm, string Withheld)
     {
-        /// <summary>The runtime's own reduction, or why there is none.</summary>
+        /// <summary>The reduction measured by the runtime, or the reason why it is missing.</summary>
         [JsonIgnore]
         public string ReductionText => Withheld != null ? "withheld: " + Withheld
             : Reduction == null ? "–"
@@ -46,8 +48,8 @@ sealed record DemoResult(
     }
 
     /// <summary>
-    /// When the runtime detected that the constant-latency range was left and finally entered again, s since the start; the number of
-    /// frames that it classified as outside, and the number of its alarms.
+    /// Times, in s since the start, at which the runtime detected that the render time had left the constant-latency range and had finally
+    /// returned to it; the number of frames outside the range and the number of alarms.
     /// </summary>
     public sealed record Ranges(double? LimitRenderMs, double? LeftS, double? FoundS, int FramesOutside, int Alarms);
 

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>result.json: the fields of <see cref="DemoResult"/> in snake case, as specified in cli.md.</summary>
+/// <summary>Writes result.json: the fields of <see cref="DemoResult"/> in snake case, as specified in cli.md.</summary>
 static class DemoResultJson
 {
     static readonly JsonSerializerOptions Options = new()
@@ -11,6 +11,6 @@ static class DemoResultJson
         WriteIndented = true,
     };
 
-    /// <exception cref="ArgumentException">A number is not finite. JSON has no NaN, and a valid run has none either.</exception>
+    /// <exception cref="ArgumentException">A number is not finite. JSON has no NaN, and a valid run has only finite numbers.</exception>
     public static string Of(DemoResult result) => JsonSerializer.Serialize(result, Options);
 }

@@ -1,33 +1,34 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Session;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>One run of the demo: the displayed values, and the truth to compare them with.</summary>
-/// <param name="ApplicationLatencies">L_app of every sample that arrived while the clock was synchronised.</param>
-/// <param name="Statistics">The runtime's own statistics at the end.</param>
-/// <param name="Limit">The render time limit that the runtime was given; null for none.</param>
-/// <param name="Alarms">Number of alarms of the runtime that the constant-latency range was left.</param>
+/// <summary>The data of one run of the demo: the displayed values, and the true values for comparison.</summary>
+/// <param name="ApplicationLatencies">L_app of each sample that arrived while the clock was synchronised.</param>
+/// <param name="Statistics">The runtime's own statistics at the end of the run.</param>
+/// <param name="Limit">Render time limit that the runtime used; null if there was none.</param>
+/// <param name="Alarms">Number of alarms that the runtime raised because the render time left the constant-latency range.</param>
 sealed record DemoRun(
     DemoSettings Settings, IDemoTruth Truth, DemoFrames Frames, IReadOnlyList<TimeSpan> ApplicationLatencies, SessionStatistics Statistics,
     TimeSpan? Limit = null, int Alarms = 0)
 {
-    /// <summary>The displayed objects; null for none.</summary>
+    /// <summary>The displayed objects; null if the cell has none.</summary>
     public DemoBodies Bodies { get; init; }
 
     /// <summary>The sync exchanges that the runtime received, in order.</summary>
     public IReadOnlyList<SyncExchange> Exchanges { get; init; } = [];
 
-    /// <summary>Gets the reason why the run has no valid result; null if it has one.</summary>
-    /// <param name="needsClock">Whether a clock that never became synchronised is a failure, too.</param>
+    /// <summary>Gets the reason why the run is invalid; null if it is valid.</summary>
+    /// <param name="needsClock">Whether a run is also invalid if the clock was never synchronised.</param>
     public string Failure(bool needsClock = true)
     {
         var broken = Frames.FirstNotFinite();
         if (broken != null) return broken;
-        var links = $"joint positions {Statistics.SampleLink}; clock sync {Statistics.SyncLink}";
-        if (Statistics.Samples == 0) return $"no sample was used, and {Statistics.Dropped} were dropped; {links}";
+        var links = DemoMessages.Links(Statistics.SampleLink, Statistics.SyncLink);
+        if (Statistics.Samples == 0) return DemoMessages.NoSample(Statistics.Dropped, links);
         if (!needsClock || Frames.Rows.Any(row => row.Clock.State == ClockState.Synchronised)) return null;
         var state = Statistics.Clock.State.Word();
-        return FormattableString.Invariant($"the clock was still {state} after {Settings.Seconds} s: run longer (--seconds); {links}");
+        return DemoMessages.NoClock(state, Settings.Seconds, links);
     }
 }

@@ -2,10 +2,10 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Compares the displayed values with the truth, frame by frame, and computes the results defined in cli.md.</summary>
+/// <summary>Compares the displayed values with the true ones frame by frame, and computes the results defined in cli.md.</summary>
 sealed class DemoScore
 {
-    /// <summary>Frames before this time are not scored even if the clock has converged: buffers fill and code is compiled.</summary>
+    /// <summary>Time before which no frame is scored, even if the clock has converged: buffers fill and code is compiled.</summary>
     public static readonly TimeSpan WarmUp = TimeSpan.FromSeconds(3);
 
     readonly DemoRun _run;
@@ -23,10 +23,10 @@ sealed class DemoScore
     /// <summary>Errors of the scored frames, in order.</summary>
     public IReadOnlyList<DemoError> Errors { get; }
 
-    /// <summary>P95 of the uncompensated error, mm; null when no frame was scored.</summary>
+    /// <summary>P95 of the error without compensation, mm; null if no frame was scored.</summary>
     public double? HoldP95Mm => Percentile(Errors.Select(e => e.HoldMm), 0.95);
 
-    /// <summary>Comparison of the objects.</summary>
+    /// <summary>Comparison of the cell's objects with their true poses.</summary>
     public BodyScore Bodies => new(_run, ScoredFrames());
 
     public DemoRange Range => new(_run, Errors);
@@ -39,7 +39,7 @@ sealed class DemoScore
             _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result(), LightErrors(), Bodies.Result());
     }
 
-    // 60 frames a second, unless a load slows the display.
+    // Without a load, the display has 60 frames per second. A load can slow it down.
     double Seconds() => !_run.Settings.IsRendered
         ? Round(_run.Frames.Rows.Count / (double)DemoDisplay.FramesPerSecond)
         : Round(_run.Frames.Rows.Select(row => row.Elapsed.TotalSeconds + 1.0 / DemoDisplay.FramesPerSecond).LastOrDefault());
@@ -54,7 +54,7 @@ sealed class DemoScore
     IEnumerable<int> ScoredFrames() => Enumerable.Range(0, _run.Frames.Rows.Count)
         .Where(i => IsScored(_run.Frames.Rows[i]));
 
-    // Without an estimate of its display time, the runtime could not place the frame's content.
+    // A frame without an estimated display time is not scored, because the runtime could not predict for it.
     bool IsScored(in DemoFrames.Row row) => row.Elapsed >= WarmUp && row.Elapsed >= _converged && row.AssumedLight.HasValue;
 
     DemoError ErrorOf(int frame)
@@ -96,7 +96,7 @@ sealed class DemoScore
             rows.Count == 0 ? null : (double)rows.Count(row => Math.Abs(row.OffsetErrorUs) <= row.Clock.EstimatedError.TotalMicroseconds) / rows.Count);
     }
 
-    // At the end: the skew is an average over the whole history, so its last value is the most accurate.
+    // Uses the last value, which is the most accurate one, because the skew is an average over the whole history.
     double? SkewErrorPpm(List<DemoFrames.Row> rows)
     {
         if (rows.Count < 2) return null;

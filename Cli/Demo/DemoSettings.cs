@@ -9,7 +9,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Settings of one demo run. Checked when they are created from the options.</summary>
+/// <summary>Settings of one demo run. They are checked when they are created from the options.</summary>
 sealed record DemoSettings
 {
     public double Seconds { get; init; }
@@ -22,7 +22,7 @@ sealed record DemoSettings
     /// <summary>The true motion of the robot.</summary>
     public IMotion Motion { get; init; }
 
-    /// <summary>The work of the robot, which moves objects; null for a motion that is not known to grip.</summary>
+    /// <summary>The task of the robot, which moves objects; null if the motion has no known task.</summary>
     public CellWork Work { get; init; }
 
     /// <summary>Name of the motion in the report.</summary>
@@ -34,35 +34,35 @@ sealed record DemoSettings
     public double BlendMs { get; init; } = PredictionSettings.DefaultBlendMs;
     public string Estimator { get; init; } = ClockEstimators.Default;
 
-    /// <summary>The profile that the runtime is given; null for the true display latency with <see cref="VisualisationErrorMs"/>.</summary>
+    /// <summary>The profile for the runtime. If null, the runtime uses the true display latency plus <see cref="VisualisationErrorMs"/>.</summary>
     public LatencyProfile Profile { get; init; }
 
-    /// <summary>The display latency that the runtime is given, ms. With a load, it is calibrated unless there is a profile.</summary>
+    /// <summary>The display latency for the runtime, ms. Not used for a run with a load and without a profile, which is calibrated.</summary>
     public double GivenVisualisationMs => Profile?.Visualisation.Length.TotalMilliseconds ?? VisualisationMs + VisualisationErrorMs;
 
     public double SamplingMs { get; init; }
     public MillisecondRange Acquisition { get; init; }
     public double VisualisationMs { get; init; }
 
-    /// <summary>Error added to the true display latency before it is given to the runtime, ms.</summary>
+    /// <summary>Error that is added to the true display latency for the runtime, ms.</summary>
     public double VisualisationErrorMs { get; init; }
 
-    /// <summary>Vertices of the scene's load; null for a display whose frames are never late.</summary>
+    /// <summary>Number of vertices of the scene's load; null for a display on which no frame is late.</summary>
     public int? Load { get; init; }
 
-    /// <summary>Constant number of vertices of a scene whose frames have render times; null for none. Ignored if <see cref="Load"/> is set.</summary>
+    /// <summary>Constant number of vertices of a scene with render times; null for no render times. Ignored if <see cref="Load"/> is set.</summary>
     public int? SteadyVertices { get; init; }
 
-    /// <summary>Refresh interval of a display with render times, ms.</summary>
+    /// <summary>Refresh interval of the display, ms. Used only if frames have render times.</summary>
     public double RefreshMs { get; init; } = 1000.0 / DemoDisplay.FramesPerSecond;
 
-    /// <summary>Whether frames have render times, and may be late.</summary>
+    /// <summary>Whether frames have render times and can be late.</summary>
     public bool IsRendered => Load != null || SteadyVertices != null;
 
-    /// <summary>Whether sync exchanges have the same interval at all times, as in the paper.</summary>
+    /// <summary>Whether the interval between sync exchanges is constant, as in the paper.</summary>
     public bool HasConstantSyncInterval { get; init; }
 
-    /// <summary>Whether the cell publishes its set-points in advance.</summary>
+    /// <summary>Whether the cell publishes its set-points ahead of time.</summary>
     public bool PublishesPlan { get; init; }
 
     public int Seed { get; init; }

@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
@@ -8,17 +9,17 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Sets up cell, gateway, network and headset for a run, plays it, and disposes them.</summary>
+/// <summary>Creates cell, gateway, network and headset, plays a run, and disposes them.</summary>
 static class DemoStage
 {
-    /// <summary>Skew of the control clock relative to the headset's, a typical difference of two quartzes.</summary>
+    /// <summary>Skew of the control clock relative to the headset clock: a typical difference between two quartz oscillators.</summary>
     const double ControlSkew = 37e-6;
 
-    /// <summary>An epoch far from the headset's, like Unix time.</summary>
+    /// <summary>Epoch of the control clock. Like Unix time, it is far from the headset's epoch.</summary>
     static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
 
-    /// <summary>Plays until the time is over or the run is cancelled.</summary>
-    /// <param name="recordingPath">Where the headset records its session.</param>
+    /// <summary>Plays until the time is over or the user cancels.</summary>
+    /// <param name="recordingPath">Path of the headset's recording.</param>
     public static async Task<DemoRun> PlayAsync(DemoSettings settings, string recordingPath, CancellationToken cancel)
     {
         var control = new StopwatchControlClock(ControlEpoch, ControlSkew);
@@ -32,7 +33,7 @@ static class DemoStage
         using var webSocketRelay = new DelayRelay(gateway.WebSocketEndPoint, settings.Network, settings.Seed * 1000 + 501);
         var connection = new ConnectionSettings(IPAddress.Loopback.ToString(), syncRelay.Port, webSocketRelay.Port, headsetName: "demo");
         var truth = new DemoTruth(control, cell, settings.Motion);
-        // On a separate thread, like a headset's frame loop: the pool has two threads here, and the sockets need them.
+        // Uses a separate thread, like a headset's frame loop: the thread pool has only two threads here, and the sockets need them.
         return await Task.Factory.StartNew(
             () => Play(settings, connection, truth, recordingPath, cancel),
             CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
@@ -42,7 +43,7 @@ static class DemoStage
         TimeSpan.FromMilliseconds(settings.SamplingMs),
         TimeSpan.FromMilliseconds(settings.Acquisition.Min), TimeSpan.FromMilliseconds(settings.Acquisition.Max));
 
-    /// <summary>Gets the settings of the headset's session. With a load and without a profile, the display is calibrated first.</summary>
+    /// <summary>Gets the settings of the headset's session. If there is a load but no profile, calibrates the display first.</summary>
     internal static SessionSettings SessionOf(DemoSettings settings, ConnectionSettings connection)
     {
         var session = new SessionSettings(
@@ -68,7 +69,7 @@ static class DemoStage
         var loop = new DemoFrameLoop(settings, headset, clock, truth, time => PreciseWait.While(() => time - clock.Now, never));
         DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
         if (headset.EndRecording() is string problem) Console.Error.WriteLine("nowpose: " + problem);
-        if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
+        if (headset.Complaint is string complaint) throw new DemoFailedException(DemoMessages.SceneError(complaint));
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
             session.Range?.Limit, headset.Alarms)
         { Bodies = loop.Bodies, Exchanges = headset.Log.Exchanges() };

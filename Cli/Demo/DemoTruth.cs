@@ -5,7 +5,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The truth of a cell that runs in this process, on this process's counter.</summary>
+/// <summary>The true values of a cell in this process. Both clocks read the same hardware counter.</summary>
 sealed class DemoTruth(StopwatchControlClock control, SimulatedCell cell, IMotion motion) : IDemoTruth
 {
     public ControlTime ControlAt(HeadsetTime t) =>

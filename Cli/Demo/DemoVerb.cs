@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Demo.Paper;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
@@ -12,7 +13,7 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
-/// <c>demo</c>, the default verb: gateway, network, headset runtime and a moving robot in one process, compared with the truth.
+/// <c>demo</c>, the default verb: runs gateway, network, headset runtime and robot in one process and compares the display with the truth.
 static class DemoVerb
 {
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 5, 3600, "s");
@@ -25,7 +26,7 @@ static class DemoVerb
     };
     static readonly Option<string> Recording = new("--recording")
     {
-        Description = "Motion that is played forward and backward: .csv or .csv.gz with the time in s and one column per joint",
+        Description = "Recorded motion, played forward and backward: .csv or .csv.gz with the time in s and one column per joint",
     };
     static readonly Option<string> Predictor = PredictorOption.Create();
     static readonly Option<string> Estimator = RuntimeOptions.Estimator();
@@ -39,7 +40,7 @@ static class DemoVerb
     static readonly Option<double> VisualisationError = NumberOption.Create(
         "--visu-error-ms", "Error of the display latency that the runtime uses", 0.0, -100, 100, "ms");
     static readonly Option<int?> Load = NumberOption.CreateOptional(
-        "--load", "Number of vertices rendered from one third of the run to three quarters of it", 0, SweepPlan.MaxVertices, "vertices");
+        "--load", "Number of vertices to render between one third and three quarters of the run", 0, SweepPlan.MaxVertices, "vertices");
     static readonly Option<bool> Trajectory = new("--trajectory")
     {
         Description = "Also publish the cell's set-points ahead of time",
@@ -48,18 +49,18 @@ static class DemoVerb
     static readonly Option<bool> Paper = new("--paper")
     {
         Description = "Reproduce Sect. 3 of the paper: its swing, clock and predictor, a display calibrated by pictures, and a verdict on each claim "
-            + FormattableString.Invariant($"of Figs 8, 16, 17 and 18; {PaperScenario.Seconds} s by default"),
+            + FormattableString.Invariant($"of Figs 8, 16, 17 and 18; runs {PaperScenario.Seconds} s by default"),
     };
-    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs over which --paper states the uncertainty", 1, 1, 100, "");
+    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs of --paper, from which the uncertainty is computed", 1, 1, 100, "");
     static readonly Option<string> Output = new("--out")
     {
-        Description = "Folder for report.html, result.json, session.jsonl, and with --paper the data of figures, frames and exchanges",
+        Description = "Folder for report.html, result.json, session.jsonl, and, with --paper, the data of figures, frames and exchanges",
         DefaultValueFactory = _ => "nowpose-demo",
     };
 
     static readonly Option<bool> Open = Browser.Option();
 
-    // Light is seen at the next refresh at the earliest.
+    // With a load, L_visu is at least one refresh interval: a frame is displayed at the next refresh at the earliest.
     const double MinWithLoadMs = 17;
 
     public static Command Create()
@@ -92,16 +93,14 @@ static class DemoVerb
             .. Others(parsed, Load), .. Others(parsed, Trajectory),
         ];
         if (other.Length > 0)
-            throw new InputException($"{string.Join(", ", other.Select(option => option.Name))}: cannot be combined with --paper, which sets the paper's "
-                + "robot, motion, predictor, clock estimator, sampling interval and load, and measures the profile itself");
+            throw new InputException(DemoMessages.NotWithPaper(string.Join(", ", other.Select(option => option.Name))));
         var seconds = IsGiven(parsed, Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
         if (seconds < PaperScenario.MinSeconds)
-            throw new InputException(FormattableString.Invariant(
-                $"--seconds: {seconds} s is out of range; allowed with --paper: {PaperScenario.MinSeconds} to 3600 s"));
+            throw new InputException(DemoMessages.PaperSeconds(seconds, PaperScenario.MinSeconds));
         return Settings(parsed) with { Seconds = seconds };
     }
 
-    // An option that has the paper's own value is allowed.
+    // Returns the option if it was given a value other than the paper's own.
     static IEnumerable<Option> Others<T>(ParseResult parsed, Option<T> option, T papers = default) =>
         IsGiven(parsed, option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
 
@@ -111,12 +110,10 @@ static class DemoVerb
     {
         var assumed = parsed.GetValue(Visualisation) + parsed.GetValue(VisualisationError);
         if (assumed is < 0 or > 500)
-            throw new InputException(FormattableString.Invariant(
-                $"--visu-ms plus --visu-error-ms: {assumed} ms is out of range; allowed: 0 to 500 ms"));
+            throw new InputException(DemoMessages.AssumedVisu(assumed));
         var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
         if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
-            throw new InputException(FormattableString.Invariant($"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; ")
-                + $"with {renders}, {MinWithLoadMs} to 400 ms are allowed, because the display runs at 60 Hz");
+            throw new InputException(DemoMessages.VisuWithLoad(parsed.GetValue(Visualisation), renders, MinWithLoadMs));
         if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException("--repeats: needs --paper");
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
@@ -130,7 +127,7 @@ static class DemoVerb
             Motion = picking ?? (IMotion)new RecordedMotion(MotionRecording.Read(recording), robot),
             Work = picking == null ? null : new CellWork(robot, picking),
             MotionName = recording == null
-                ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forward and backward",
+                ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording)),
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),
             Profile = RuntimeOptions.ProfileOf(parsed, Profile, VisualisationError),
@@ -148,7 +145,7 @@ static class DemoVerb
     {
         var output = DemoOutput.At(folder);
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
-        // An interrupted run writes its partial result. A complete run without a measurement has failed.
+        // An interrupted run writes its partial result. A complete run without a valid result has failed.
         if (!cancel.IsCancellationRequested && run.Failure() is string failure) throw new DemoFailedException(failure);
         var score = new DemoScore(run);
         var result = score.Result();

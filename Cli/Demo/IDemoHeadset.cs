@@ -2,10 +2,10 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>A headset that the demo's frame loop plays.</summary>
+/// <summary>A headset whose frames are played by the demo's frame loop.</summary>
 interface IDemoHeadset : IDisposable
 {
-    /// <summary>The displayed frame; null before the robot is known.</summary>
+    /// <summary>The newest frame; null before the robot is known.</summary>
     DisplayFrame Frame { get; }
 
     CompensationSession Session { get; }
@@ -16,13 +16,13 @@ interface IDemoHeadset : IDisposable
     /// <summary>Displayed position of the tool; the origin before the robot is known.</summary>
     ToolPosition Tool { get; }
 
-    /// <summary>Position of the tool as shown by a headset without compensation; the origin before the robot is known.</summary>
+    /// <summary>Position of the tool without compensation; the origin before the robot is known.</summary>
     ToolPosition HeldTool { get; }
 
-    /// <summary>Number of alarms that the render time left the constant-latency range.</summary>
+    /// <summary>Number of alarms because the render time left the constant-latency range.</summary>
     int Alarms { get; }
 
-    /// <summary>Reports the GPU time of the newest finished frame, as the display's driver does.</summary>
+    /// <summary>Reports the GPU time of the newest finished frame, as a display driver does.</summary>
     void ReportGpuTime(TimeSpan length);
 
     /// <summary>Plays one frame.</summary>

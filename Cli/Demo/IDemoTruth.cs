@@ -1,12 +1,12 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The truth of the simulation: the relation of the two clocks, and the robot's position.</summary>
+/// <summary>The true values of the simulation: the offset between the clocks, and the robot's position.</summary>
 interface IDemoTruth
 {
-    /// <summary>Gets the exact control time of a headset time.</summary>
+    /// <summary>Gets the exact control time for a headset time.</summary>
     ControlTime ControlAt(HeadsetTime t);
 
-    /// <summary>Gets the exact Φ.</summary>
+    /// <summary>Gets the exact offset Φ.</summary>
     ClockOffset OffsetAt(HeadsetTime t) => new(t.SinceEpoch - ControlAt(t).SinceEpoch);
 
     /// <summary>Gets the joint positions of the real robot at a past or future control time, one per moving joint.</summary>

@@ -6,7 +6,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>One relayed connection. Each direction reads immediately, and writes when the delay of the piece is over.</summary>
+/// <summary>One relayed connection. In each direction, data are read immediately and written after their delay.</summary>
 sealed class RelayedConnection : IDisposable
 {
     readonly TcpClient _headset;
@@ -39,7 +39,7 @@ sealed class RelayedConnection : IDisposable
         var due = 0L;
         for (int read; (read = from.GetStream().Read(buffer)) > 0;)
         {
-            // In order: a piece never arrives before an earlier one.
+            // Keeps the order: a piece is never due before an earlier one.
             due = Math.Max(due, Stopwatch.GetTimestamp() + (long)(delay.Next().TotalSeconds * Stopwatch.Frequency));
             underway.Add(new Piece(buffer[..read], due));
         }
@@ -65,7 +65,7 @@ sealed class RelayedConnection : IDisposable
         }
         catch (Exception end) when (end is IOException or SocketException or ObjectDisposedException or InvalidOperationException)
         {
-            // One end closed, so the other is closed too.
+            // One end closed its connection. The other connection is closed below.
         }
         finally
         {
@@ -73,6 +73,6 @@ sealed class RelayedConnection : IDisposable
         }
     }
 
-    /// <param name="DueCount">Count of <see cref="Stopwatch"/> at which the piece is due.</param>
+    /// <param name="DueCount">Value of the <see cref="Stopwatch"/> counter at which the piece is written.</param>
     readonly record struct Piece(byte[] Bytes, long DueCount);
 }

@@ -11,13 +11,13 @@ sealed class SessionLog
     readonly Lock _gate = new();
     readonly List<SyncExchange> _exchanges = new(ExpectedExchanges);
 
-    // Has capacity for all samples, because it is filled within the frame, which is checked for allocations.
+    // Allocated for all samples at once: it is filled within the frame, and allocations within the frame are measured.
     readonly List<TimeSpan> _latencies;
 
-    /// <param name="samples">Expected number of samples; more are accepted.</param>
+    /// <param name="samples">Expected number of samples. More samples are accepted.</param>
     public SessionLog(int samples) => _latencies = new List<TimeSpan>(samples);
 
-    /// <summary>L_app of every sample that arrived while the clock was synchronised.</summary>
+    /// <summary>L_app of each sample that arrived while the clock was synchronised.</summary>
     public IReadOnlyList<TimeSpan> ApplicationLatencies => _latencies;
 
     /// <summary>Gets a copy of the sync exchanges of the session, in order.</summary>
@@ -26,7 +26,7 @@ sealed class SessionLog
         lock (_gate) return [.. _exchanges];
     }
 
-    /// <summary>Follows a session. Discards the exchanges of the previous one.</summary>
+    /// <summary>Starts to collect from a session. Discards the exchanges of the previous session.</summary>
     public void Follow(CompensationSession session)
     {
         lock (_gate) _exchanges.Clear();
@@ -37,7 +37,7 @@ sealed class SessionLog
         };
     }
 
-    // On the thread of the connection.
+    // Called on the connection's thread.
     void OnExchange(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)
     {
         if (verdict == SyncVerdict.Dropped) return;

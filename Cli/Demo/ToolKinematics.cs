@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Computes the tool's position from joint positions, for scoring.</summary>
+/// <summary>Computes the position of the tool from joint positions. Used for scoring.</summary>
 sealed class ToolKinematics(RobotModel robot)
 {
     readonly ForwardKinematics _kinematics = new(robot);

@@ -2,14 +2,14 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Does the work of all studies on all processors.</summary>
+/// <summary>Runs the work items of all studies in parallel on all processors.</summary>
 sealed class FigureRun(IReadOnlyList<IFigureStudy> studies)
 {
     /// <summary>Total number of work items.</summary>
     public int Total { get; } = studies.Sum(s => s.Work.Count);
 
     /// <param name="done">Called with the number of finished items, from any thread.</param>
-    /// <returns>The figures in the paper's order; after a cancellation, only those whose work is finished.</returns>
+    /// <returns>The figures in the paper's order. After a cancellation, only those whose work is finished.</returns>
     public IReadOnlyList<Figure> Run(Action<int> done, CancellationToken cancel)
     {
         var left = studies.Select(s => s.Work.Count).ToArray();
@@ -26,7 +26,7 @@ sealed class FigureRun(IReadOnlyList<IFigureStudy> studies)
         }
         catch (OperationCanceledException)
         {
-            // Finished figures are written even after a failure.
+            // Cancelled: the figures whose work is finished are returned.
         }
         catch (AggregateException failures)
         {

@@ -5,14 +5,14 @@ using Nowpose.Cli.Figures.Swing;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>All figures of the paper that can be computed.</summary>
+/// <summary>Lists all figures of the paper that can be computed.</summary>
 static class FigureSet
 {
-    /// <summary>The figure numbers in order. The sweeps add their letters.</summary>
+    /// <summary>Numbers of the figures in the paper's order. The sweeps have one letter per panel.</summary>
     public static IReadOnlyList<string> Numbers { get; } =
         ["4", "8", "10", "11a", "11b", "12", "13a", "13b", "13c", "13d", "14a", "14b", "14c", "14d", "16", "17", "18"];
 
-    /// <summary>Gets the studies, the short ones first, so that an interrupted run has a partial result.</summary>
+    /// <summary>Creates the studies. Short studies come first, so that an interrupted run has a partial result.</summary>
     public static IReadOnlyList<IFigureStudy> Studies(FigureSettings settings) =>
         [new DisplayStudy(settings), new Figure12(settings), new SwingStudy(settings), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
 }

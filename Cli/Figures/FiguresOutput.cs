@@ -4,7 +4,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>The folders that a run writes to.</summary>
+/// <summary>The output folders of a run.</summary>
 sealed class FiguresOutput
 {
     readonly string _folder;
@@ -19,12 +19,14 @@ sealed class FiguresOutput
 
     public string PagePath { get; }
 
-    /// <summary>Paths of the written pictures.</summary>
+    /// <summary>Paths of the pictures that were written.</summary>
     public IReadOnlyList<string> PicturePaths { get; private set; } = [];
 
-    /// <summary>Creates the folders and removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
-    /// <param name="pictures">Folder of the pictures, or null for none.</param>
-    /// <exception cref="InputException">A folder is not writable. This is checked before the run, not after it.</exception>
+    /// <summary>
+    /// Creates the folders, checks that they are writable and removes the files of an earlier run, which could be mistaken for new ones.
+    /// </summary>
+    /// <param name="pictures">Folder for the pictures; null to write none.</param>
+    /// <exception cref="InputException">A folder is not writable.</exception>
     public static FiguresOutput At(string folder, string pictures)
     {
         var output = new FiguresOutput(Writable("--out", folder, "figures.html"), pictures == null ? null : Writable("--pictures", pictures, ".nowpose"));

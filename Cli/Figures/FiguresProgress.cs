@@ -3,11 +3,11 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Shows progress on stderr: a bar on a terminal, otherwise a line every few seconds.</summary>
+/// <summary>Shows on stderr how much work is finished: as a bar on a terminal, otherwise as a line every few seconds.</summary>
 static class FiguresProgress
 {
     /// <param name="total">Total number of work items.</param>
-    /// <param name="work">The work. It calls back with the number of finished items, from any thread.</param>
+    /// <param name="work">The work. It calls its argument with the number of finished items, from any thread.</param>
     public static T Run<T>(int total, Func<Action<int>, T> work) => Console.IsErrorRedirected ? Lines(total, work) : Bar(total, work);
 
     static T Lines<T>(int total, Func<Action<int>, T> work)

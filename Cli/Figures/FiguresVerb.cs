@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Spectre.Console;
 
@@ -15,15 +16,15 @@ static class FiguresVerb
             Description = "Folder for figures.html and one CSV per figure",
             DefaultValueFactory = _ => "nowpose-figures",
         };
-        var quick = new Option<bool>("--quick") { Description = "A quarter of the runs: under a minute, with slightly less accurate numbers" };
-        var seed = NumberOption.Create("--seed", "Seed of the random numbers.", FigureSettings.Full.Seed, 0, 1_000_000, "");
+        var quick = new Option<bool>("--quick") { Description = "Compute a quarter of the runs, in less than a minute and with slightly less accurate results" };
+        var seed = NumberOption.Create("--seed", "Seed of the random numbers", FigureSettings.Full.Seed, 0, 1_000_000, "");
         var pictures = new Option<string>("--pictures") { Description = "Folder for the pictures of the documentation, as SVG" };
         var open = Browser.Option();
         var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")
         {
             output, quick, seed, pictures, open,
         };
-        // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+        // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(
             () => Run(
                 (parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full) with { Seed = parsed.GetValue(seed) }, parsed.GetValue(output),
@@ -32,8 +33,8 @@ static class FiguresVerb
         return verb;
     }
 
-    /// <param name="pictures">Folder of the pictures, or null for none.</param>
-    /// <param name="opens">Whether the page is opened in a browser.</param>
+    /// <param name="pictures">Folder for the pictures; null to write none.</param>
+    /// <param name="opens">Whether to open the page in a browser.</param>
     internal static int Run(FigureSettings settings, string folder, string pictures, CancellationToken cancel, bool opens = false)
     {
         var output = FiguresOutput.At(folder, pictures);
@@ -47,7 +48,7 @@ static class FiguresVerb
 
     static void Print(IReadOnlyList<Figure> figures, FiguresOutput output)
     {
-        var table = new Table().AddColumns("figure", "claim of the paper", "file");
+        var table = new Table().AddColumns("figure", FigurePageTexts.ClaimColumn, "file");
         foreach (var figure in figures)
             table.AddRow(Markup.Escape($"{figure.Number}  {figure.Title}"), figure.Verdict.Words(), figure.FileName);
         ResultConsole.Create().Write(table);

@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Figures;
 /// <summary>Formats numbers for sentences, with few digits and a decimal point.</summary>
 static class Numbers
 {
-    /// <summary>Formats a value with three significant digits, or two below 1.</summary>
+    /// <summary>Formats a value with three significant digits, or with two if it is below 1.</summary>
     public static string Text(double value)
     {
         var size = Math.Abs(value);

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using Nowpose.Cli.Demo;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
@@ -9,8 +10,8 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Runs the headset runtime against an existing gateway at a display's frame rate, without a display.</summary>
-/// <param name="say">Takes a line when the pose stops being current, and when it is current again.</param>
+/// <summary>Runs the headset runtime without a display against an existing gateway, at the frame rate of a display.</summary>
+/// <param name="say">Receives a line of text when the pose stops being current and when it is current again.</param>
 sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
 {
     static readonly TimeSpan DescriptionTimeout = TimeSpan.FromSeconds(10);
@@ -23,7 +24,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
     bool _wasTimeTrusted, _wasCurrent;
     int _frames;
 
-    /// <exception cref="InputException">No robot is known.</exception>
+    /// <exception cref="InputException">The robot is not known.</exception>
     public HeadsetResult Play(Action<double, Func<string>> report, CancellationToken cancel)
     {
         var robot = settings.Robot == null ? DescribedRobot(cancel) : RobotFiles.Load(settings.Robot);
@@ -40,7 +41,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         return Result(session, robot, _clock.Now - start);
     }
 
-    /// <summary>The reason why the run failed, in one line; null when it did not fail. Set by <see cref="Play"/>.</summary>
+    /// <summary>Reason why the run failed, in one line; null if it did not fail. Set by <see cref="Play"/>.</summary>
     public string WhyFailed { get; private set; }
 
     void Frames(CompensationSession session, HeadsetTime start, Action<double, Func<string>> report, CancellationToken cancel)
@@ -49,7 +50,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         var count = (int)(settings.Seconds * settings.FramesPerSecond);
         for (; _frames < count && !cancel.IsCancellationRequested; _frames++)
         {
-            // Computed from the frame's number, not accumulated: a late frame must not delay all others.
+            // Computes the time from the frame's number, so that a late frame does not delay the following ones.
             PreciseWait.Until(startCount + (long)(_frames / settings.FramesPerSecond * Stopwatch.Frequency));
             var now = _clock.Now;
             var frame = session.Tick(now);
@@ -68,7 +69,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         _wasTimeTrusted |= frame.IsTimeTrusted;
         if (_wasCurrent || frame.State != PoseState.Current) return;
         _wasCurrent = true;
-        // The statistics of a recording count frames from the first current one on.
+        // The statistics of a recording start with the first current frame.
         session.RestartErrorRun();
     }
 
@@ -81,7 +82,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             HeadsetVerdict.ReasonOf(statistics, missing));
     }
 
-    // The robot's name decides how it is read. A robot from the gateway needs a session that requests its description first.
+    // Gets the robot from the gateway. A session needs a robot to be created, so this one uses the youBot and only waits for the description.
     RobotModel DescribedRobot(CancellationToken cancel)
     {
         using var session = Open(RobotFiles.Load("youbot"));
@@ -92,8 +93,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             cancel.ThrowIfCancellationRequested();
             if (_clock.Now - since > DescriptionTimeout)
                 throw new InputException(
-                    $"--robot: missing, and the gateway did not describe a robot within {DescriptionTimeout.TotalSeconds} s "
-                    + $"({session.RobotDescriptionFault ?? session.SampleLink.Detail}); name youbot, ur5 or a .urdf file");
+                    HeadsetMessages.NoRobot(DescriptionTimeout.TotalSeconds, session.RobotDescriptionFault ?? session.SampleLink.Detail));
             Thread.Sleep(5);
         }
 

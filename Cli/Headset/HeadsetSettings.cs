@@ -4,29 +4,29 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Settings of a run of <c>headset</c>.</summary>
+/// <summary>Settings of a <c>headset</c> run.</summary>
 sealed record HeadsetSettings
 {
     public required ConnectionSettings Connection { get; init; }
 
-    /// <summary>"youbot", "ur5" or a file; null for the robot that the gateway describes.</summary>
+    /// <summary>"youbot", "ur5" or the path of a file; null to use the robot that the gateway describes.</summary>
     public string Robot { get; init; }
 
     public string Predictor { get; init; }
     public string Estimator { get; init; }
 
-    /// <summary>Replaces <see cref="Visualisation"/>; null for none.</summary>
+    /// <summary>Profile that replaces <see cref="Visualisation"/>; null for none.</summary>
     public LatencyProfile Profile { get; init; }
 
     public VisualisationLatency Visualisation { get; init; }
 
-    /// <summary>Settings of the session. Nothing is rendered, so that the profile's range does not apply.</summary>
+    /// <summary>Settings of the session. They exclude the profile's range, because nothing is rendered.</summary>
     public SessionSettings Session =>
         new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile?.WithoutRange());
 
     public double Seconds { get; init; }
     public double FramesPerSecond { get; init; }
 
-    /// <summary>Path of the session's recording; null for none.</summary>
+    /// <summary>Path of the session's recording; null to record nothing.</summary>
     public string RecordingPath { get; init; }
 }

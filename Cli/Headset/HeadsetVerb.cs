@@ -9,7 +9,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Cli.Headset;
 
-/// <c>headset</c>: checks whether a gateway and its plant are good enough before a headset is used.
+/// <c>headset</c>: checks, before a headset is used, whether a gateway and its plant are suitable.
 static class HeadsetVerb
 {
     static readonly Option<string> Host = new("--host") { Description = "Name or address of the gateway", DefaultValueFactory = _ => "127.0.0.1" };
@@ -19,7 +19,7 @@ static class HeadsetVerb
         "--ws-port", "TCP port of the joint positions", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
     static readonly Option<string> Pin = new("--pin")
     {
-        Description = "Pin that the gateway prints; encrypts both connections", HelpName = "PIN",
+        Description = "Pin of the gateway's certificate, as printed by the gateway; encrypts both connections", HelpName = "PIN",
     };
     static readonly Option<string> TokenFile = new("--token-file")
     {
@@ -27,7 +27,7 @@ static class HeadsetVerb
     };
     static readonly Option<bool> InsecureLan = new("--insecure-lan")
     {
-        Description = "Allow unencrypted connections to another machine. Use it in a trusted network only",
+        Description = "Allow unencrypted connections to another machine; use only in a trusted network",
     };
     static readonly Option<string> Name = new("--name") { Description = "Name of this headset", DefaultValueFactory = _ => "headless" };
     static readonly Option<string> Robot = new("--robot") { Description = RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]" };
@@ -49,7 +49,7 @@ static class HeadsetVerb
         };
         verb.SetAction((parsed, cancel) => Task.Factory.StartNew(
             () => Run(Settings(parsed), parsed.GetValue(Json), cancel),
-            // On a separate thread, like a headset's frame loop. Cancellation is handled inside, so that the measured results are printed.
+            // Runs on a separate thread, like a headset's frame loop. The run handles the cancellation itself and prints the results so far.
             CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default));
         return verb;
     }

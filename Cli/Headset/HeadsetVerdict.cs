@@ -1,39 +1,40 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Decides whether a run shows that a gateway and its plant are good enough.</summary>
+/// <summary>Decides whether a run shows that a gateway and its plant are suitable.</summary>
 static class HeadsetVerdict
 {
-    /// <summary>Minimum share of the frames with a current pose.</summary>
+    /// <summary>Minimum share of frames with a current pose.</summary>
     const double MinCurrentShare = 0.5;
 
-    /// <summary>Gets the reason why the run failed, in one line; null when it did not fail.</summary>
+    /// <summary>Gets the reason why the run failed, in one line; null if it did not fail.</summary>
     /// <param name="statistics">Statistics at the end of the run.</param>
-    /// <param name="wasTimeTrusted">Whether the clock was ever accurate enough for a current pose.</param>
-    /// <param name="outages">Times without a current pose. The longest gives the reason if the state at the end is good.</param>
+    /// <param name="wasTimeTrusted">Whether the clock was accurate enough for a current pose at any time.</param>
+    /// <param name="outages">Times without a current pose. If the state at the end is good, the longest outage gives the reason.</param>
     public static string FailureOf(
         HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted, IReadOnlyList<HeadsetResult.OutageResult> outages)
     {
         var share = pose.CurrentShareOfRun ?? 0;
         if (pose.CurrentAfterS != null && share >= MinCurrentShare) return null;
-        if (!wasTimeTrusted) return $"the clock was never synchronised: {statistics.SyncLink.Detail}";
-        if (statistics.Samples == 0) return $"no joint positions arrived: {statistics.SampleLink.Detail}";
+        if (!wasTimeTrusted) return HeadsetMessages.NoClock(statistics.SyncLink.Detail);
+        if (statistics.Samples == 0) return HeadsetMessages.NoJoints(statistics.SampleLink.Detail);
         var joints = JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? $"at the end the pose is {pose.State}";
+        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? HeadsetMessages.AtEnd(pose.State);
         return pose.CurrentAfterS == null
-            ? $"the pose was never current; {why}"
-            : FormattableString.Invariant($"the pose was current for {100 * share:0} % of the time, at least {100 * MinCurrentShare:0} % is required; {why}");
+            ? HeadsetMessages.NeverCurrent(why)
+            : HeadsetMessages.RarelyCurrent(100 * share, 100 * MinCurrentShare, why);
     }
 
-    /// <summary>Gets the reason why a pose is not current, as far as known: a failed connection, or joints without data. Contains no times.</summary>
+    /// <summary>Gets the known reason why a pose is not current: a failed connection, or joints without data. The text contains no times.</summary>
     public static string ReasonOf(SessionStatistics statistics, IEnumerable<JointStatus> missing) =>
         LinkFaultOf(statistics) ?? JointStatusText.Of(missing, joint => joint.DescriptionSince(null));
 
     static string LongestOf(IReadOnlyList<HeadsetResult.OutageResult> outages) =>
         outages.Where(outage => outage is { ToS: not null, Reason.Length: > 0 }).MaxBy(outage => outage.ToS - outage.FromS) is { } longest
-            ? FormattableString.Invariant($"from {longest.FromS:0.0} to {longest.ToS:0.0} s it was {longest.Pose}: {longest.Reason}") : null;
+            ? HeadsetMessages.Outage(longest.FromS, longest.ToS, longest.Pose, longest.Reason) : null;
 
     static string LinkFaultOf(SessionStatistics statistics) =>
         statistics.SyncLink.State == LinkState.Waiting ? statistics.SyncLink.Detail

@@ -2,17 +2,17 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Counts the frames with a current pose and the time without one.</summary>
+/// <summary>Counts the frames with a current pose, and measures the time without one.</summary>
 sealed class PoseCount
 {
-    /// <summary>Time allowed for the clock's synchronisation at the start. Only later is a pose that is not current counted.</summary>
+    /// <summary>Time at the start in which frames without a current pose are not counted, because the clock synchronises.</summary>
     static readonly TimeSpan StartAllowance = TimeSpan.FromSeconds(3);
 
     TimeSpan? _first, _lost;
     TimeSpan _longest, _notCurrent, _previous;
     int _frames, _framesOfRun, _current;
 
-    /// <param name="time">Time since the start; increasing.</param>
+    /// <param name="time">Time since the start of the run; must increase.</param>
     public void Add(TimeSpan time, PoseState state)
     {
         if (state == PoseState.Current) _first ??= time;
@@ -20,7 +20,7 @@ sealed class PoseCount
         if (_first == null) return;
         if (_lost is { } lost)
         {
-            // A frame is visible until the next one.
+            // A frame is displayed until the next one.
             _notCurrent += time - _previous;
             if (time - lost > _longest) _longest = time - lost;
         }

@@ -1,11 +1,13 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Reports each outage of the pose when it begins, changes and ends, and keeps them for the result.</summary>
-/// <param name="say">Takes one line of text.</param>
+/// <summary>Reports when an outage of the pose begins, changes and ends, and collects the outages for the result.</summary>
+/// <param name="say">Receives one line of text.</param>
 sealed class PoseOutages(Action<string> say)
 {
     /// <summary>
-    /// Minimum length of an outage. It is longer at the start, where the connections are made.
+    /// Minimum duration of an outage. The value for the start of the run is larger, because the connections are established then.
     /// </summary>
     internal static readonly TimeSpan MinLength = TimeSpan.FromSeconds(0.5), MinLengthAtStart = TimeSpan.FromSeconds(3);
 
@@ -27,11 +29,13 @@ sealed class PoseOutages(Action<string> say)
     bool _wasCurrent;
     HeadsetResult.OutageResult _now;
 
-    /// <summary>Whether the last frame belongs to an outage: the pose has not been current for longer than the minimum.</summary>
+    /// <summary>Whether the last frame belongs to an outage: the pose has not been current for longer than the minimum duration.</summary>
     public bool IsOutage => _now != null;
 
-    /// <param name="time">Start of the frame since the start of the run; increasing.</param>
-    /// <param name="describe">Pose state, joints without data, and why; called a few times per second while the pose is not current.</param>
+    /// <param name="time">Start time of the frame since the start of the run; must increase.</param>
+    /// <param name="describe">
+    /// Gets the pose state, the joints without data and the reason. Called a few times per second while the pose is not current.
+    /// </param>
     public void Add(TimeSpan time, bool isCurrent, Func<(string Pose, IReadOnlyList<string> Joints, string Reason)> describe)
     {
         if (isCurrent)
@@ -49,7 +53,7 @@ sealed class PoseOutages(Action<string> say)
         if (reason.Length > 0 && _reasons.Count < MaxReasons && !_reasons.Contains(reason)) _reasons.Add(reason);
         _joints.UnionWith(joints);
         _now = new HeadsetResult.OutageResult(_since.Value.TotalSeconds, null, pose, [.. _joints], string.Join("; then ", _reasons));
-        if (isNew) say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is {pose}") + (reason.Length == 0 ? "" : "; " + reason));
+        if (isNew) say(HeadsetMessages.Pose(time.TotalSeconds, pose, reason));
     }
 
     public IReadOnlyList<HeadsetResult.OutageResult> Result() => _now == null ? _outages : [.. _outages, _now];
@@ -60,7 +64,7 @@ sealed class PoseOutages(Action<string> say)
         if (_now != null)
         {
             if (_outages.Count < MaxCount) _outages.Add(_now with { ToS = time.TotalSeconds });
-            say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is current again, after {(time - _since.Value).TotalSeconds:0.0} s"));
+            say(HeadsetMessages.CurrentAgain(time.TotalSeconds, (time - _since.Value).TotalSeconds));
         }
 
         (_since, _now, _reported, _next) = (null, null, null, TimeSpan.Zero);

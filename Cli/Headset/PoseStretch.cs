@@ -3,14 +3,14 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>A part of a run between two outages: from its first to its last frame with a current pose.</summary>
+/// <summary>A part of a run between two outages, from its first to its last frame with a current pose.</summary>
 sealed class PoseStretch(TimeSpan from, ControlTime displayTime)
 {
     readonly ErrorRun _errors = new();
     int _frames, _notCurrent, _current;
     TimeSpan _to;
 
-    /// <param name="time">Since the start of the run.</param>
+    /// <param name="time">Time since the start of the run.</param>
     public void AddCurrent(TimeSpan time)
     {
         _to = time;
@@ -19,10 +19,10 @@ sealed class PoseStretch(TimeSpan from, ControlTime displayTime)
         _notCurrent = 0;
     }
 
-    /// <summary>Adds a frame without a current pose. It counts only if the pose becomes current again before the stretch ends.</summary>
+    /// <summary>Adds a frame without a current pose. The frame counts only if a current frame follows it in this stretch.</summary>
     public void AddNotCurrent() => _notCurrent++;
 
-    /// <summary>Whether a frame was shown after this stretch began.</summary>
+    /// <summary>Gets whether this stretch had begun by a display time.</summary>
     public bool HasBegunBy(ControlTime at) => displayTime <= at;
 
     /// <summary>Adds the error of a current frame, m.</summary>

@@ -3,7 +3,7 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Headset;
 
-/// <summary>Scores the current frames of a run: in total, and separately for each stretch between outages.</summary>
+/// <summary>Computes the errors of the frames with a current pose, for the whole run and for each stretch between outages.</summary>
 sealed class PoseStretches
 {
     readonly List<PoseStretch> _stretches = [];
@@ -13,7 +13,7 @@ sealed class PoseStretches
     /// <summary>The errors of all current frames; null while unknown.</summary>
     public HeadsetResult.ErrorResult Total => HeadsetResult.ErrorResult.Of(_errors.Read()?.Times(1000));
 
-    /// <param name="time">Time since the start; increasing.</param>
+    /// <param name="time">Time since the start of the run; must increase.</param>
     /// <param name="isOutage">The value of <see cref="PoseOutages.IsOutage"/> for this frame.</param>
     public void Add(TimeSpan time, PoseState state, ControlTime? displayTime, bool isOutage)
     {
@@ -29,11 +29,11 @@ sealed class PoseStretches
         if (_isWithin) _stretches[^1].AddNotCurrent();
     }
 
-    /// <summary>Adds the error of an earlier frame, m.</summary>
+    /// <summary>Adds the error of an earlier frame, in m.</summary>
     /// <param name="displayTime">Display time of the frame.</param>
     /// <param name="state">
-    /// State of the frame. Only current frames are scored: the samples after an outage also judge the last frames of the outage, which
-    /// show a pose from before it.
+    /// State of the frame. Only current frames are scored. The samples after an outage also give errors for the last frames of the outage,
+    /// whose pose is older than the outage.
     /// </param>
     public void AddError(ControlTime displayTime, PoseState state, ErrorSample error)
     {

@@ -1,11 +1,12 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;
 
-/// <summary><c>kinematics FILE.urdf</c>: link poses for joint values.</summary>
+/// <summary><c>kinematics FILE.urdf</c>: computes link poses from joint values.</summary>
 static class KinematicsVerb
 {
     public static Command Create()
@@ -13,9 +14,9 @@ static class KinematicsVerb
         var file = new Argument<string>("FILE.urdf") { Description = $"The robot: a URDF, or one of {RobotFiles.Names}." };
         var joints = new Option<string>("--joints")
         {
-            Description = "Joint values in rad (prismatic: m), as in a=0.1,b=-0.2; other joints are 0; mimic joints follow the joint that they mimic unless given.",
+            Description = "Joint values in rad (prismatic: m), for example a=0.1,b=-0.2. Other joints are at 0; mimic joints without a value follow the joint that they mimic.",
         };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices." };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of matrices" };
         var verb = new Command("kinematics", "Compute the poses of all links relative to the root link.") { file, joints, json };
         verb.SetAction(parsed => Run(parsed.GetValue(file), parsed.GetValue(joints), parsed.GetValue(json)));
         return verb;
@@ -38,7 +39,7 @@ static class KinematicsVerb
         new ForwardKinematics(model).Compute(positions, poses);
         var matrices = Array.ConvertAll(poses, pose => pose.ToRowMajor16());
         if (!matrices.All(matrix => matrix.All(double.IsFinite)))
-            throw new InputException("--joints: these values are too large to compute the poses; use smaller ones");
+            throw new InputException(KinematicsMessages.TooLarge);
         return matrices;
     }
 }

@@ -1,11 +1,12 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;
 
-/// <summary>Prints link poses, given as row-major 4×4 matrices in the model's order of links.</summary>
+/// <summary>Prints link poses. The poses are row-major 4×4 matrices in the order of the model's links.</summary>
 static class PoseOutput
 {
     public static string Json(RobotModel model, double[][] poses) => JsonText.Of(isIndented: false, json =>
@@ -20,7 +21,7 @@ static class PoseOutput
 
     public static string Matrices(RobotModel model, double[][] poses)
     {
-        var text = new StringBuilder($"{model.Name}: poses relative to {model.Root.Name}, metres\n");
+        var text = new StringBuilder(KinematicsMessages.Title(model.Name, model.Root.Name));
         for (var i = 0; i < poses.Length; i++)
         {
             text.Append('\n').Append(model.Links[i].Name).Append('\n');
@@ -32,7 +33,7 @@ static class PoseOutput
     static void WritePose(Utf8JsonWriter json, string link, double[] pose)
     {
         json.WriteStartArray(link);
-        // The shortest text that reads back as the same number, which is the writer's format of a double.
+        // The writer uses the shortest text that reads back as the same number.
         foreach (var number in pose) json.WriteNumberValue(number);
         json.WriteEndArray();
     }
@@ -41,7 +42,7 @@ static class PoseOutput
     {
         foreach (var number in row)
         {
-            // + 0.0 removes the sign of negative zero after rounding.
+            // Adding 0.0 turns a negative zero after rounding into 0.
             text.Append(CultureInfo.InvariantCulture, $"{Math.Round(number, 6) + 0.0,13:0.000000}");
         }
         text.Append('\n');

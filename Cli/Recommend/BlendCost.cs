@@ -2,11 +2,11 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The increase of the error when the recommended predictor blends its sections without a jump.</summary>
-/// <remarks>A blend never reduces the error, so it cannot be chosen by the error. It is used unless its cost is too high.</remarks>
+/// <summary>The increase of the error if the recommended predictor blends consecutive sections to avoid jumps.</summary>
+/// <remarks>A blend never reduces the error, so it cannot be selected by its error. It is recommended unless the error increases too much.</remarks>
 sealed class BlendCost
 {
-    /// <summary>Maximum accepted increase, as a share of the RMS error.</summary>
+    /// <summary>Maximum accepted increase, relative to the RMS error.</summary>
     public const double MaxShare = 0.05;
 
     public BlendCost(Verdict verdict, CancellationToken cancellation)
@@ -17,13 +17,15 @@ sealed class BlendCost
         ShareOfHalves = [-blended.GainOver(plain, Half.First), -blended.GainOver(plain, Half.Second)];
     }
 
-    /// <summary>Relative increase of the RMS error with the default blend, over both halves; null without an error, or when interrupted.</summary>
+    /// <summary>
+    /// Relative increase of the RMS error with the default blend, over both halves; null without an error, or after a cancellation.
+    /// </summary>
     public double? Share { get; }
 
-    /// <summary>Share of the error for each half of the recording.</summary>
+    /// <summary>Relative increase of the RMS error for each half of the recording.</summary>
     public IReadOnlyList<double?> ShareOfHalves { get; } = [null, null];
 
-    /// <summary>Time constant to use, ms.</summary>
+    /// <summary>Recommended time constant of the blend, ms.</summary>
     public double RecommendedMs => Share > MaxShare ? 0 : PredictionSettings.DefaultBlendMs;
 
     static Trial Try(Verdict verdict, double blendMs, CancellationToken cancellation)

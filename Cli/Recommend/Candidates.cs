@@ -2,14 +2,14 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The candidates: every predictor that settings offer, and every degree with other histories.</summary>
+/// <summary>Lists the candidates: all predictors that can be selected in the settings, and polynomials with other histories.</summary>
 static class Candidates
 {
     const int MaxHistory = 6;
 
     static readonly string[] Degrees = ["linear", "quadratic", "cubic"];
 
-    /// <summary>The names. The two that others are compared with come first, so that an interrupted run has a partial result.</summary>
+    /// <summary>Names of the candidates. The two references come first, so that an interrupted run has a partial result.</summary>
     public static IReadOnlyList<string> Names { get; } =
         [.. new[] { Predictors.Default, "hold" }.Concat(Predictors.Names).Concat(Histories()).Distinct()];
 

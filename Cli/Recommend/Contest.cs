@@ -3,14 +3,14 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Tries all candidates on both halves of each subject, as many in parallel as there are cores.</summary>
+/// <summary>Evaluates all candidates on both halves of each recording. Runs in parallel on all processors.</summary>
 sealed class Contest(IReadOnlyList<ISubject> subjects)
 {
     readonly ConcurrentDictionary<(ISubject Subject, string Predictor, Half Half), ReplayResult> _results = new();
 
     public int Runs => subjects.Count * Candidates.Names.Count * 2;
 
-    /// <param name="report">Receives the number of finished runs; called from several threads, one at a time.</param>
+    /// <param name="report">Receives the number of finished runs. Called from several threads, but never concurrently.</param>
     /// <param name="cancellation">Stops the contest. Finished runs are kept.</param>
     /// <exception cref="InputException">The recording cannot be scored.</exception>
     public void Run(Action<int> report, CancellationToken cancellation)
@@ -19,14 +19,14 @@ sealed class Contest(IReadOnlyList<ISubject> subjects)
         var runs = from predictor in Candidates.Names from subject in subjects from half in Enum.GetValues<Half>() select (subject, predictor, half);
         try
         {
-            // Kept in order: the candidates that all others are compared with come first.
+            // Preserves the order of the runs, because the references that all candidates are compared with come first.
             Parallel.ForEach(
                 Partitioner.Create(runs, EnumerablePartitionerOptions.NoBuffering),
                 new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount, CancellationToken = cancellation },
                 run =>
                 {
                     var result = run.subject.Try(run.predictor, run.half, cancellation: cancellation);
-                    // An interrupted run has no valid result.
+                    // A cancelled run has no valid result.
                     if (cancellation.IsCancellationRequested) return;
                     _results[run] = result;
                     lock (gate) report(_results.Count);
@@ -34,7 +34,7 @@ sealed class Contest(IReadOnlyList<ISubject> subjects)
         }
         catch (OperationCanceledException)
         {
-            // Interrupted: the finished results are kept.
+            // Cancelled: the finished results are kept.
         }
         catch (AggregateException faults)
         {
@@ -42,7 +42,7 @@ sealed class Contest(IReadOnlyList<ISubject> subjects)
         }
     }
 
-    /// <summary>Gets one verdict for each subject on which the default was tried.</summary>
+    /// <summary>Gets a verdict for each recording on which the default predictor was evaluated.</summary>
     public IReadOnlyList<Verdict> Verdicts() =>
         [.. subjects.Select(subject => (subject, trials: TrialsOn(subject))).Where(s => s.trials.Count > 1).Select(s => new Verdict(s.subject, s.trials))];
 

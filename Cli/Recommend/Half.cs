@@ -1,7 +1,7 @@
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Part of a recording on which candidates are tried separately. A candidate must win in both halves.</summary>
-/// <remarks>Each half has half of the motion; see <see cref="Halving"/>.</remarks>
+/// <summary>Half of a recording. A candidate is evaluated on both halves separately and must be better on both.</summary>
+/// <remarks>Each half contains half of the motion; see <see cref="Halving"/>.</remarks>
 enum Half
 {
     First,

@@ -1,13 +1,12 @@
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Finds the point that divides a recording into two halves with equal motion.</summary>
+/// <summary>Finds the point that divides a recording into two halves with the same amount of motion.</summary>
 /// <remarks>
-/// Half of the time would be sufficient if a robot moved without pause. Many recordings begin or end with a rest, on which a candidate
-/// would be judged by its noise.
+/// Many recordings begin or end with a rest. If they were divided by time, a half could contain only noise.
 /// </remarks>
 static class Halving
 {
-    /// <summary>Minimum share of the steps on either side. A shorter part is not meaningful.</summary>
+    /// <summary>Minimum share of the steps in each half. A shorter half would give no meaningful result.</summary>
     const double MinShare = 0.2;
 
     /// <param name="ways">Distance that all joints together moved in each step.</param>

@@ -2,16 +2,16 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>A recording under one condition, on whose halves predictors are tried. Thread-safe.</summary>
+/// <summary>A recording under one condition, on which predictors are evaluated. Thread-safe.</summary>
 interface ISubject
 {
-    /// <summary>T_s in ms; null if the recording has its own.</summary>
+    /// <summary>Sampling interval T_s, ms; null if the recording defines it.</summary>
     double? SamplingMs { get; }
 
-    /// <summary>L in ms; null if the recording has its own.</summary>
+    /// <summary>End-to-end latency L, ms; null if the recording defines it.</summary>
     double? LatencyMs { get; }
 
-    /// <param name="blendMs">Time constant of the blend between sections; null for the recording's own value, which is none for a motion.</param>
+    /// <param name="blendMs">Time constant of the blend between sections, ms. If null, the value of the recording; a motion has no blend.</param>
     /// <exception cref="InputException">No frame could be scored.</exception>
     ReplayResult Try(string predictor, Half half, double? blendMs = null, CancellationToken cancellation = default);
 }

@@ -1,9 +1,10 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>A recorded motion, sampled and delayed as in <c>replay</c>.</summary>
+/// <summary>A recorded motion that is sampled and delayed as in <c>replay</c>.</summary>
 sealed class MotionSubject : ISubject
 {
     const double MsPerSecond = 1000;
@@ -20,7 +21,7 @@ sealed class MotionSubject : ISubject
         var middle = motion.Times[Halving.MiddleOf(WaysOf(motion))];
         _halves = [motion.Between(0, middle), motion.Between(middle, motion.Duration)];
         if (_halves.Any(half => half == null))
-            throw new InputException($"{path}: has too few rows; a recommendation needs enough rows for two halves");
+            throw new InputException(RecommendMessages.TooFewRows(path));
     }
 
     public double? SamplingMs { get; }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Cli.Sessions;
 using Nowpose.Gateway.Options;
@@ -15,15 +16,15 @@ static class RecommendVerb
     {
         var file = new Argument<string>("FILE")
         {
-            Description = "A motion (.csv or .csv.gz), as for replay; or a recorded session (.jsonl or .jsonl.gz), tried with its own samples, "
+            Description = "A motion (.csv or .csv.gz), as for replay; or a recorded session (.jsonl or .jsonl.gz), evaluated with its own samples, "
                 + "latencies and frames.",
         };
-        var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s of a motion.", 50.0, 0.1, 10000, "ms");
-        var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival.", 100.0, 0, 10000, "ms");
-        var grid = new Option<bool>("--grid") { Description = "Try a motion at 20/100, 50/100 and 100/150 ms (T_s/L) instead." };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of tables." };
+        var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s of a motion", 50.0, 0.1, 10000, "ms");
+        var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival", 100.0, 0, 10000, "ms");
+        var grid = new Option<bool>("--grid") { Description = "Evaluate a motion at 20/100, 50/100 and 100/150 ms (T_s/L) instead" };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of tables" };
         var verb = new Command(
-            "recommend", "Try every predictor, and polynomials with other histories, on both halves of a recording, and recommend one.")
+            "recommend", "Evaluate all predictors, and polynomials with other histories, on both halves of a recording, and recommend one.")
         {
             file, sampling, latency, grid, json,
         };
@@ -31,9 +32,9 @@ static class RecommendVerb
         {
             var path = parsed.GetRequiredValue(file);
             if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
-            else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, "--grid sets it; remove one of the two options", sampling, latency);
+            else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, RecommendMessages.GridSets, sampling, latency);
             (double, double)[] conditions = parsed.GetValue(grid) ? Grid : [(parsed.GetValue(sampling), parsed.GetValue(latency))];
-            // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+            // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
             return Task.Run(() => Run(path, conditions, parsed.GetValue(json), cancel), CancellationToken.None);
         });
         return verb;
@@ -54,7 +55,7 @@ static class RecommendVerb
     {
         var motion = MotionRecording.Read(path);
         if (motion.IsBody)
-            throw new InputException($"{path}: is the recording of a rigid body; recommend reads joints only. Use `replay --predictor NAME` instead");
+            throw new InputException(RecommendMessages.RigidBody(path));
         var joints = motion.Names.Select((name, joint) => new JointSeries(name, motion.Times, motion.PositionsOf(joint)));
         return (new RecordingTraits([.. joints]), [.. conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs))]);
     }

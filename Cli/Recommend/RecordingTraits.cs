@@ -1,15 +1,17 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Recommend;
 
 /// <summary>Properties of a recording that affect the recommendation.</summary>
 sealed class RecordingTraits
 {
-    /// <summary>Minimum duration, s. In shorter recordings, the difference of the halves is mostly chance.</summary>
+    /// <summary>Minimum duration, s. In a shorter recording, the halves differ mostly by chance.</summary>
     const double MinDuration = 10;
 
-    /// <summary>Maximum range of a resting joint, rad or m: less than an intended motion of any robot.</summary>
+    /// <summary>Maximum range of a resting joint, rad or m. Any intended motion of a robot is larger.</summary>
     const double Standstill = 1e-4;
 
-    /// <summary>Maximum number of repeated values of a moving joint. A resting joint repeats its value for longer.</summary>
+    /// <summary>Maximum number of consecutive equal values of a moving joint. More equal values mean that the joint rests.</summary>
     const int MaxRepeats = 4;
 
     const double NoticeableSpread = 0.2;
@@ -28,7 +30,7 @@ sealed class RecordingTraits
             .Select(joint => (joint.Name, joint.Step.Value))];
     }
 
-    /// <summary>Duration, s.</summary>
+    /// <summary>Duration of the recording, s.</summary>
     public double Duration { get; }
 
     /// <summary>Median interval between samples, s.</summary>
@@ -40,28 +42,26 @@ sealed class RecordingTraits
     /// <summary>95th percentile of the interval, s.</summary>
     public double IntervalP95 { get; }
 
-    /// <summary>Largest range of any joint, rad or m.</summary>
+    /// <summary>Range of the joint that moves most, rad or m.</summary>
     public double MaxRange { get; }
 
-    /// <summary>Share of the samples of moving joints that repeat the previous one, 0 to 1.</summary>
+    /// <summary>Share of the samples of moving joints that have the same value as the previous sample, 0 to 1.</summary>
     public double Repeats { get; }
 
-    /// <summary>Joints whose values lie on a grid, with its step, rad or m.</summary>
+    /// <summary>Joints whose values are rounded, with the rounding step in rad or m.</summary>
     public IReadOnlyList<(string Name, double Step)> RoundingSteps { get; }
 
     /// <summary>Gets the warnings about the reliability of the recommendation.</summary>
     public IEnumerable<string> Warnings()
     {
         if (MaxRange < Standstill)
-            yield return Text($"no joint moves by more than {MaxRange:G2} rad or m: a recommendation needs a recording of motion");
+            yield return RecommendMessages.NoMotion(MaxRange);
         if (Duration < MinDuration)
-            yield return Text($"{Duration:0.0} s is a short recording: the result may be random; record {MinDuration} s or more");
+            yield return RecommendMessages.Short(Duration, MinDuration);
         if (IntervalP95 - IntervalP5 > NoticeableSpread * Interval)
-            yield return Text($"the samples' stamps lie {1e3 * IntervalP5:0.0} to {1e3 * IntervalP95:0.0} ms apart (P5 to P95): ")
-                + "late time stamps reduce the accuracy";
+            yield return RecommendMessages.LateStamps(1e3 * IntervalP5, 1e3 * IntervalP95);
         if (Repeats > NoticeableRepeats)
-            yield return Text($"{100 * Repeats:0.0} % of a moving joint's samples repeat the previous one: ")
-                + "the robot's sampling interval or rounding is coarser than the recording";
+            yield return RecommendMessages.Repeats(100 * Repeats);
     }
 
     static double RepeatsOf(List<JointSeries> joints)
@@ -85,7 +85,7 @@ sealed class RecordingTraits
         return changes == 0 ? 0 : repeats / (double)(changes + repeats);
     }
 
-    // The smallest step that occurs, if nearly all others are multiples of it.
+    // Returns the smallest step between values if nearly all other steps are multiples of it.
     static double? RoundingStepOf(IReadOnlyList<double> positions)
     {
         const double noise = 1e-9;
@@ -93,7 +93,7 @@ sealed class RecordingTraits
         if (steps.Count < 20) return null;
         var min = steps.Min();
         var multiples = steps.Count(step => Math.Abs(step / min - Math.Round(step / min)) < 0.01);
-        // A smooth motion has steps of every size, and its smallest is then a thousandth of the others.
+        // A smooth motion has steps of all sizes, so the smallest one is then less than a thousandth of the others.
         return multiples > 0.99 * steps.Count && Quantile.Of(steps, 0.5) < 1000 * min ? Rounded(min) : null;
     }
 

@@ -2,7 +2,10 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The joints of a recorded session as series over their stamps, from the longest time line: different ones are not comparable.</summary>
+/// <summary>
+/// Gets the joints of a recorded session as series over their time stamps. Uses only the longest time line, because times of different time
+/// lines are not comparable.
+/// </summary>
 static class SessionSeries
 {
     public static IReadOnlyList<JointSeries> Of(RecordedSession session)

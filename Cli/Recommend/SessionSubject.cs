@@ -2,7 +2,7 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>A recorded session, with its own samples, arrivals and frames.</summary>
+/// <summary>A recorded session that is evaluated with its own samples, arrival times and frames.</summary>
 sealed class SessionSubject : ISubject
 {
     readonly string _path;
@@ -24,7 +24,7 @@ sealed class SessionSubject : ISubject
 
     public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
     {
-        // With the plan, all candidates would show the same positions.
+        // Ignores the plan: with it, all candidates would display the same positions.
         var settings = new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000, FollowPlan = false };
         var replay = new SessionReplay(_path, _session, _truth, settings);
         return half == Half.First ? replay.Run(0, _middle, cancellation) : replay.Run(_middle, _session.Events.Count, cancellation);

@@ -2,22 +2,22 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The result of one candidate on both halves; errors in the unit of the recording's axes.</summary>
+/// <summary>The result of one candidate on both halves. Errors are in the unit of the recording's axes.</summary>
 sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
 {
     /// <summary>RMS error over the frames of both halves.</summary>
     public double Rms => Pooled(result => result.Rms);
 
-    /// <summary>RMS error of holding the newest sample.</summary>
+    /// <summary>RMS error of hold over the frames of both halves.</summary>
     public double RmsHold => Pooled(result => result.RmsHold);
 
-    /// <summary>1 − rms ÷ rms_hold; null if nothing moved.</summary>
+    /// <summary>1 − Rms / RmsHold; null if nothing moved.</summary>
     public double? Reduction => Share(Rms, RmsHold);
 
-    /// <summary>Gets the relative error reduction over another, for both halves: 0.1 is a tenth less. Null if the other has no error.</summary>
+    /// <summary>Gets the relative reduction of the RMS error against another trial: 0.1 means 10 % less. Null if the other has no error.</summary>
     public double? GainOver(Trial other) => Share(Rms, other.Rms);
 
-    /// <summary>Gets the relative error reduction over another, for one half.</summary>
+    /// <summary>Gets the relative reduction of the RMS error against another trial on one half.</summary>
     public double? GainOver(Trial other, Half half) => Share(On(half).Rms, other.On(half).Rms);
 
     public bool IsBetterThan(Trial other, Half half) => On(half).Rms < other.On(half).Rms;

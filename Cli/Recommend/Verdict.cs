@@ -1,19 +1,20 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>The recommended candidate under one condition.</summary>
+/// <summary>Determines the recommended candidate under one condition.</summary>
 /// <remarks>
-/// Another predictor than the default is recommended only if it wins on both halves, and by a noticeable amount: of twenty candidates, one
-/// always fits the given file best by chance.
+/// A predictor other than the default is recommended only if it is better on both halves and the total gain exceeds the minimum. Among
+/// twenty candidates, one always has the smallest error in a given file by chance.
 /// </remarks>
 sealed class Verdict
 {
-    /// <summary>Minimum gain for a recommendation other than the default.</summary>
+    /// <summary>Minimum gain over the default for recommending another predictor.</summary>
     public const double MinGain = 0.02;
 
-    /// <param name="subject">The subject on which the candidates were tried.</param>
-    /// <param name="trials">The trials, including those of the default and of hold.</param>
+    /// <param name="subject">The recording on which the candidates were evaluated.</param>
+    /// <param name="trials">The results of all candidates, including the default and hold.</param>
     public Verdict(ISubject subject, IReadOnlyCollection<Trial> trials)
     {
         Subject = subject;
@@ -22,35 +23,34 @@ sealed class Verdict
         Recommended = Trials.FirstOrDefault(trial => IsBetter(trial, Default)) ?? Default;
     }
 
-    /// <summary>Maximum difference of a tie. Candidates with a larger overall difference never tie.</summary>
+    /// <summary>Maximum relative difference of the total errors for a tie.</summary>
     const double MaxTieDifference = 0.5;
 
     public ISubject Subject { get; }
 
-    /// <summary>The trials, the best first.</summary>
+    /// <summary>The results of all candidates in increasing order of their error.</summary>
     public IReadOnlyList<Trial> Trials { get; }
 
     public Trial Default { get; }
 
     public Trial Recommended { get; }
 
-    /// <summary>Whether a candidate and the recommended one each win on one half, so that the better one cannot be determined.</summary>
+    /// <summary>Gets whether a candidate and the recommended one are each better on one half, so that neither is clearly better.</summary>
     public bool IsTie(Trial trial) => trial != Recommended && Math.Abs(trial.GainOver(Recommended) ?? 0) < MaxTieDifference
         && trial.IsBetterThan(Recommended, Half.First) != trial.IsBetterThan(Recommended, Half.Second);
 
-    /// <summary>The reason in one sentence.</summary>
+    /// <summary>The reason for the recommendation, as the end of a sentence.</summary>
     public string Reason
     {
         get
         {
             var best = Trials[0];
             if (Recommended != Default)
-                return FormattableString.Invariant($"its error is {100 * Recommended.GainOver(Default):0} % smaller than that of {Default.Predictor} ")
-                    + $"({Percent(Half.First)} and {Percent(Half.Second)} in the halves)";
-            if (best == Default) return "no other has a smaller error";
+                return RecommendTexts.SmallerError(100 * Recommended.GainOver(Default), Default.Predictor, Percent(Half.First), Percent(Half.Second));
+            if (best == Default) return RecommendTexts.NoneBetter;
             return IsTie(best)
-                ? $"{best.Predictor} is equally good: it is better on one half and worse on the other"
-                : FormattableString.Invariant($"the error of {best.Predictor} is smaller, but by at most {100 * MinGain:0} %");
+                ? RecommendTexts.EquallyGood(best.Predictor)
+                : RecommendTexts.LittleBetter(best.Predictor, 100 * MinGain);
         }
     }
 

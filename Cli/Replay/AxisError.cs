@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Collects the held and predicted errors of one axis and computes the results.</summary>
+/// <summary>Collects the errors of hold and of the prediction for one axis, and computes the results.</summary>
 sealed class AxisError
 {
     readonly List<double> _predicted = [];
@@ -11,10 +11,10 @@ sealed class AxisError
     int _insideOne;
     int _insideTwo;
 
-    /// <summary>Number of frames so far.</summary>
+    /// <summary>Number of frames added so far.</summary>
     public int Count => _predicted.Count;
 
-    /// <param name="deviation">Standard deviation of this prediction; NaN where unknown.</param>
+    /// <param name="deviation">Standard deviation that the predictor states for this prediction; NaN if unknown.</param>
     public void Add(double held, double predicted, double deviation)
     {
         _heldSquares += held * held;

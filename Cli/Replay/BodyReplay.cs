@@ -1,4 +1,5 @@
 using Nowpose.Anchoring;
+using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;
@@ -6,12 +7,14 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Plays the recording of a rigid body in virtual time to a predictor, with the sampling, arrival and frames of a motion of joints.</summary>
+/// <summary>
+/// Replays the recording of a rigid body with a predictor in virtual time. Sampling, arrival and frames are the same as for joints.
+/// </summary>
 public sealed class BodyReplay
 {
     const double MmPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
 
-    /// <summary>Position and rotation.</summary>
+    /// <summary>Number of errors per frame: position and rotation.</summary>
     const int Errors = 2;
 
     readonly string _path;
@@ -23,7 +26,7 @@ public sealed class BodyReplay
     readonly BodyError _rotation = new();
     double _displayed = double.NaN;
 
-    /// <param name="path">Path for results and messages.</param>
+    /// <param name="path">Path of the recording, for results and error messages.</param>
     /// <param name="recording">Recording of a rigid body.</param>
     /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
     public BodyReplay(string path, MotionRecording recording, ReplaySettings settings)
@@ -35,16 +38,16 @@ public sealed class BodyReplay
         _loop = new ReplayLoop(path, recording.Duration, Errors, settings);
     }
 
-    /// <summary>Runs once to the recording's end. When cancelled, it returns the results so far.</summary>
+    /// <summary>Runs once to the end of the recording. After a cancellation, returns the results so far.</summary>
     /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public BodyReplayResult Run(CancellationToken cancellation = default)
     {
         var frames = _loop.Run(PoseAt, Take, Score, cancellation);
         var result = new BodyReplayResult(
             _path, _settings.Predictor, frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
         if (!double.IsFinite(result.Position.Rms + result.Position.RmsHold))
-            throw new InputException($"{_path}: the errors are too large to compute; the positions must be in m");
+            throw new InputException(ReplayMessages.BodyTooLarge(_path));
         return result;
     }
 

@@ -1,7 +1,7 @@
 namespace Nowpose.Cli.Replay;
 
 /// <summary>The result of the replay of a rigid body.</summary>
-/// <param name="File">Path of the recording; for an object of a session, the name of its frame.</param>
+/// <param name="File">Path of the recording. For an object of a session, the name of its frame.</param>
 /// <param name="Frames">Number of scored frames.</param>
 /// <param name="Position">Distance between the displayed and the true position, mm.</param>
 /// <param name="Rotation">Angle between the displayed and the true rotation, degrees.</param>

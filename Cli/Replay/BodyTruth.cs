@@ -4,7 +4,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The true pose of a recorded rigid body: position interpolated linearly, rotation by slerp.</summary>
+/// <summary>The true pose of a recorded rigid body. The position is interpolated linearly, the rotation by slerp.</summary>
 sealed class BodyTruth
 {
     readonly double[] _times;
@@ -20,7 +20,7 @@ sealed class BodyTruth
         for (var row = 0; row < _rotations.Length; row++) UnitQuaternion.TryNormalise(x[row], y[row], z[row], w[row], out _rotations[row]);
     }
 
-    /// <param name="samples">At least two samples with increasing times.</param>
+    /// <param name="samples">Two samples or more, with increasing times.</param>
     public BodyTruth(IReadOnlyList<PoseSample> samples)
     {
         _times = [.. samples.Select(sample => sample.Time)];
@@ -28,10 +28,10 @@ sealed class BodyTruth
         _rotations = [.. samples.Select(sample => sample.Rotation)];
     }
 
-    /// <summary>Gets the interval between the samples around a time, in s; infinite outside the samples.</summary>
+    /// <summary>Gets the interval between the samples before and after a time, s; infinite outside the recording.</summary>
     public double GapAt(double time) => time < _times[0] || time > _times[^1] ? double.PositiveInfinity : _times[RowAfter(time)] - _times[RowAfter(time) - 1];
 
-    /// <summary>Gets the pose at a time since the recording's start, in s. Outside the recording it is that of the first or last row.</summary>
+    /// <summary>Gets the pose at a time since the start of the recording, s. Outside the recording, returns the first or the last pose.</summary>
     public (double X, double Y, double Z, UnitQuaternion Rotation) At(double time)
     {
         var after = RowAfter(time);

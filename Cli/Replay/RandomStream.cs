@@ -1,8 +1,8 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Uniform random numbers that depend on seed and purpose only: the jitter does not change when the loss changes.</summary>
+/// <summary>Uniform random numbers that depend only on seed and purpose, so that a different loss does not change the jitter.</summary>
 /// <remarks>
-/// SplitMix64 (Steele, Lea, Flood 2014). The same on every machine, and neighbouring seeds are independent, which
+/// Uses SplitMix64 (Steele, Lea, Flood 2014). The numbers are the same on every machine and independent for consecutive seeds, which
 /// <see cref="Random"/> does not guarantee.
 /// </remarks>
 sealed class RandomStream

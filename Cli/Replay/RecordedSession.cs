@@ -1,22 +1,23 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Sessions;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The data of a session file that a replay needs, in the order in which they were processed, in compact form.</summary>
+/// <summary>The data of a session file that a replay needs, in the order in which the session processed them, in a compact form.</summary>
 sealed class RecordedSession
 {
-    /// <summary>Maximum number of stored numbers: about 400 MB. A file of the usual maximum size has a tenth of that.</summary>
+    /// <summary>Maximum number of stored values: about 400 MB. A file of the usual maximum size has a tenth of it.</summary>
     const int MaxNumbers = 50_000_000;
 
-    /// <summary>Position, quaternion and stamp.</summary>
+    /// <summary>Number of values per pose: position, quaternion and time stamp.</summary>
     const int NumbersPerPose = 8;
 
-    // Samples that were dropped for these reasons never reached a predictor, so the replay drops them, too.
+    // Reasons of dropped samples that reached no predictor in the session. The replay drops these samples, too.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
 
-    /// <summary>Interval of the frames that substitute for those of a headset.</summary>
+    /// <summary>Interval of the simulated frames that replace those of a headset.</summary>
     static readonly TimeSpan FrameInterval = new(TimeSpan.TicksPerSecond / 60);
 
     readonly string _path;
@@ -40,14 +41,14 @@ sealed class RecordedSession
         _joints = Enumerable.Range(0, header.Joints.Count).ToDictionary(i => header.Joints[i].Name);
     }
 
-    /// <summary>The header as in the file. If no robot was described, its joints are those named in the samples.</summary>
+    /// <summary>The header of the file. If the file describes no robot, the joints are those named in the samples.</summary>
     public SessionHeader Header { get; private set; }
 
     public IReadOnlyList<Event> Events => _events;
 
     public int Frames { get; private set; }
 
-    /// <summary>Number of lines that the recording lost.</summary>
+    /// <summary>Number of lines that are missing because the recording could not keep up.</summary>
     public long Lost { get; private set; }
 
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
@@ -60,11 +61,11 @@ sealed class RecordedSession
         return session;
     }
 
-    /// <summary>Gets the joint values of a sample.</summary>
+    /// <summary>Gets the joint values of a sample event.</summary>
     public ReadOnlySpan<Value> ValuesOf(in Event sample) =>
         System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_values).Slice(sample.First, sample.Count);
 
-    /// <summary>Gets the joint positions that a frame displayed, in the header's order.</summary>
+    /// <summary>Gets the joint positions that a frame event displayed, in the order of the header.</summary>
     public ReadOnlySpan<double> DisplayedBy(in Event frame) =>
         System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_displayed).Slice(frame.First, frame.Count);
 
@@ -81,14 +82,14 @@ sealed class RecordedSession
             case LostLine lost: Lost += lost.Count; break;
         }
         if (_values.Count + _displayed.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)
-            throw new InputException($"{_path}: is too long for this machine's memory; record shorter sessions");
+            throw new InputException(ReplayMessages.TooLong(_path));
     }
 
-    /// <summary>The signals in the order of their names, with the number of their changes.</summary>
+    /// <summary>The signals, sorted by name, with the number of their changes.</summary>
     public IReadOnlyList<(string Name, int Changes)> Signals =>
         [.. _signals.OrderBy(signal => signal.Key, StringComparer.Ordinal).Select(signal => (signal.Key, signal.Value.Changes))];
 
-    /// <summary>Gets the pose of an event.</summary>
+    /// <summary>Gets the pose of a pose event.</summary>
     public PoseLine PoseOf(in Event pose) => _poses[pose.First];
 
     void Add(PoseLine pose)
@@ -98,11 +99,11 @@ sealed class RecordedSession
         _poses.Add(pose);
     }
 
-    // A source repeats the value of a signal for new connections; that is no change.
+    // A source repeats the current value for each new connection. A repeated value is not counted as a change.
     void Add(SignalLine signal) => _signals[signal.Name] = _signals.TryGetValue(signal.Name, out var known)
         ? (signal.Value, known.Changes + (signal.Value == known.Value ? 0 : 1)) : (signal.Value, 0);
 
-    /// <summary>Gets the set-points of a plan, for the header's joints.</summary>
+    /// <summary>Gets the set-points of a plan event for the joints of the header.</summary>
     public PlannedMotion PlanOf(in Event plan) => _plans[plan.First];
 
     void Add(SampleLine sample)
@@ -117,11 +118,11 @@ sealed class RecordedSession
         _events.Add(new Event(EventKind.Sample, sample.Stamp, true, _timeLine, first, _values.Count - first));
     }
 
-    // A gateway displays nothing. Its recording gets the frames of a headset that receives and shows each sample immediately.
+    // A gateway displays nothing. Adds the frames of a headset that would receive and display each sample immediately.
     void AddFramesUntil(ControlTime arrival)
     {
         var next = _nextFrame ?? arrival;
-        // No frames while the source was away.
+        // Adds no frames for the time in which the source was not connected.
         if (next + Header.Prediction.MaximumGap < arrival) next = arrival;
         for (; next < arrival; next += FrameInterval)
         {
@@ -150,14 +151,14 @@ sealed class RecordedSession
         var plan = PlannedMotion.Of(line.Arrival, name => _joints.GetValueOrDefault(name, -1));
         _events.Add(new Event(EventKind.Plan, plan.Stamp, true, _timeLine, _plans.Count, plan.Count));
         _plans.Add(plan);
-        // Position, velocity and acceleration, both in the message and in the paths created from it.
+        // Counts position, velocity and acceleration twice: in the message, and in the paths created from it.
         _planned += 6L * line.Arrival.Message.Names.Length * line.Arrival.Message.Points.Count;
     }
 
     void Add(FrameLine frame)
     {
         if (frame.Joints.Length != Header.Joints.Count)
-            throw new InputException($"{_path}: a frame has {frame.Joints.Length} joints, the header {Header.Joints.Count}");
+            throw new InputException(ReplayMessages.JointCount(_path, frame.Joints.Length, Header.Joints.Count));
         Frames++;
         _events.Add(new Event(EventKind.Frame, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
         _displayed.AddRange(frame.Joints);
@@ -171,17 +172,19 @@ sealed class RecordedSession
         Frame,
     }
 
-    /// <summary>An accepted sample, plan or pose of a tracked frame, or a displayed frame.</summary>
-    /// <param name="At">t_k of a sample or a pose, the stamp of a plan, or the display time of a frame.</param>
-    /// <param name="IsTimed">Whether a frame had a display time.</param>
-    /// <param name="TimeLine">Increases when the session discarded all samples. Control times of different time lines are not comparable.</param>
-    /// <param name="First">Index of its first joint; for a plan or a pose, its index among them.</param>
-    /// <param name="Count">Number of its joints.</param>
+    /// <summary>An accepted sample, plan or pose, or a displayed frame.</summary>
+    /// <param name="At">t_k of a sample or pose, time stamp of a plan, or display time of a frame.</param>
+    /// <param name="IsTimed">Whether the display time of a frame is known; true for other events.</param>
+    /// <param name="TimeLine">
+    /// Number of the time line, which increases when the session discards all samples. Times of different lines are not comparable.
+    /// </param>
+    /// <param name="First">Index of the first joint value; for a plan or pose, its index in the list of plans or poses.</param>
+    /// <param name="Count">Number of joint values.</param>
     public readonly record struct Event(EventKind Kind, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
 
-    /// <param name="Joint">Index into the header's joints.</param>
-    /// <param name="Position">rad or m.</param>
-    /// <param name="Velocity">rad/s or m/s; NaN if unknown.</param>
-    /// <param name="Acceleration">rad/s² or m/s²; NaN if unknown.</param>
+    /// <param name="Joint">Index of the joint in the header.</param>
+    /// <param name="Position">Position, rad or m.</param>
+    /// <param name="Velocity">Velocity, rad/s or m/s; NaN if unknown.</param>
+    /// <param name="Acceleration">Acceleration, rad/s² or m/s²; NaN if unknown.</param>
     public readonly record struct Value(int Joint, double Position, double Velocity, double Acceleration);
 }

@@ -3,10 +3,10 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The true position of a recorded joint: its own samples, interpolated on the control clock by cubics.</summary>
+/// <summary>The true position of a recorded joint: a cubic interpolation of its samples over control time.</summary>
 /// <remarks>
-/// Uses the cubic of the headset's own hindcast. There is no truth before the first sample, after the last one, or between two samples
-/// that are further apart than the maximum gap.
+/// Uses the same cubic as the headset's hindcast. The truth is unknown before the first sample, after the last one, and between two samples
+/// whose interval exceeds the maximum gap.
 /// </remarks>
 sealed class RecordedTruth
 {
@@ -23,7 +23,7 @@ sealed class RecordedTruth
         _samples.Add((ticks, position));
     }
 
-    /// <summary>Sorts late samples. Of two samples with the same time, the first is used. Call this once, after the last sample.</summary>
+    /// <summary>Sorts the samples and keeps the first of several with the same time. Must be called after the last sample.</summary>
     public void Complete()
     {
         if (_isSorted) return;
@@ -34,12 +34,12 @@ sealed class RecordedTruth
         _isSorted = true;
     }
 
-    /// <returns>False if the truth is unknown at that time.</returns>
+    /// <returns>True if the position is known at that time.</returns>
     public bool TryAt(ControlTime at, out double position)
     {
         var ticks = at.SinceEpoch.Ticks;
         var after = FirstAfter(ticks);
-        // The last sample's own time belongs to the interval before it.
+        // The time of the last sample belongs to the interval before it.
         if (after == _samples.Count && after > 1 && _samples[^1].Ticks == ticks) after--;
         position = 0;
         if (after == 0 || after == _samples.Count || !AreNear(after - 1)) return false;

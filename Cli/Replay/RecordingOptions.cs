@@ -1,16 +1,17 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Checks options that contradict another option, or a recorded session, which has its own sampling, latency and frames.</summary>
+/// <summary>Rejects options that conflict with another option, or with a recorded session, which defines sampling, latency and frames.</summary>
 static class RecordingOptions
 {
-    /// <exception cref="InputException">One of them was given.</exception>
+    /// <exception cref="InputException">One of the options was given.</exception>
     public static void RequireUnsetForSession(ParseResult parsed, string path, params Option[] options) =>
-        RequireUnset(parsed, $"a recorded session contains this value; remove the option for {path}", options);
+        RequireUnset(parsed, ReplayMessages.InSession(path), options);
 
-    /// <param name="why">The reason, appended to the option's name.</param>
-    /// <exception cref="InputException">One of them was given.</exception>
+    /// <param name="why">The reason, which follows the option's name in the message.</param>
+    /// <exception cref="InputException">One of the options was given.</exception>
     public static void RequireUnset(ParseResult parsed, string why, params Option[] options)
     {
         foreach (var option in options)

@@ -1,13 +1,15 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The frames and samples of a replay in virtual time: which samples have arrived at each frame, and which frames are scored.</summary>
-/// <remarks>All times are seconds since the recording's start. Dates in seconds would reduce the precision of the fit.</remarks>
+/// <summary>Runs samples and frames in virtual time: decides which samples have arrived by each frame, and which frames are scored.</summary>
+/// <remarks>All times are in seconds since the start of the recording. Absolute times would reduce the precision of the fit.</remarks>
 sealed class ReplayLoop
 {
-    /// <summary>Maximum of frames × axes: about 400 MB of errors. More indicates a wrong time unit rather than a long motion.</summary>
+    /// <summary>Maximum number of frames × axes: about 400 MB of errors. A larger number means a wrong time unit rather than a long motion.</summary>
     const double MaxValues = 5e7;
 
-    /// <summary>Maximum number of samples. They take time even if few frames use them.</summary>
+    /// <summary>Maximum number of samples. Each sample takes computing time, even if few frames use it.</summary>
     const double MaxSamples = 5e7;
 
     readonly string _path;
@@ -15,7 +17,7 @@ sealed class ReplayLoop
     readonly int _axes;
     readonly ReplaySettings _settings;
 
-    /// <param name="path">Path for messages.</param>
+    /// <param name="path">Path of the recording, for error messages.</param>
     /// <param name="duration">Duration of the recording, s.</param>
     /// <param name="axes">Number of scored values per frame.</param>
     /// <exception cref="InputException">The recording is too long to replay.</exception>
@@ -28,13 +30,13 @@ sealed class ReplayLoop
         RequireBearableLength();
     }
 
-    /// <summary>Runs once to the recording's end, or until it is cancelled.</summary>
-    /// <param name="positionsAt">Returns the values of a sample at a time, as a new array.</param>
-    /// <param name="take">Processes a sample that has arrived.</param>
-    /// <param name="score">Scores the frame at a time.</param>
-    /// <returns>Number of scored frames, at least 1.</returns>
+    /// <summary>Runs once to the end of the recording, or until it is cancelled.</summary>
+    /// <param name="positionsAt">Gets the values of a sample at a time, as a new array.</param>
+    /// <param name="take">Called for each sample when it has arrived.</param>
+    /// <param name="score">Called for each scored frame with its time.</param>
+    /// <returns>Number of scored frames; at least 1.</returns>
     /// <exception cref="InputException">No frame could be scored.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public int Run(Func<double, double[]> positionsAt, Action<SampleFlow.Sample> take, Action<double> score, CancellationToken cancellation)
     {
         var flow = new SampleFlow(_duration, positionsAt, _settings);
@@ -61,18 +63,15 @@ sealed class ReplayLoop
         var values = _duration * _settings.FrameRateHz * _axes;
         var samples = _duration / _settings.SamplingInterval;
         if (values > MaxValues || samples > MaxSamples)
-            throw new InputException($"{_path}: " + FormattableString.Invariant(
-                $"{_duration:G6} s are too long to replay at {_settings.FrameRateHz} frames per second ")
-                + FormattableString.Invariant($"and a sample every {_settings.SamplingInterval * 1e3:G6} ms; is the time column in seconds?"));
+            throw new InputException(ReplayMessages.TooManyFrames(_path, _duration, _settings.FrameRateHz, _settings.SamplingInterval * 1e3));
     }
 
     InputException NothingScored()
     {
         var needed = 4 * _settings.SamplingInterval + _settings.Latency + _settings.Jitter + 1 / _settings.FrameRateHz;
         var cause = _duration < needed
-            ? FormattableString.Invariant($"{_duration:G6} s are too short: a frame is evaluated only after sample 4 has arrived, ")
-                + FormattableString.Invariant($"which takes up to {needed:G6} s")
-            : FormattableString.Invariant($"--loss {_settings.Loss}: no sample arrived, so no frame could be scored");
+            ? ReplayMessages.TooShort(_duration, needed)
+            : ReplayMessages.AllLost(_settings.Loss);
         return new InputException($"{_path}: {cause}");
     }
 }

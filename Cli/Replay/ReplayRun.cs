@@ -1,10 +1,11 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Plays a recording in virtual time to one predictor per joint, frame by frame, and compares the result with the file.</summary>
-/// <remarks>All times are seconds since the recording's start. Dates in seconds would reduce the precision of the fit.</remarks>
+/// <summary>Replays a recorded motion in virtual time with one predictor per joint, and compares each frame with the recording.</summary>
+/// <remarks>All times are in seconds since the start of the recording. Absolute times would reduce the precision of the fit.</remarks>
 public sealed class ReplayRun
 {
     readonly string _path;
@@ -16,9 +17,9 @@ public sealed class ReplayRun
     readonly double[] _truth;
     double _displayed = double.NaN;
 
-    /// <param name="path">Path for results and messages.</param>
+    /// <param name="path">Path of the recording, for results and error messages.</param>
     /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
-    /// <param name="newPredictor">Creates a joint's predictor; null for the predictor of the settings.</param>
+    /// <param name="newPredictor">Creates the predictor of a joint. If null, the predictor of the settings is used.</param>
     public ReplayRun(string path, MotionRecording recording, ReplaySettings settings, Func<JointPredictor> newPredictor = null)
     {
         _path = path;
@@ -31,16 +32,16 @@ public sealed class ReplayRun
         _loop = new ReplayLoop(path, recording.Duration, recording.Names.Count, settings);
     }
 
-    /// <summary>Runs once to the recording's end. When cancelled, it returns the results so far.</summary>
+    /// <summary>Runs once to the end of the recording. After a cancellation, returns the results so far.</summary>
     /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public ReplayResult Run(CancellationToken cancellation = default)
     {
         var frames = _loop.Run(PositionsAt, Take, Score, cancellation);
         var axes = _errors.Zip(_recording.Names, (error, name) => error.Summary(name));
         var result = new ReplayResult(_path, _settings.Predictor, frames, [.. axes]);
         if (!double.IsFinite(result.Rms + result.RmsHold))
-            throw new InputException($"{_path}: the errors are too large to compute; the positions must be in rad or m");
+            throw new InputException(ReplayMessages.TooLarge(_path));
         return result;
     }
 

@@ -1,38 +1,38 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The conditions of one replay, from the command line, which has checked their ranges.</summary>
+/// <summary>Conditions of a replay. The command line checks their ranges.</summary>
 public sealed class ReplaySettings
 {
-    /// <summary>T_s in seconds.</summary>
+    /// <summary>Sampling interval T_s, s.</summary>
     public double SamplingInterval { get; init; } = 0.050;
 
-    /// <summary>L in seconds, from a sample's t_k to its arrival.</summary>
+    /// <summary>Latency L from the t_k of a sample to its arrival, s.</summary>
     public double Latency { get; init; } = 0.100;
 
     /// <summary>Frames per second.</summary>
     public double FrameRateHz { get; init; } = 60;
 
-    /// <summary>A name of <see cref="Nowpose.Prediction.Predictors"/>.</summary>
+    /// <summary>Name of the predictor, from <see cref="Nowpose.Prediction.Predictors"/>.</summary>
     public string Predictor { get; init; } = Nowpose.Prediction.Predictors.Default;
 
-    /// <summary>ε_L in seconds, added to the time of the prediction.</summary>
+    /// <summary>Error ε_L of the latency, s. It is added to the time for which the position is predicted.</summary>
     public double LatencyError { get; init; }
 
-    /// <summary>Half-width in seconds of the uniform error ε_t of each t_k.</summary>
+    /// <summary>Half the width of the uniform distribution of the errors ε_t of t_k, s.</summary>
     public double StampError { get; init; }
 
-    /// <summary>Maximum additional delay of a sample in seconds, uniform from 0.</summary>
+    /// <summary>Maximum additional delay of a sample, s. The delay is distributed uniformly from 0.</summary>
     public double Jitter { get; init; }
 
-    /// <summary>Probability, 0 to 1, that a sample never arrives.</summary>
+    /// <summary>Probability that a sample is lost, 0 to 1.</summary>
     public double Loss { get; init; }
 
     /// <summary>
-    /// Time constant in seconds of the transition to a new section; 0 for a jump. Null for the recorded value, which is 0 for a motion.
+    /// Time constant of the blend to a new section, s; 0 for no blend. Null to use the recorded value, which is 0 for a motion.
     /// </summary>
     public double? Blend { get; init; }
 
-    /// <summary>Whether the recorded session's set-points are used where the session used them; false to ignore them.</summary>
+    /// <summary>Whether the replay uses the recorded set-points in the same way as the session. If false, it ignores them.</summary>
     public bool FollowPlan { get; init; } = true;
 
     public int Seed { get; init; } = 1;

@@ -1,11 +1,12 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Sessions;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;
 
-/// <c>replay FILE</c>: predicts a recorded motion or session like the headset, in virtual time and without a network.
+/// <c>replay FILE</c>: predicts a recorded motion or session as the headset does, in virtual time and without a network.
 static class ReplayVerb
 {
     const double MsPerSecond = 1000;
@@ -18,17 +19,17 @@ static class ReplayVerb
                 + "or a rigid body with the header t_s,x,y,z,qx,qy,qz,qw (m, unit quaternion). Or a session "
                 + "(.jsonl or .jsonl.gz), which contains sampling, latency and frames; cubics through its samples are then the true motion."
         };
-        var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s.", 50.0, 0.1, 10000, "ms");
-        var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival.", 100.0, 0, 10000, "ms");
-        var fps = NumberOption.Create("--fps", "Frames per second.", 60.0, 1, 1000, "");
+        var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s", 50.0, 0.1, 10000, "ms");
+        var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival", 100.0, 0, 10000, "ms");
+        var fps = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 1000, "");
         var predictor = PredictorOption.Create();
-        var latencyError = NumberOption.Create("--latency-error-ms", "Error that is added to the requested time.", 0.0, -10000, 10000, "ms");
-        var stampError = NumberOption.Create("--stamp-error-ms", "Maximum error of each t_k, uniformly distributed around zero.", 0.0, 0, 10000, "ms");
-        var jitter = NumberOption.Create("--jitter-ms", "Maximum additional delay, uniformly distributed from 0.", 0.0, 0, 10000, "ms");
-        var loss = NumberOption.Create("--loss", "Probability that a sample never arrives.", 0.0, 0, 1, "");
-        var blend = NumberOption.Create("--blend-ms", "Time constant with which a new section replaces the old one; a session contains it.", 0.0, 0, 200, "ms");
-        var seed = NumberOption.Create("--seed", "Seed of the random numbers.", 1, int.MinValue, int.MaxValue, "");
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of a table." };
+        var latencyError = NumberOption.Create("--latency-error-ms", "Error of the latency, added to the time for which positions are predicted", 0.0, -10000, 10000, "ms");
+        var stampError = NumberOption.Create("--stamp-error-ms", "Maximum error of each t_k, uniformly distributed around zero", 0.0, 0, 10000, "ms");
+        var jitter = NumberOption.Create("--jitter-ms", "Maximum additional delay, uniformly distributed from 0", 0.0, 0, 10000, "ms");
+        var loss = NumberOption.Create("--loss", "Probability that a sample is lost", 0.0, 0, 1, "");
+        var blend = NumberOption.Create("--blend-ms", "Time constant of the blend from the old section to a new one; a session defines it", 0.0, 0, 200, "ms");
+        var seed = NumberOption.Create("--seed", "Seed of the random numbers", 1, int.MinValue, int.MaxValue, "");
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of a table" };
 
         var verb = new Command("replay", "Predict a recorded motion or session as on the headset, without a network and in virtual time.")
         {
@@ -51,7 +52,7 @@ static class ReplayVerb
                 Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            // On a separate thread, so that Ctrl-C finds the action started and can wait for its partial result.
+            // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
             return Task.Run(
                 () => Run(path, settings, parsed.GetValue(json), cancellation), CancellationToken.None);
         });
@@ -85,7 +86,7 @@ static class ReplayVerb
     static ReplayResult RunSession(string path, ReplaySettings settings, CancellationToken cancellation)
     {
         var session = RecordedSession.Read(path);
-        if (session.Lost > 0) Console.Error.WriteLine($"nowpose: {path}: {session.Lost} lines are missing, because the recording was slower than the session");
+        if (session.Lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(path, session.Lost));
         var joints = new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
         return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes)
         {

@@ -1,10 +1,10 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Samples a recording every T_s and returns the samples in the order of their arrival.</summary>
-/// <remarks>Times in seconds since the recording's start.</remarks>
+/// <summary>Samples a recording every T_s and returns the samples in the order in which they arrive.</summary>
+/// <remarks>Times are in seconds since the start of the recording.</remarks>
 sealed class SampleFlow
 {
-    /// <summary>Index of the sample whose arrival starts the scoring: the first with the longest history, h = 4, before it.</summary>
+    /// <summary>Index of the sample with whose arrival the scoring starts. The longest history, h = 4, then has enough samples.</summary>
     const int FirstScoredSample = 4;
 
     readonly Func<double, double[]> _positionsAt;
@@ -18,7 +18,7 @@ sealed class SampleFlow
     long _scoringStart = long.MaxValue;
 
     /// <param name="duration">Duration of the recording, s.</param>
-    /// <param name="positionsAt">Returns the values of a sample at a time since the recording's start, as a new array.</param>
+    /// <param name="positionsAt">Gets the values of a sample at a time since the start of the recording, as a new array.</param>
     public SampleFlow(double duration, Func<double, double[]> positionsAt, ReplaySettings settings)
     {
         _positionsAt = positionsAt;
@@ -29,10 +29,10 @@ sealed class SampleFlow
         _stamp = new RandomStream(settings.Seed, 3);
     }
 
-    /// <summary>t_k, the t_k given to the predictor, and the values of the recording's columns.</summary>
+    /// <summary>True t_k, time stamp for the predictor, and values of the recording's columns.</summary>
     public readonly record struct Sample(double Time, double Stamp, double[] Positions);
 
-    /// <summary>Gets the next sample that has arrived by a frame's time, in order of arrival. Frame times must not decrease.</summary>
+    /// <summary>Gets the next sample that has arrived by the time of a frame. Frame times must not decrease.</summary>
     public bool TryTake(double frameTime, out Sample sample)
     {
         var frame = Ticks.Of(frameTime);
@@ -41,7 +41,7 @@ sealed class SampleFlow
         return _underWay.TryPeek(out _, out var due) && due.Arrival <= frame && _underWay.TryDequeue(out sample, out _);
     }
 
-    /// <summary>Whether sample 4 has arrived, or would have arrived if it was not lost.</summary>
+    /// <summary>Gets whether scoring has started: sample 4 has arrived, or would have arrived if it had not been lost.</summary>
     public bool ScoringHasStarted(double frameTime) => Ticks.Of(frameTime) >= _scoringStart;
 
     double TimeOf(long index) => index * _settings.SamplingInterval;
@@ -52,7 +52,7 @@ sealed class SampleFlow
 
     void Send(long index)
     {
-        // Every sample draws from every stream, so that changing one option does not change another's random numbers.
+        // Every sample draws a number from every stream, so that changing one option does not change the random numbers of another.
         var time = TimeOf(index);
         var stamp = time + _settings.StampError * (2 * _stamp.Next() - 1);
         var arrival = Ticks.Of(time + _settings.Latency + _settings.Jitter * _jitter.Next());

@@ -4,14 +4,15 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Plays the tracked frames of a recorded session in virtual time, each in its parent, to a predictor per frame.</summary>
+/// <summary>Replays the tracked frames of a recorded session in virtual time, with one predictor per frame.</summary>
 /// <remarks>
-/// The order is that of the file, as for the joints. The truth is interpolated between the samples before and after the light, so it is
-/// unknown across a change of the parent and across gaps. Frames in which an object does not move are not scored.
+/// Events are processed in the order of the file, as for joints. The truth is interpolated between the samples before and after the
+/// display time. It is unknown across a change of the parent and across gaps. Displayed frames in which an object does not move are not
+/// scored.
 /// </remarks>
 sealed class SessionBodies
 {
-    /// <summary>The same number as for the joints.</summary>
+    /// <summary>Number of samples after which a tracked frame is scored; the same as for joints.</summary>
     const int SamplesBeforeScoring = 5;
 
     readonly RecordedSession _session;
@@ -34,7 +35,7 @@ sealed class SessionBodies
         }
     }
 
-    /// <summary>Gets the result of each object that moves. When cancelled, it returns the results so far.</summary>
+    /// <summary>Gets the result of each object that moves. After a cancellation, returns the results so far.</summary>
     public IReadOnlyList<BodyReplayResult> Run(CancellationToken cancellation = default)
     {
         foreach (var next in _session.Events)
@@ -47,7 +48,7 @@ sealed class SessionBodies
         return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
     }
 
-    /// <summary>The poses of one frame in one parent on one time line, without interruption.</summary>
+    /// <summary>Consecutive poses of a tracked frame with the same parent on the same time line.</summary>
     sealed class Stretch(int timeLine, string parent, ControlTime epoch)
     {
         BodyTruth _truth;
@@ -58,7 +59,7 @@ sealed class SessionBodies
 
         public double Seconds(ControlTime t) => ClockTicks.Seconds(t - epoch);
 
-        // Samples may have overtaken each other, and their order is that of the stamps.
+        // Sorted by time stamp, because samples can arrive in another order.
         public BodyTruth Truth => _truth ??= Samples.Count < 2 ? null : new BodyTruth([.. Samples.DistinctBy(sample => sample.Time).OrderBy(sample => sample.Time)]);
     }
 
@@ -66,7 +67,7 @@ sealed class SessionBodies
     {
         const double MmPerMetre = 1000, DegreesPerRadian = 180 / Math.PI;
 
-        /// <summary>Minimum speeds of a moving object, m/s and rad/s, as in the demo.</summary>
+        /// <summary>Minimum speeds of a moving object, m/s and rad/s; the same as in the demo.</summary>
         const double MinSpeed = 0.001, MinTurning = 0.005;
 
         readonly List<Stretch> _stretches = [];
@@ -84,7 +85,7 @@ sealed class SessionBodies
             _stretches[^1].Samples.Add(new PoseSample(_stretches[^1].Seconds(at), position, rotation));
         }
 
-        /// <summary>Takes the next sample in the order of the file.</summary>
+        /// <summary>Gives the next sample, in the order of the file, to the predictor.</summary>
         public void Take(double stampError)
         {
             if (_stretch < 0 || _taken == _stretches[_stretch].Samples.Count)

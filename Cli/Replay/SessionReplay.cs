@@ -1,18 +1,19 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Prediction;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
 
 /// <summary>
-/// Plays a recorded session in virtual time to one predictor per joint, with its own samples, plans and frames.
+/// Replays a recorded session in virtual time, with its own samples, plans and frames and one predictor per joint.
 /// </summary>
 /// <remarks>
-/// The order is that of the file, in which the headset processed the lines. Limits, horizon cap and maximum gap are those of the recording.
-/// The predictor that was recorded therefore reproduces the displayed values.
+/// Events are processed in the order of the file, which is the order in which the headset processed them. Limits, horizon cap and maximum
+/// gap are those of the recording. With the predictor of the recording, the replay therefore reproduces the displayed values.
 /// </remarks>
 sealed class SessionReplay
 {
-    /// <summary>As in the replay of a motion: the longest history of an offered polynomial, plus the newest sample.</summary>
+    /// <summary>Number of samples after which a joint is scored: the longest history of the available polynomials plus the newest sample.</summary>
     const int SamplesBeforeScoring = 5;
 
     readonly string _path;
@@ -29,9 +30,9 @@ sealed class SessionReplay
     double _displayed = double.NaN;
     int _frames;
 
-    /// <param name="path">Path for results and messages.</param>
-    /// <param name="truth">Truth of the session.</param>
-    /// <param name="settings">Predictor, errors and seed. Values that the recording has of its own are ignored.</param>
+    /// <param name="path">Path of the session file, for the result and for error messages.</param>
+    /// <param name="truth">True joint positions of the session.</param>
+    /// <param name="settings">Predictor, blend, errors and seed. Values that the recording defines, such as the latency, are ignored.</param>
     public SessionReplay(string path, RecordedSession session, SessionTruth truth, ReplaySettings settings)
     {
         _path = path;
@@ -46,17 +47,17 @@ sealed class SessionReplay
         _errors = [.. _joints.Select(_ => new AxisError())];
     }
 
-    /// <summary>Gets the settings of a recording with the predictor of a replay.</summary>
+    /// <summary>Gets the prediction settings of a recording, with the predictor and blend of the replay.</summary>
     internal static PredictionSettings PredictionOf(PredictionSettings own, ReplaySettings settings) => new(
         settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
         settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, own.FollowPlan && settings.FollowPlan, own.SpeedShare,
         own.AccelerationLimit, own.JerkLimit);
 
-    /// <summary>Receives each frame's predictions: the frame, one position per joint, and their kinds.</summary>
+    /// <summary>Called for each frame with the frame, one predicted position per joint, and the kinds of these predictions.</summary>
     public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
 
     /// <exception cref="InputException">No frame could be scored.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled before anything was measured.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public ReplayResult Run(CancellationToken cancellation = default) => Run(0, _session.Events.Count, cancellation);
 
     /// <param name="first">Index of the first event. Earlier events are ignored.</param>
@@ -68,26 +69,25 @@ sealed class SessionReplay
         if (_frames == 0)
         {
             cancellation.ThrowIfCancellationRequested();
-            throw new InputException($"{_path}: no frame could be evaluated: a frame needs a control time between sample {SamplesBeforeScoring} "
-                + "and the last sample of a joint, and no gap between samples may exceed the maximum gap");
+            throw new InputException(ReplayMessages.NothingScored(_path, SamplesBeforeScoring));
         }
         var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)
             .Select(i => _errors[i].Summary(_session.Header.Joints[i].Name));
         var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
         return double.IsFinite(result.Rms + result.RmsHold)
-            ? result : throw new InputException($"{_path}: the errors are too large to compute; the positions must be in rad or m");
+            ? result : throw new InputException(ReplayMessages.TooLarge(_path));
     }
 
     void Play(in RecordedSession.Event next)
     {
-        if (next.TimeLine != _timeLine || _epoch == null) StartAnew(next);
+        if (next.TimeLine != _timeLine || _epoch == null) StartTimeLine(next);
         if (next.Kind == RecordedSession.EventKind.Sample) Take(next);
         else if (next.Kind == RecordedSession.EventKind.Plan) Follow(next);
         else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed) Show(next);
     }
 
-    // Earlier samples belong to another time line.
-    void StartAnew(in RecordedSession.Event next)
+    // Discards all samples if the event belongs to another time line.
+    void StartTimeLine(in RecordedSession.Event next)
     {
         if (next.TimeLine != _timeLine)
         {
@@ -130,7 +130,7 @@ sealed class SessionReplay
             var prediction = _joints[joint].At(_displayed);
             if (Predicted != null) (positions[joint], kinds[joint]) = (prediction.Position, prediction.Kind);
             if (_samples[joint] < SamplesBeforeScoring || !_truth.TryAt(joint, frame, out var truth)) continue;
-            // The deviation is that of the forecast, which a plan replaces.
+            // The standard deviation describes the forecast. A plan replaces the forecast, so there is none.
             var deviation = prediction.Kind == PredictionKind.Planned ? double.NaN : _joints[joint].DeviationAt(_displayed);
             _errors[joint].Add(_joints[joint].Hold - truth, prediction.Position - truth, deviation);
             isScored = true;

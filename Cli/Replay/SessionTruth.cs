@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The true positions of all joints of a recorded session, separately for each time line.</summary>
+/// <summary>The true positions of all joints of a recorded session, for each time line separately.</summary>
 sealed class SessionTruth
 {
     readonly Dictionary<(int Joint, int TimeLine), RecordedTruth> _truths = [];
@@ -15,7 +15,7 @@ sealed class SessionTruth
         foreach (var truth in _truths.Values) truth.Complete();
     }
 
-    /// <returns>False if the truth is unknown at that time.</returns>
+    /// <returns>True if the position is known at that time.</returns>
     public bool TryAt(int joint, in RecordedSession.Event frame, out double position)
     {
         position = 0;

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Rounds to the 100 ns of the time types, to decide the order of events. Not used for computations.</summary>
+/// <summary>Rounds times to 100 ns, as the time types do. Used to order events, not to compute values.</summary>
 static class Ticks
 {
     public static long Of(double seconds) => (long)Math.Round(seconds * TimeSpan.TicksPerSecond);

@@ -1,5 +1,7 @@
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>The clock model has changed.</summary>
-/// <param name="IsNewStart">Whether the session discarded all samples: their stamps belong to another time line, or were never checked.</param>
+/// <summary>A change of the clock model.</summary>
+/// <param name="IsNewStart">
+/// Whether the session discarded all samples, because their time stamps are on another time line or were never checked.
+/// </param>
 sealed record ClockLine(bool IsNewStart) : SessionLine;

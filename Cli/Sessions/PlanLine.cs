@@ -3,5 +3,5 @@ using Nowpose.Session;
 namespace Nowpose.Cli.Sessions;
 
 /// <summary>A received message of set-points.</summary>
-/// <param name="Dropped">The reason why the session dropped it; null if it was used.</param>
+/// <param name="Dropped">Reason why the session dropped the message; null if it was used.</param>
 sealed record PlanLine(PlanArrival Arrival, string Dropped) : SessionLine;

@@ -1,17 +1,18 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Recording;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>Reads a session file line by line, so that files of any size can be read.</summary>
+/// <summary>Reads a session file line by line, so that the size of the file is not limited.</summary>
 sealed class SessionFileReader : IDisposable
 {
     readonly string _path;
     readonly TextReader _text;
     int _line;
 
-    /// <exception cref="InputException">The file cannot be read, is not a session file, or is newer than this program.</exception>
+    /// <exception cref="InputException">The file cannot be read, is not a session file, or has a newer version than this program.</exception>
     public SessionFileReader(string path)
     {
         _path = path;
@@ -29,11 +30,11 @@ sealed class SessionFileReader : IDisposable
 
     public SessionHeader Header { get; }
 
-    /// <summary>Whether the file name has the extension of a session file.</summary>
+    /// <summary>Gets whether the extension of a path is that of a session file.</summary>
     public static bool IsSession(string path) => path != null
         && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
 
-    /// <summary>Gets the lines below the header. Unknown kinds are skipped.</summary>
+    /// <summary>Reads the lines below the header. Skips lines of unknown kinds.</summary>
     /// <exception cref="InputException">A line has another format. The message names file, line and field.</exception>
     public IEnumerable<SessionLine> Lines()
     {
@@ -41,7 +42,7 @@ sealed class SessionFileReader : IDisposable
         {
             if (string.IsNullOrWhiteSpace(text)) continue;
             var line = Parse(text, out var isTorn);
-            // The process ended while it wrote this line. All earlier lines are complete.
+            // The recording process ended while it was writing this line. All earlier lines are complete.
             if (isTorn) yield break;
             if (line != null) yield return line;
         }
@@ -60,35 +61,34 @@ sealed class SessionFileReader : IDisposable
         catch (JsonException broken)
         {
             isTorn = IsLast();
-            return isTorn ? null : throw new InputException($"{Place}: is not a JSON object: {OneLine(broken)}", broken);
+            return isTorn ? null : throw new InputException(SessionFileMessages.NotJson(Place, OneLine(broken)), broken);
         }
     }
 
     SessionHeader ReadHeader()
     {
-        var text = ReadLine() ?? throw new InputException($"{_path}: is empty; the first line of a session file must be its header");
+        var text = ReadLine() ?? throw new InputException(SessionFileMessages.Empty(_path));
         try
         {
             using var json = JsonDocument.Parse(text);
             var fields = Fields(json);
             if (fields.TextOr("format", null) != SessionFormat.Name)
-                throw new InputException($"{Place}: field 'format' is not '{SessionFormat.Name}'; the first line of a session file must contain it");
+                throw new InputException(SessionFileMessages.OtherFormat(Place, SessionFormat.Name));
             var version = fields.Whole("version");
             if (version is < 1 or > SessionFormat.Version)
-                throw new InputException($"{Place}: field 'version': the file is of version {version}; this program reads version "
-                    + $"{SessionFormat.Version}; use a newer program");
+                throw new InputException(SessionFileMessages.NewerVersion(Place, version, SessionFormat.Version));
             return SessionLines.ReadHeader(fields);
         }
         catch (JsonException broken)
         {
-            throw new InputException($"{Place}: is not a JSON object: {OneLine(broken)}", broken);
+            throw new InputException(SessionFileMessages.NotJson(Place, OneLine(broken)), broken);
         }
     }
 
     string Place => $"{_path}:{_line}";
 
     LineFields Fields(JsonDocument json) => json.RootElement.ValueKind == JsonValueKind.Object
-        ? new LineFields(Place, json.RootElement) : throw new InputException($"{Place}: is not a JSON object");
+        ? new LineFields(Place, json.RootElement) : throw new InputException(SessionFileMessages.LineNotAnObject(Place));
 
     string ReadLine() => Guarded(() =>
     {

@@ -1,4 +1,4 @@
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>One line of a session file below its header. Unused kinds of lines have no type.</summary>
+/// <summary>A line of a session file below the header. Kinds that no command uses have no derived type.</summary>
 abstract record SessionLine;

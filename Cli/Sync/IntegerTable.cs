@@ -1,14 +1,15 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Reads CSV files of whole numbers with a fixed header. Errors name file, line and field.</summary>
+/// <summary>Reads CSV files of integers with a fixed header. Error messages name file, line and field.</summary>
 static class IntegerTable
 {
-    /// <summary>Maximum number of characters of a wrong header that are shown.</summary>
+    /// <summary>Maximum number of characters of a wrong header that a message shows.</summary>
     const int MaxShown = 120;
 
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
@@ -31,25 +32,25 @@ static class IntegerTable
     {
         if (!csv.Read() || !csv.Record.SequenceEqual(header))
             throw new InputException(
-                $"{path}:1: the header is '{Beginning(csv.Record == null ? "" : string.Join(',', csv.Record))}'; it must be {string.Join(',', header)}");
+                ExchangeFileMessages.Header(path, Beginning(csv.Record == null ? "" : string.Join(',', csv.Record)), string.Join(',', header)));
         var rows = new List<long[]>();
         while (csv.Read())
             rows.Add(Row(csv, path, header));
-        if (rows.Count == 0) throw new InputException($"{path}: no rows below the header; at least one is needed");
+        if (rows.Count == 0) throw new InputException(ExchangeFileMessages.NoRows(path));
         return rows;
     }
 
-    // The file may be something else, with a very long first line.
+    // Limits the length, because a file of another format can have a very long first line.
     static string Beginning(string header) => header.Length <= MaxShown ? header : header[..MaxShown] + "…";
 
     static long[] Row(CsvParser csv, string path, string[] header)
     {
         if (csv.Count != header.Length)
-            throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; it must have {header.Length}");
+            throw new InputException(ExchangeFileMessages.FieldCount(path, csv.RawRow, csv.Count, header.Length));
         var row = new long[header.Length];
         for (var i = 0; i < row.Length; i++)
             if (!long.TryParse(csv[i], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out row[i]))
-                throw new InputException($"{path}:{csv.RawRow}: {header[i]}: '{csv[i]}' is not a whole number of nanoseconds (64 bits)");
+                throw new InputException(ExchangeFileMessages.NotNanoseconds(path, csv.RawRow, header[i], csv[i]));
         return row;
     }
 }

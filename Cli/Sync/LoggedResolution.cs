@@ -3,22 +3,24 @@ using Nowpose.Sync;
 namespace Nowpose.Cli.Sync;
 
 /// <summary>
-/// Finds the resolution of the control clock, which a log does not contain. A PLC stamps the beginning of its cycle, so its stamps are
-/// whole cycles apart, and half a cycle early on average.
+/// Determines the resolution of the control clock from the time stamps of a log. A PLC stamps the start of its cycle. The differences of
+/// such stamps are multiples of the cycle, and the stamps are half a cycle early on average.
 /// </summary>
 static class LoggedResolution
 {
-    /// <summary>Minimum number of exchanges. Fewer stamps may be whole milliseconds apart by chance.</summary>
+    /// <summary>Minimum number of exchanges. With fewer, stamps can differ by whole milliseconds by chance.</summary>
     const int MinExchanges = 50;
 
-    /// <summary>Range of the resolution, ns. Below it, half a cycle is negligible; no control system has a longer cycle.</summary>
+    /// <summary>Range of the resolution, ns. Half a cycle below the range is negligible, and no control system has a longer cycle.</summary>
     const long MinNs = 100_000, MaxNs = 20_000_000;
 
-    /// <summary>Minimum ratio to the headset clock's resolution. In a synthetic log, both clocks may be rounded, without any cycle.</summary>
+    /// <summary>
+    /// Minimum ratio of the control clock's resolution to the headset clock's. In a synthetic log, both can be rounded without a cycle.
+    /// </summary>
     const int FinerHeadsetClock = 10;
 
-    /// <param name="rows">t1, t2, t3, t4 in ns.</param>
-    /// <returns>Zero if the stamps do not show a resolution.</returns>
+    /// <param name="rows">Rows of t1, t2, t3 and t4, ns.</param>
+    /// <returns>The resolution; zero if the stamps do not show one.</returns>
     public static TimeSpan Of(IReadOnlyList<long[]> rows)
     {
         if (rows.Count < MinExchanges) return TimeSpan.Zero;

@@ -1,12 +1,13 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Sessions;
 using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Reads a log of sync exchanges, and the instants at which the offset is requested.</summary>
+/// <summary>Reads logs of sync exchanges, and the instants for which estimates are requested.</summary>
 static class SyncLog
 {
-    /// <summary>Reads the logged exchanges without checks, each with t4 in ns.</summary>
+    /// <summary>Reads the exchanges of a log without checking them. Each has its t4 in ns.</summary>
     public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
         SessionFileReader.IsSession(path) ? OfSession(path) : OfTable(path);
 
@@ -23,7 +24,7 @@ static class SyncLog
     {
         using var file = new SessionFileReader(path);
         var exchanges = file.Lines().OfType<SyncLine>().Select(line => (line.T4Nanoseconds, line.Exchange)).ToList();
-        return exchanges.Count > 0 ? exchanges : throw new InputException($"{path}: contains no sync exchange; at least one is needed");
+        return exchanges.Count > 0 ? exchanges : throw new InputException(ExchangeFileMessages.NoExchange(path));
     }
 
     public static IReadOnlyList<long> ReadInstants(string path)
@@ -31,7 +32,7 @@ static class SyncLog
         var instants = IntegerTable.Read(path, "t_ns").ConvertAll(row => row[0]);
         for (var i = 1; i < instants.Count; i++)
             if (instants[i] <= instants[i - 1])
-                throw new InputException($"{path}:{i + 2}: t_ns: {instants[i]} ns is not after {instants[i - 1]} ns; times must increase");
+                throw new InputException(ExchangeFileMessages.TimeOrder(path, i + 2, instants[i], instants[i - 1]));
         return instants;
     }
 }

@@ -2,29 +2,29 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
-/// <summary>Feeds a log to the headset's own clock synchroniser and returns its estimates.</summary>
+/// <summary>Feeds the exchanges of a log to the headset's clock synchroniser and returns its estimates.</summary>
 sealed class SyncReplay(IClockEstimator estimator)
 {
     readonly ClockSynchroniser _clock = new(estimator, ClockSettings.Default);
     readonly SortedDictionary<SyncExchangeFault, int> _dropped = [];
 
-    /// <summary>Number of dropped exchanges by fault.</summary>
+    /// <summary>Number of dropped exchanges for each fault.</summary>
     public IReadOnlyDictionary<SyncExchangeFault, int> Dropped => _dropped;
 
     public int Steps => _clock.Steps;
 
-    /// <summary>Gets one estimate per exchange, at its t4.</summary>
-    public IEnumerable<SyncBelief> AfterEach(IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> log)
+    /// <summary>Gets the estimate after each exchange, at the exchange's t4.</summary>
+    public IEnumerable<SyncEstimate> AfterEach(IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> log)
     {
         foreach (var (t4, exchange) in log)
         {
             Add(exchange);
-            yield return new SyncBelief(t4, exchange.T4, _clock.ModelAt(exchange.T4));
+            yield return new SyncEstimate(t4, exchange.T4, _clock.ModelAt(exchange.T4));
         }
     }
 
-    /// <summary>Gets one estimate per instant, from the exchanges with t4 up to it.</summary>
-    public IEnumerable<SyncBelief> At(IReadOnlyList<long> instants, IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> log)
+    /// <summary>Gets the estimate at each instant, from the exchanges whose t4 is not later than the instant.</summary>
+    public IEnumerable<SyncEstimate> At(IReadOnlyList<long> instants, IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> log)
     {
         var next = 0;
         foreach (var instant in instants)
@@ -32,7 +32,7 @@ sealed class SyncReplay(IClockEstimator estimator)
             for (; next < log.Count && log[next].T4Nanoseconds <= instant; next++)
                 Add(log[next].Exchange);
             var now = HeadsetTime.FromNanoseconds(instant);
-            yield return new SyncBelief(instant, now, _clock.ModelAt(now));
+            yield return new SyncEstimate(instant, now, _clock.ModelAt(now));
         }
     }
 

@@ -1,40 +1,40 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Reads <c>--package</c>: the package's address in a manifest.</summary>
+/// <summary>Converts the value of <c>--package</c> to the package's address in a manifest.</summary>
 static class PackageAddress
 {
     const string File = "file:";
 
     static readonly string[] GitSchemes = ["https://", "http://", "ssh://", "git://", "git+https://", "git+ssh://", "git@"];
 
-    /// <summary>Gets the absolute address of a folder. A relative one would break when only the project or only the clone is moved.</summary>
+    /// <summary>Gets the address of a folder as an absolute path. A relative path would break if only the project or the clone were moved.</summary>
     public static string Of(PackageFolder folder) => File + folder.Root.Replace('\\', '/');
 
     /// <param name="given">Address as entered by the user.</param>
-    /// <param name="version">The version of the package that this program belongs to.</param>
-    /// <param name="project">The project in whose manifest the address is written.</param>
-    /// <exception cref="InputException">There is no package at this address.</exception>
+    /// <param name="version">Version of the package that belongs to this program.</param>
+    /// <param name="project">Project whose manifest will contain the address.</param>
+    /// <exception cref="InputException">The address does not contain the package.</exception>
     public static string Read(string given, string version, UnityProject project)
     {
         if (GitSchemes.Any(scheme => given.StartsWith(scheme, StringComparison.Ordinal))) return Git(given, version);
         var isAddress = given.StartsWith(File, StringComparison.Ordinal);
-        // Paths in a manifest are relative to the manifest's folder; paths on the command line to the working folder.
+        // Paths with file: are relative to the folder of the manifest. Other paths are relative to the working folder.
         var path = isAddress ? Path.Combine(project.Root, "Packages", given[File.Length..]) : Path.GetFullPath(given);
         if (path.EndsWith(".tgz", StringComparison.Ordinal) && System.IO.File.Exists(path))
             return isAddress ? given : File + path.Replace('\\', '/');
         var folder = PackageFolder.Open(path)
-            ?? throw new InputException(
-                $"--package: '{given}' is neither a git address nor a folder or tarball with the package {ProjectNeeds.Package}");
+            ?? throw new InputException(UnityPackageMessages.NotAnAddress(given, ProjectNeeds.Package));
         return isAddress ? given : Of(folder);
     }
 
     static string Git(string given, string version)
     {
         if (given.Contains("/OWNER/", StringComparison.Ordinal))
-            throw new InputException("--package: replace OWNER by the host of your copy of the repository");
+            throw new InputException(UnityPackageMessages.Owner);
         var hash = given.IndexOf('#', StringComparison.Ordinal);
         var repository = hash < 0 ? given : given[..hash];
         if (repository.Contains('?', StringComparison.Ordinal)) return given;

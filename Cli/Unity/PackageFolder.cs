@@ -1,10 +1,11 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>A folder with the package, and the content of its package.json.</summary>
+/// <summary>The folder of the package, and the content of its package.json.</summary>
 sealed class PackageFolder
 {
     const string Below = "Packages/" + ProjectNeeds.Package;
@@ -17,15 +18,15 @@ sealed class PackageFolder
         Samples = ReadSamples(description);
     }
 
-    /// <summary>Absolute path.</summary>
+    /// <summary>Absolute path of the folder.</summary>
     public string Root { get; }
 
     public string DisplayName { get; }
     public string Version { get; }
     public IReadOnlyList<PackageSample> Samples { get; }
 
-    /// <summary>Finds the package in the clone that contains the program, or the copy next to a published program.</summary>
-    /// <returns>Null if neither exists.</returns>
+    /// <summary>Finds the package in the clone that contains this program, or the copy next to a published program.</summary>
+    /// <returns>The folder; null if neither exists.</returns>
     public static PackageFolder Find()
     {
         for (var at = new DirectoryInfo(AppContext.BaseDirectory); at != null; at = at.Parent)
@@ -33,8 +34,8 @@ sealed class PackageFolder
         return Open(Path.Combine(AppContext.BaseDirectory, "UnityProject", Below));
     }
 
-    /// <returns>Null if the folder does not contain the package.</returns>
-    /// <exception cref="InputException">Its package.json is not valid; the message names the file and the field.</exception>
+    /// <returns>The folder; null if it does not contain the package.</returns>
+    /// <exception cref="InputException">The package.json is not valid. The message names the file and the field.</exception>
     public static PackageFolder Open(string root)
     {
         var file = Path.Combine(root, "package.json");
@@ -42,14 +43,14 @@ sealed class PackageFolder
         try
         {
             using var description = JsonDocument.Parse(File.ReadAllText(file));
-            if (description.RootElement.ValueKind != JsonValueKind.Object) throw new FormatException("a JSON object is expected");
+            if (description.RootElement.ValueKind != JsonValueKind.Object) throw new FormatException(UnityPackageMessages.ObjectExpected);
             return Text(description.RootElement, "name") == ProjectNeeds.Package
                 ? new PackageFolder(Path.GetFullPath(root), description.RootElement)
                 : null;
         }
         catch (JsonException e)
         {
-            throw new InputException(FormattableString.Invariant($"{file}:{e.LineNumber + 1}: not a JSON object"), e);
+            throw new InputException(UnityPackageMessages.NotJson(file, e.LineNumber + 1), e);
         }
         catch (FormatException e)
         {
@@ -60,13 +61,13 @@ sealed class PackageFolder
     IReadOnlyList<PackageSample> ReadSamples(JsonElement description)
     {
         if (!description.TryGetProperty("samples", out var samples)) return [];
-        if (samples.ValueKind != JsonValueKind.Array) throw new FormatException("samples must be an array");
+        if (samples.ValueKind != JsonValueKind.Array) throw new FormatException(UnityPackageMessages.SamplesNotAnArray);
         return [.. samples.EnumerateArray().Select((sample, i) => ReadSample(sample, FormattableString.Invariant($"samples[{i}]")))];
     }
 
     PackageSample ReadSample(JsonElement sample, string at)
     {
-        if (sample.ValueKind != JsonValueKind.Object) throw new FormatException(at + " must be an object");
+        if (sample.ValueKind != JsonValueKind.Object) throw new FormatException(UnityPackageMessages.NotAnObject(at));
         return new PackageSample(
             Text(sample, "displayName", at + "."), Text(sample, "description", at + "."), Path.Combine(Root, Text(sample, "path", at + ".")));
     }
@@ -79,8 +80,8 @@ sealed class PackageFolder
         }
         catch (InvalidOperationException)
         {
-            // An escape that is half of a surrogate pair.
+            // The string contains an escape sequence for half of a surrogate pair.
         }
-        throw new FormatException($"{at}{name} must be a string");
+        throw new FormatException(UnityPackageMessages.NotAString(at, name));
     }
 }

@@ -1,18 +1,19 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Plan of the changes to a project.</summary>
+/// <summary>Plans and applies the changes to a Unity project.</summary>
 sealed class Preparation
 {
-    const string InUnity = "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and applies most of them.";
+    const string InUnity = UnityNextSteps.InUnity;
 
     static readonly string[] AfterMrtk3 =
     [
-        "git must be on Unity's PATH: MRTK3 and Graphics Tools are fetched from their repositories, at the tags of their releases.",
-        "When Unity asks for the new input backend, answer Yes; when it asks to update interaction layer masks, No Thanks.",
-        "Project Settings → MRTK3, tabs Standalone and Universal Windows Platform: Assign MRTK Default.",
+        UnityNextSteps.Git,
+        UnityNextSteps.Answers,
+        UnityNextSteps.Profile,
     ];
 
     readonly List<string> _changes = [];
@@ -30,19 +31,19 @@ sealed class Preparation
 
     public UnityProject Project { get; }
 
-    /// <summary>The changes, one line each; empty if there are none.</summary>
+    /// <summary>Descriptions of the changes, one line each; empty if nothing has to be changed.</summary>
     public IReadOnlyList<string> Changes => _changes;
 
     /// <summary>Notes for the user.</summary>
     public IReadOnlyList<string> Notes => _notes;
 
-    /// <summary>The known reason why <see cref="Apply"/> would fail, in one line; null for none.</summary>
+    /// <summary>Reason why <see cref="Apply"/> would fail, in one line; null if none is known.</summary>
     public string Obstacle => _merge.Changes.Count > 0 ? _file.Obstacle : null;
 
-    /// <summary>Steps that the user has to do.</summary>
+    /// <summary>Steps that the user must do after the preparation.</summary>
     public IReadOnlyList<string> NextSteps => _changes.Count == 0 ? [] : _settings.HasMrtk3 ? [.. AfterMrtk3, InUnity] : [InUnity];
 
-    /// <exception cref="InputException">The project cannot be prepared; nothing is changed.</exception>
+    /// <exception cref="InputException">The project cannot be prepared. It is not changed.</exception>
     public static Preparation Plan(UnityProject project, PreparationSettings settings)
     {
         var preparation = new Preparation(project, settings);
@@ -50,12 +51,12 @@ sealed class Preparation
         return preparation;
     }
 
-    /// <returns>Path of the copy of the previous manifest; null if it was not changed.</returns>
-    /// <exception cref="InputException">The manifest is read-only, or a sample cannot be copied; the manifest is not changed.</exception>
+    /// <returns>Path of the backup of the previous manifest; null if the manifest did not change.</returns>
+    /// <exception cref="InputException">The manifest is read-only, or a sample cannot be copied. The manifest is not changed.</exception>
     public string Apply()
     {
         if (Obstacle is { } obstacle) throw new InputException(obstacle);
-        // The manifest is written last, so that it stays unchanged if a sample cannot be copied.
+        // Writes the manifest last, so that it does not change if a sample cannot be copied.
         foreach (var sample in _samples) sample.Apply();
         return _merge.Changes.Count > 0 ? _file.Write(_merge.Text) : null;
     }
@@ -63,7 +64,7 @@ sealed class Preparation
     void PlanAll()
     {
         var package = PackageFolder.Find()
-            ?? throw new InputException("the files of the package are missing beside this program; publish it again, or run it from a clone");
+            ?? throw new InputException(UnityPackageMessages.FilesMissing);
         _file = ManifestFile.Read(Project.ManifestPath);
         _merge = new ManifestMerge(_file.Text, Project.ManifestPath, _settings.OnConflict);
         JudgeVersions();
@@ -82,8 +83,7 @@ sealed class Preparation
         var judged = UnityBounds.Judge(Project.Version, usesMicrosoft);
         if (judged.State == CheckState.Missing) throw new InputException($"{Project.VersionPath}: Unity {judged.Found}");
         if (_settings.HasMrtk3 && Project.Version.Number < UnityBounds.OldestForMrtk3)
-            throw new InputException(
-                $"{Project.VersionPath}: Unity {Project.Version} is older than {UnityBounds.OldestForMrtk3}, the oldest that MRTK3 accepts");
+            throw new InputException(UnityProjectMessages.TooOldForMrtk3(Project.VersionPath, Project.Version, UnityBounds.OldestForMrtk3));
         if (judged.State != CheckState.Good) _notes.Add($"Unity {judged.Found}");
         if (!_settings.HasMrtk3) _notes.AddRange(TooNew());
     }
@@ -92,19 +92,18 @@ sealed class Preparation
         from package in ProjectNeeds.Mrtk3.Append(ProjectNeeds.XrInteraction)
         let version = _merge.VersionOf(package.Name)
         where version != null && package.IsTooNew(version)
-        select $"{package.Name} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {package.Bounds}";
+        select UnityProjectMessages.TooNew(package.Name, version, package.Bounds);
 
     void NeedPackage(PackageFolder package)
     {
         if (Project.Embeds(ProjectNeeds.Package))
         {
             if (_settings.Package == null) return;
-            throw new InputException(
-                $"--package: {Project.Root} has the package in Packages/{ProjectNeeds.Package}, which Unity prefers; remove that folder first");
+            throw new InputException(UnityProjectMessages.Embedded(Project.Root, ProjectNeeds.Package));
         }
         var address = _settings.Package == null ? PackageAddress.Of(package) : PackageAddress.Read(_settings.Package, package.Version, Project);
         var origin = PackageOrigin.At(ProjectNeeds.Package, address, min: package.Version);
-        // Without --package, an existing folder or commit is sufficient.
+        // Without --package, an entry that names a folder or a commit is kept.
         var present = _merge.VersionOf(ProjectNeeds.Package);
         if (_settings.Package == null && present != null && origin.Serves(present) == null) return;
         _merge.Need(origin, isExact: _settings.Package != null);
@@ -120,8 +119,8 @@ sealed class Preparation
     void Report(IReadOnlyList<string> conflicts)
     {
         if (_settings.OnConflict != ConflictRule.Keep)
-            throw new InputException($"{string.Join("; ", conflicts)}. Change it there, or use --on-conflict {Rules()}.");
-        _notes.AddRange(conflicts.Select(conflict => conflict + "; the entry is kept"));
+            throw new InputException(UnityProjectMessages.Conflicts(string.Join("; ", conflicts), Rules()));
+        _notes.AddRange(conflicts.Select(conflict => UnityProjectMessages.EntryKept(conflict)));
     }
 
     string Rules() => _settings.OnConflict == ConflictRule.Refuse && _merge.CanReplaceAll ? "keep or replace" : "keep";

@@ -1,9 +1,10 @@
 using System.Text;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Prints the changes that were made to a project, or that are planned.</summary>
+/// <summary>Prints the changes to a project, either made or planned.</summary>
 static class PreparationOutput
 {
     public static string Text(Preparation preparation, bool isCheck, string backup)
@@ -11,7 +12,7 @@ static class PreparationOutput
         var text = new StringBuilder($"{preparation.Project.Root}: Unity {preparation.Project.Version}\n");
         foreach (var change in preparation.Changes) text.Append("  + ").Append(change).Append('\n');
         text.Append(Summary(preparation.Changes.Count, isCheck)).Append('\n');
-        if (backup != null) text.Append("Backup of the manifest: ").Append(backup).Append('\n');
+        if (backup != null) text.Append(UnityProjectMessages.Backup).Append(backup).Append('\n');
         if (!isCheck) foreach (var step in preparation.NextSteps) text.Append("- ").Append(step).Append('\n');
         return text.ToString();
     }

@@ -1,6 +1,8 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Unity;
 
-/// <summary>Copies a sample with its .meta files to the folder that Unity's Package Manager uses.</summary>
+/// <summary>Copies a sample, including its .meta files, to the folder that Unity's Package Manager uses.</summary>
 sealed class SampleCopy
 {
     readonly string _source, _target;
@@ -16,38 +18,35 @@ sealed class SampleCopy
 
     public PackageSample Sample { get; }
 
-    /// <summary>Whether any file has to be copied.</summary>
+    /// <summary>Whether any file must be copied.</summary>
     public bool IsNeeded => _missing.Count > 0;
 
-    /// <summary>Description of the change.</summary>
+    /// <summary>Description of the change in one line.</summary>
     public string Change => FormattableString.Invariant($"sample: {Sample.Name}, {_missing.Count} files to {_target}");
 
     /// <exception cref="InputException">
-    /// The package has no such sample, or the project has changed files, or a file in place of a folder.
+    /// The package has no such sample, a file in the project differs from the sample's, or a file has the name of a needed folder.
     /// </exception>
     public static SampleCopy Plan(UnityProject project, PackageFolder package, string name)
     {
         var sample = package.Samples.FirstOrDefault(s => string.Equals(s.Name, name, StringComparison.OrdinalIgnoreCase))
-            ?? throw new InputException(
-                $"--sample: '{name}' is not a sample of the package; allowed: {string.Join(", ", package.Samples.Select(s => s.Name))}");
+            ?? throw new InputException(UnityPackageMessages.UnknownSample(name, string.Join(", ", package.Samples.Select(s => s.Name))));
         if (!Directory.Exists(sample.Folder))
-            throw new InputException($"--sample: the files of '{sample.Name}' are missing: {sample.Folder}");
+            throw new InputException(UnityPackageMessages.SampleMissing(sample.Name, sample.Folder));
         var target = Path.Combine(project.Root, "Assets", "Samples", package.DisplayName, package.Version, sample.Name);
         for (var folder = target; folder != project.Root; folder = Path.GetDirectoryName(folder))
             if (File.Exists(folder))
-                throw new InputException($"{folder}: is a file where the sample needs a folder; rename or delete it, and try again");
+                throw new InputException(UnityPackageMessages.FileInTheWay(folder));
         var files = Directory.EnumerateFiles(sample.Folder, "*", SearchOption.AllDirectories)
             .Select(file => Path.GetRelativePath(sample.Folder, file)).Order(StringComparer.Ordinal).ToList();
         var present = files.Where(file => File.Exists(Path.Combine(target, file))).ToList();
         var changed = present.Where(file => !IsSame(Path.Combine(sample.Folder, file), Path.Combine(target, file))).ToList();
         if (changed.Count > 0)
-            throw new InputException(
-                FormattableString.Invariant($"{Path.Combine(target, changed[0])}: differs from the sample's file, as do {changed.Count - 1} more; ")
-                + "move or delete the folder of the sample, and try again");
+            throw new InputException(UnityPackageMessages.SampleChanged(Path.Combine(target, changed[0]), changed.Count - 1));
         return new SampleCopy(sample, sample.Folder, target, [.. files.Except(present)]);
     }
 
-    /// <summary>Copies the missing files. A new folder is created as a whole.</summary>
+    /// <summary>Copies the missing files. A new folder appears only when it is complete.</summary>
     /// <exception cref="InputException">A file cannot be copied.</exception>
     public void Apply()
     {
@@ -57,9 +56,7 @@ sealed class SampleCopy
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException(
-                $"{_target}: the sample '{Sample.Name}' cannot be copied: {e.Message.TrimEnd('.')}; the manifest is not changed; "
-                + "remove the cause, and try again", e);
+            throw new InputException(UnityPackageMessages.NotCopied(_target, Sample.Name, e.Message.TrimEnd('.')), e);
         }
     }
 
@@ -71,7 +68,7 @@ sealed class SampleCopy
             return;
         }
         var parent = Path.GetDirectoryName(_target);
-        // Unity ignores names that begin with a dot.
+        // Copies to a temporary folder. Unity ignores it because its name begins with a dot.
         var unfinished = Path.Combine(parent, "." + Path.GetFileName(_target));
         if (Directory.Exists(unfinished)) Directory.Delete(unfinished, recursive: true);
         CopyTo(unfinished);

@@ -1,9 +1,10 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary>A Unity project on disk.</summary>
+/// <summary>A folder with a Unity project.</summary>
 sealed class UnityProject
 {
     UnityProject(string root, UnityVersion version)
@@ -12,10 +13,10 @@ sealed class UnityProject
         Version = version;
     }
 
-    /// <summary>Absolute path of the folder that holds Assets and Packages.</summary>
+    /// <summary>Absolute path of the folder that contains Assets and Packages.</summary>
     public string Root { get; }
 
-    /// <summary>The version that the project was last opened with.</summary>
+    /// <summary>Unity version with which the project was last opened.</summary>
     public UnityVersion Version { get; }
 
     public string ManifestPath => ManifestIn(Root);
@@ -24,27 +25,26 @@ sealed class UnityProject
     /// <exception cref="InputException">The folder is not a Unity project.</exception>
     public static UnityProject Open(string path)
     {
-        if (string.IsNullOrWhiteSpace(path)) throw new InputException("PATH is empty; the folder of a Unity project is needed");
+        if (string.IsNullOrWhiteSpace(path)) throw new InputException(UnityProjectMessages.NoPath);
         var root = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
-        if (File.Exists(root)) throw new InputException($"{path}: is a file; the folder of a Unity project is needed");
-        if (!Directory.Exists(root)) throw new InputException($"{path}: folder not found; the folder of a Unity project is needed");
+        if (File.Exists(root)) throw new InputException(UnityProjectMessages.IsAFile(path));
+        if (!Directory.Exists(root)) throw new InputException(UnityProjectMessages.NoFolder(path));
         foreach (var needed in new[] { VersionIn(root), ManifestIn(root) })
             if (!File.Exists(needed))
-                throw new InputException($"{path}: is not a Unity project: {Path.GetRelativePath(root, needed)} is missing{Hint(root)}");
+                throw new InputException(UnityProjectMessages.NotAProject(path, Path.GetRelativePath(root, needed), Hint(root)));
 
         var version = UnityVersion.InProjectFile(File.ReadAllText(VersionIn(root)));
-        return new UnityProject(root, version ?? throw new InputException(
-            $"{VersionIn(root)}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1"));
+        return new UnityProject(root, version ?? throw new InputException(UnityProjectMessages.NoVersion(VersionIn(root))));
     }
 
-    /// <summary>Whether a package is embedded in the project, which the manifest cannot override.</summary>
+    /// <summary>Gets whether a package is embedded in the project. The manifest has no effect on an embedded package.</summary>
     public bool Embeds(string package) => File.Exists(Path.Combine(Root, "Packages", package, "package.json"));
 
     static string VersionIn(string root) => Path.Combine(root, "ProjectSettings", "ProjectVersion.txt");
 
     static string ManifestIn(string root) => Path.Combine(root, "Packages", "manifest.json");
 
-    // A user who gives Assets or Packages means the parent folder.
+    // If the user gives the folder Assets or Packages, suggests the parent folder.
     static string Hint(string root)
     {
         var parent = Path.GetDirectoryName(root);

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 using Nowpose.Gateway.Options;
@@ -10,9 +11,9 @@ static class UnityVerb
 {
     public static Command Create()
     {
-        var path = new Argument<string>("PATH") { Description = "Folder of the Unity project." };
-        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and the packages that a HoloLens 2 needs." };
-        var webSocket = new Option<bool>("--native-websocket") { Description = "Add NativeWebSocket, another WebSocket client." };
+        var path = new Argument<string>("PATH") { Description = "Folder of the Unity project" };
+        var mrtk3 = new Option<bool>("--mrtk3") { Description = "Add MRTK3 and the packages that a HoloLens 2 needs" };
+        var webSocket = new Option<bool>("--native-websocket") { Description = "Add NativeWebSocket, another WebSocket client" };
         var samples = new Option<string[]>("--sample")
         {
             Description = "Copy a sample of the package into Assets/Samples: " + SampleNames() + ".",
@@ -20,19 +21,19 @@ static class UnityVerb
         };
         var package = new Option<string>("--package")
         {
-            Description = "Source of the package: a git address, file:PATH or a folder. Default: the source in the project's manifest, or "
-                + "file: with the folder of this clone or published program.",
+            Description = "Source of the package: a git address, file:PATH or a folder. Default: the source in the project's manifest or, if it has none, "
+                + "the folder of this clone or published program.",
             HelpName = "ADDRESS",
         };
         var onConflict = new Option<string>("--on-conflict")
         {
-            Description = "Treatment of older or different entries: refuse (change nothing), keep, or replace.",
+            Description = "Treatment of older or different entries: refuse (change nothing), keep, or replace",
             DefaultValueFactory = _ => "refuse",
             HelpName = "refuse|keep|replace",
         };
         onConflict.AcceptOnlyFromAmong("refuse", "keep", "replace");
-        var check = new Option<bool>("--check") { Description = "List the changes without making them; exit status 1 if there are any." };
-        var json = new Option<bool>("--json") { Description = "Print JSON instead of text." };
+        var check = new Option<bool>("--check") { Description = "List the changes without making them. The exit status is 1 if there are any." };
+        var json = new Option<bool>("--json") { Description = "Print JSON instead of text" };
         var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")
         {
             path, mrtk3, webSocket, samples, package, onConflict, check, json,
@@ -53,7 +54,7 @@ static class UnityVerb
         {
             var preparation = Preparation.Plan(UnityProject.Open(path), settings);
             var backup = isCheck ? null : preparation.Apply();
-            if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine("nowpose: without --check this would fail: " + obstacle);
+            if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
             foreach (var note in preparation.Notes) Console.Error.WriteLine("nowpose: " + note);
             Console.Out.Write(isJson ? PreparationOutput.Json(preparation, isCheck, backup) : PreparationOutput.Text(preparation, isCheck, backup));
             return isCheck && preparation.Changes.Count > 0 ? ExitStatus.Failed : ExitStatus.Done;
@@ -64,7 +65,7 @@ static class UnityVerb
         }
     }
 
-    // Help also works if the package's files are missing or damaged.
+    // The help must also work if the package's files are missing or damaged.
     static string SampleNames()
     {
         const string unknown = "see its package.json";

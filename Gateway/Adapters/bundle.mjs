@@ -1,5 +1,5 @@
-// Builds dist/plant.mjs, a file for each kind of plant beside it, the schema of their configuration and the licences of the bundled packages.
-// `npm run build` and prepare.mjs run it.
+// Builds the adapters in dist: plant.mjs, one file per kind of plant, the schema of the configuration, and the licences of the bundled packages.
+// `npm run build` and prepare.mjs run this file.
 import { mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,7 +9,7 @@ import { kinds, loading } from './loading.mjs';
 const adapters = dirname(fileURLToPath(import.meta.url));
 const entries = { plant: 'src/main.ts', ...Object.fromEntries(kinds.map(kind => [kind, `src/${kind}/adapter.ts`])) };
 
-// At each start, node-opcua generates a 4096-bit key, which takes a second, to test a padding that none of our security policies uses.
+// Removes a self-test of node-opcua. At each start, it takes a second to generate a 4096-bit key and tests a padding that we do not use.
 const withoutTrial = {
   name: 'without-trial',
   setup: ({ onLoad }) => onLoad({ filter: /node-opcua-secure-channel.*verify_pcks1\.js$/ }, () => ({
@@ -17,26 +17,26 @@ const withoutTrial = {
   })),
 };
 
-// Renamed into place, so that a concurrent build never reads an incomplete file.
+// Writes a temporary file and renames it, so that a concurrent build does not read an incomplete file.
 function write(name, text) {
   const unfinished = join(adapters, 'dist', `${name}.${process.pid}.tmp`);
   writeFileSync(unfinished, text);
   renameSync(unfinished, join(adapters, 'dist', name));
 }
 
-/** Gets the folders below node_modules from which something was bundled. */
+/** Gets the package folders below node_modules that the bundle uses. */
 function packagesIn(inputs) {
   const folders = Object.keys(inputs).map(path => /^(.*node_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1]);
   return [...new Set(folders)].filter(folder => folder !== undefined).sort();
 }
 
-/** Licences that a package states in its README and in each of its files, but not where npm looks for it. */
+/** Licences of packages that state their licence in the README and the sources, but not in package.json. */
 const STATED = { precond: 'MIT' };
 
-/** Gets a package's licence. For a package without a licence file, the folder licences has the text of its README or sources. */
+/** Gets the licence text of a package. For a package without a licence file, the folder licences contains the text. */
 function licenceOf(folder) {
   const { name, version, license = STATED[name] } = JSON.parse(readFileSync(join(adapters, folder, 'package.json'), 'utf8'));
-  if (license === undefined) throw new Error(`${name} ${version} states no licence; find out which it has, and say so in bundle.mjs`);
+  if (license === undefined) throw new Error(`${name} ${version} states no licence in package.json; find out its licence and add it to STATED in bundle.mjs`);
   const file = readdirSync(join(adapters, folder)).find(entry => /^(licen[cs]e|copying)/i.test(entry));
   const text = readFileSync(file ? join(adapters, folder, file) : join(adapters, 'licences', `${name}.txt`), 'utf8');
   return `${name} ${version}, ${license}\n\n${text.trim()}\n`;
@@ -59,9 +59,9 @@ const { outputFiles, metafile } = await build({
   format: 'esm',
   target: 'node20',
   charset: 'utf8',
-  // Loaded only by a package that is configured to use it for locks, which ours is not.
+  // Optional packages that the bundled packages load only in configurations that the adapters do not use.
   external: ['proper-lockfile', 'bufferutil', 'utf-8-validate'],
-  // CommonJS packages load Node's modules with require.
+  // Defines require, with which bundled CommonJS packages load Node's modules.
   banner: {
     js: `// Contains packages by others; see adapter-licences.txt.
 import { createRequire } from 'node:module';

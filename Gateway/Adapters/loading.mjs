@@ -1,4 +1,4 @@
-// esbuild options to load the sources, for the bundle and for tests of single parts.
+// esbuild options for loading the sources. The bundle and the tests of single modules use them.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname } from 'node:path';
@@ -12,7 +12,7 @@ const schemaOf = () => JSON.parse(readFileSync(new URL('plant.schema.json', impo
 
 export const kinds = schemaOf().properties.plant.properties.kind.enum;
 
-/** Gets the source of one function per kind of plant that checks its configuration. Compiling them at each start took 0.3 s. */
+/** Generates one function per kind of plant that checks its configuration. Generating them at each start would take 0.3 s. */
 function schemaChecks() {
   const schema = schemaOf();
   const ajv = new Ajv({

@@ -1,4 +1,4 @@
-// Run by the build of Adapters.csproj. Its sources and outputs are listed there as BundleSource and Bundled.
+// The build of Adapters.csproj runs this file. The project lists the same sources and outputs as BundleSource and Bundled.
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { prepare } from '../../Web/preparation.mjs';

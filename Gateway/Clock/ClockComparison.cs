@@ -1,26 +1,27 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Logs how the clocks of one control system differ: once, and again when the difference has changed.</summary>
+/// <summary>Logs the offset and skew of each clock of the control system against C1: once, and again when the offset has changed.</summary>
 sealed class ClockComparison : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
-    /// <summary>Minimum change of the difference, beyond both error bounds, that is logged again.</summary>
-    static readonly TimeSpan Moved = TimeSpan.FromMilliseconds(1);
+    /// <summary>Minimum change of the offset that is logged, in addition to the error bounds of both measurements.</summary>
+    static readonly TimeSpan MinChange = TimeSpan.FromMilliseconds(1);
 
     readonly ServedClock _served;
     readonly Action<string> _log;
     readonly GuardedTask _look;
-    readonly Dictionary<string, (TimeSpan Ahead, TimeSpan Bound)> _said = [];
+    readonly Dictionary<string, (TimeSpan Ahead, TimeSpan Bound)> _logged = [];
     readonly Dictionary<string, ClockState> _states = [];
     Timer _timer;
 
     public ClockComparison(ServedClock served, Action<string> log)
     {
         (_served, _log) = (served, log);
-        _look = new GuardedTask(LookNow, "clock: the clocks could not be compared", log);
+        _look = new GuardedTask(LookNow, PlantClockMessages.NotCompared, log);
     }
 
     public void Start() => _timer = new Timer(_ => Look(), null, Interval, Interval);
@@ -42,16 +43,14 @@ sealed class ClockComparison : IDisposable
         if (_states.GetValueOrDefault(clock.Name) != clock.State)
         {
             _states[clock.Name] = clock.State;
-            _log($"clock '{clock.Name}': {clock.State.Word()}{Why(clock)}{(clock.IsControlClock ? "; it is the control clock" : "")}");
+            _log(PlantClockMessages.State(clock.Name, clock.State.Word() + Why(clock), clock.IsControlClock));
         }
 
         if (clock.IsControlClock || clock.OffsetToControl is not { } ahead || clock.State != ClockState.Synchronised) return;
         var bound = clock.ErrorBound + (control?.ErrorBound ?? TimeSpan.Zero);
-        if (_said.TryGetValue(clock.Name, out var said) && (ahead - said.Ahead).Duration() <= said.Bound + bound + Moved) return;
-        _said[clock.Name] = (ahead, bound);
-        _log(string.Create(CultureInfo.InvariantCulture,
-            $"clock '{clock.Name}': {ahead.TotalMilliseconds:+0.00;-0.00;0.00} ms (± {bound.TotalMilliseconds:0.00}) ")
-            + string.Create(CultureInfo.InvariantCulture, $"against '{_served.Source}', skew {clock.SkewPpm:+0.0;-0.0;0.0} ppm"));
+        if (_logged.TryGetValue(clock.Name, out var logged) && (ahead - logged.Ahead).Duration() <= logged.Bound + bound + MinChange) return;
+        _logged[clock.Name] = (ahead, bound);
+        _log(PlantClockMessages.Compared(clock.Name, ahead.TotalMilliseconds, bound.TotalMilliseconds, _served.Source, clock.SkewPpm));
     }
 
     static string Why(PlantClockStatus clock) =>

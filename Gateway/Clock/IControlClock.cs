@@ -2,7 +2,8 @@ namespace Nowpose.Gateway.Clock;
 
 /// <summary>The control clock C1, the master clock of the control system. May be read from any thread.</summary>
 /// <remarks>
-/// Goes back when the master clock does, and by microseconds when its estimate is updated. Callers that take two times must handle this.
+/// The time steps back when the master clock does, and by microseconds when the estimate of the master clock is updated. A caller that
+/// subtracts two readings must handle a negative result.
 /// </remarks>
 public interface IControlClock
 {
@@ -14,7 +15,7 @@ public interface IControlClock
     /// <summary>Whether the clock is synchronised with its own reference.</summary>
     bool IsSynchronised => true;
 
-    /// <summary>The step in which the clock advances; zero when unknown.</summary>
+    /// <summary>Smallest step by which the clock advances; zero when unknown.</summary>
     TimeSpan Resolution => TimeSpan.Zero;
 
     /// <summary>Rate of the clock relative to this machine's counter, minus one; 1e-6 is 1 ppm.</summary>

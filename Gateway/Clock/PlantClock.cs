@@ -1,16 +1,17 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>One clock of the control system, offered by an adapter. Measured against this machine's counter as a headset measures C1.</summary>
+/// <summary>One clock of the control system, offered by an adapter, and its estimate from sync exchanges with that adapter.</summary>
 /// <remarks>
-/// The gateway acts as the headset of these exchanges, with its counter as C2. The estimate is kept when the adapter disconnects, and is
-/// continued when one with the same name connects. Thread-safe.
+/// In these exchanges, the gateway takes the part of a headset, with this machine's counter as C2. The estimate is kept when the adapter
+/// disconnects, and continues when an adapter offers a clock of the same name again. Thread-safe.
 /// </remarks>
 public sealed class PlantClock
 {
-    /// <summary>Time without an answer after which another adapter may take over. A lost connection ends only when its pings time out.</summary>
-    internal static readonly TimeSpan SilenceOfTheGone = TimeSpan.FromSeconds(3);
+    /// <summary>Time without an answer after which another adapter may offer this clock, before the pings of a lost connection time out.</summary>
+    internal static readonly TimeSpan TakeoverTimeout = TimeSpan.FromSeconds(3);
 
     internal const int MaxFailureLength = 200;
 
@@ -54,19 +55,19 @@ public sealed class PlantClock
 
     internal ClockSynchroniser Synchroniser => _synchroniser;
 
-    /// <summary>Whether no adapter offers this clock, or the adapter has been silent for too long.</summary>
+    /// <summary>Whether an adapter may take over this clock: no adapter offers it, or the current one has not answered for 3 s.</summary>
     internal bool IsFree
     {
         get
         {
-            lock (_gate) return _caller == null || _counter.Now - _heard >= SilenceOfTheGone;
+            lock (_gate) return _caller == null || _counter.Now - _heard >= TakeoverTimeout;
         }
     }
 
     internal bool IsAskedBy(PlantClockCaller caller) => Volatile.Read(ref _caller) == caller;
 
-    /// <summary>Sets the adapter that offers this clock. The previous one gets no more requests.</summary>
-    /// <returns>False while it is not <see cref="IsFree"/>.</returns>
+    /// <summary>Sets the adapter that offers this clock. The previous adapter gets no more requests.</summary>
+    /// <returns>False if the clock is not <see cref="IsFree"/>; nothing changes then.</returns>
     internal bool TryAttach(PlantClockCaller caller)
     {
         PlantClockCaller former;
@@ -106,7 +107,7 @@ public sealed class PlantClock
     {
         _synchroniser.Add(exchange, out var fault);
         if (fault == SyncExchangeFault.None) Interlocked.Increment(ref _exchanges);
-        else Failed($"the exchange cannot be used: {fault}");
+        else Failed(PlantClockMessages.ExchangeUnusable(fault));
     }
 
     /// <param name="why">The reason; may contain text from a peer.</param>

@@ -1,10 +1,11 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Requests the time of its control system from one adapter repeatedly, one request at a time, as a headset does from the gateway.</summary>
-/// <remarks>The gateway sends the requests, not the adapter, so that t1 and t4 are this machine's times wherever the adapter runs.</remarks>
+/// <summary>Requests the time of the control system from one adapter at the pace of a headset's sync exchanges, one request at a time.</summary>
+/// <remarks>The gateway sends the requests, so that t1 and t4 are times of this machine, even if the adapter runs on another one.</remarks>
 sealed class PlantClockCaller : IDisposable
 {
     readonly PlantClock _clock;
@@ -17,7 +18,7 @@ sealed class PlantClockCaller : IDisposable
     volatile Question _open;
     long _asked;
 
-    /// <param name="call">Sends a request with this id; must not wait.</param>
+    /// <param name="call">Sends a request with the given id; must not block.</param>
     public PlantClockCaller(PlantClock clock, IHeadsetClock counter, TimeProvider time, Action<string> call)
     {
         _clock = clock;
@@ -29,13 +30,15 @@ sealed class PlantClockCaller : IDisposable
     /// <summary>Starts the requests.</summary>
     public void Start() => _ = Task.Run(AskAsync);
 
-    /// <summary>Takes an answer. Thread-safe. Ignores a late answer, which has already been counted as a failure.</summary>
-    /// <param name="arrival">Time at which its last byte was read.</param>
+    /// <summary>
+    /// Takes an answer of the adapter. Thread-safe. Ignores a late answer, because its request has already been counted as a failure.
+    /// </summary>
+    /// <param name="arrival">Time at which the last byte of the answer was read.</param>
     public void Answer(RosbridgeMessage response, HeadsetTime arrival)
     {
         var question = _open;
         if (question == null || response.Id != question.Id) return;
-        // The response object is overwritten by the next message.
+        // Copies the values, because the connection reuses the response object for its next message.
         question.Answered.TrySetResult(new Reply(response.PlantTime, response.Text, arrival));
     }
 
@@ -88,7 +91,7 @@ sealed class PlantClockCaller : IDisposable
         if (!_clock.TryHear(this)) return;
         if (reply.Time is not { } time)
         {
-            _clock.Failed(reply.Text ?? "the adapter has no time");
+            _clock.Failed(reply.Text ?? PlantClockMessages.NoTime);
             return;
         }
 

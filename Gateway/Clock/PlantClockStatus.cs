@@ -1,10 +1,12 @@
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>The status of a clock of the control system, for users.</summary>
+/// <summary>The status of one clock of the control system, as shown to users.</summary>
 /// <param name="OffsetToControl">Time of this clock minus C1 at the same instant; null while either is unknown.</param>
-/// <param name="SkewPpm">Rate relative to C1, minus one, ppm; null while either is unknown.</param>
-/// <param name="EstimatedError">Estimated maximum error of its time on this machine, in either direction; null while unknown.</param>
-/// <param name="ErrorBound">Error bound of its time on this machine.</param>
+/// <param name="SkewPpm">Rate of this clock relative to C1, minus one, in ppm; null while either is unknown.</param>
+/// <param name="EstimatedError">
+/// Estimated maximum error, in either direction, of this clock's time as computed on this machine; null while unknown.
+/// </param>
+/// <param name="ErrorBound">Bound of the error of this clock's time as computed on this machine.</param>
 /// <param name="Exchanges">Number of usable exchanges since the start.</param>
 /// <param name="Failures">Number of requests without a usable answer since the start.</param>
 /// <param name="LastFailure">The reason of the newest failure; null if there is none.</param>

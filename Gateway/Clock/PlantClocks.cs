@@ -8,7 +8,7 @@ public sealed class PlantClocks
     /// <summary>Selects the gateway's own clock, even if adapters offer others.</summary>
     public const string Own = "own";
 
-    /// <summary>Maximum number of clocks. A plant has two or three; a source that invents names must not exhaust the memory.</summary>
+    /// <summary>Maximum number of clocks. A plant has two or three. The limit bounds the memory that a faulty source can use.</summary>
     internal const int AtMost = 16;
 
     readonly IPerformanceCounterClock _counter;
@@ -22,17 +22,17 @@ public sealed class PlantClocks
     {
         _wanted = wanted;
         _counter = counter;
-        // Added at the start, so that the status shows the missing clock.
+        // Added at the start, so that the status shows the clock as missing until an adapter offers it.
         if (wanted is not (null or Own)) _clocks = [new PlantClock(wanted, counter)];
     }
 
     /// <summary>The clocks in the order in which they were first offered.</summary>
     public IReadOnlyList<PlantClock> All => _clocks;
 
-    /// <summary>The clock that is C1; null while it is the gateway's own.</summary>
+    /// <summary>The plant's clock that is C1; null while C1 is the gateway's own clock.</summary>
     public PlantClock Control => _wanted == Own ? null : _clocks.FirstOrDefault();
 
-    /// <summary>Raised for a new clock. Handlers must be quick and must not throw.</summary>
+    /// <summary>Raised when an adapter offers a clock with a new name. Handlers must be quick and must not throw.</summary>
     public event Action<PlantClock> Added;
 
     internal IPerformanceCounterClock Counter => _counter;
@@ -41,7 +41,7 @@ public sealed class PlantClocks
     public static bool IsName(string text) =>
         text.Length is > 0 and <= 32 && text != Own && text.All(c => c is (>= 'a' and <= 'z') or (>= '0' and <= '9') or '_' or '-');
 
-    /// <summary>Gets the clock with a name; creates it if necessary. Null if there are already <see cref="AtMost"/> others.</summary>
+    /// <summary>Gets the clock with this name; creates it if necessary. Returns null if <see cref="AtMost"/> other clocks exist.</summary>
     internal PlantClock Find(string name)
     {
         PlantClock added;

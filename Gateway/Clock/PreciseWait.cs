@@ -7,19 +7,21 @@ public static class PreciseWait
 {
     static readonly TimeSpan SpinLength = TimeSpan.FromMilliseconds(1.5);
 
-    // Shortest duration of a sleep. The system would only spin for shorter ones.
+    // Minimum duration of a sleep. For shorter waits, the runtime would spin.
     static readonly TimeSpan MinSleep = TimeSpan.FromMilliseconds(1);
 
-    /// <param name="count">Count of <see cref="Stopwatch"/>; a past count returns immediately.</param>
+    /// <summary>Waits until <see cref="Stopwatch.GetTimestamp"/> reaches a count.</summary>
+    /// <param name="count">The count. For a past count, the method returns immediately.</param>
     public static void Until(long count)
     {
         using var never = new ManualResetEventSlim();
         While(() => Stopwatch.GetElapsedTime(Stopwatch.GetTimestamp(), count), never);
     }
 
-    /// <param name="left">Gets the remaining time; called repeatedly. Zero or less ends the wait.</param>
-    /// <param name="stop">Ends the wait when it is set.</param>
-    /// <returns>False if stopped.</returns>
+    /// <summary>Waits while time remains.</summary>
+    /// <param name="left">Returns the remaining time; called repeatedly. The wait ends when it returns zero or less.</param>
+    /// <param name="stop">Ends the wait early when it is set.</param>
+    /// <returns>False if <paramref name="stop"/> ended the wait.</returns>
     public static bool While(Func<TimeSpan> left, ManualResetEventSlim stop)
     {
         for (var rest = left(); rest > TimeSpan.Zero && !stop.IsSet; rest = left())

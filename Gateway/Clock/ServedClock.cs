@@ -4,16 +4,17 @@ namespace Nowpose.Gateway.Clock;
 
 /// <summary>The clock that the gateway serves as C1: the control system's clock if an adapter offers it, otherwise the gateway's own.</summary>
 /// <remarks>
-/// While the selected clock of the control system has never been known, the gateway's own clock is served, marked as not synchronised. A
-/// clock that was lost for so long that its bound exceeds a headset's holdover limit is still served, marked as not synchronised. The
-/// served clock is continuous, so its resolution is that of the time types. The resolution of the plant's clock is part of the bound.
+/// Until the first estimate of the selected clock exists, the gateway serves its own clock, marked as not synchronised. After the selected
+/// clock is lost, the gateway continues to serve its estimate, marked as not synchronised once the error bound exceeds a headset's
+/// holdover limit. The estimate is continuous, so its resolution is that of the time types; the resolution of the plant's clock is part of
+/// the error bound.
 /// </remarks>
 public sealed class ServedClock : IControlClock
 {
     readonly IControlClock _own;
     readonly PlantClocks _plant;
 
-    /// <param name="system">System clock and counter, for the comparison with stamps; null for those of this machine.</param>
+    /// <param name="system">System clock and counter with which stamps are compared; null for those of this machine.</param>
     internal ServedClock(IControlClock own, PlantClocks plant, TimeProvider system = null)
     {
         _own = own;
@@ -27,10 +28,10 @@ public sealed class ServedClock : IControlClock
             isSystemServed ? () => start + system.GetElapsedTime(count) : () => systemClock.Now, isSystemServed, system);
     }
 
-    /// <summary>Compares the stamps of sources with this clock.</summary>
+    /// <summary>The comparison of the sources' stamps with this clock.</summary>
     internal StampWatch Stamps { get; }
 
-    /// <summary>Name of the plant's clock that is C1; <see cref="PlantClocks.Own"/> for the gateway's own.</summary>
+    /// <summary>Name of the plant's clock that is C1; <see cref="PlantClocks.Own"/> if C1 is the gateway's own clock.</summary>
     public string Source => _plant.Control?.Name ?? PlantClocks.Own;
 
     public ControlTime Now => Known is { } model ? model.ToControl(_plant.Counter.Now) : _own.Now;
@@ -39,10 +40,10 @@ public sealed class ServedClock : IControlClock
     public TimeSpan Resolution => Known == null ? _own.Resolution : new TimeSpan(1);
     public double Skew => -Known?.Skew ?? _own.Skew;
 
-    // Null while the gateway's own clock is served, which includes the time in which the selected clock is unknown.
+    // Null while the gateway's own clock is served: no plant clock is selected, or its estimate does not exist yet.
     ClockModel? Known => _plant.Control?.Model is { IsKnown: true } model ? model : null;
 
-    /// <summary>State of C1. The gateway's own clock is synchronised, or converging if it is not synchronised with its reference.</summary>
+    /// <summary>State of C1. The gateway's own clock counts as converging while it is not synchronised with its reference.</summary>
     public ClockState State => _plant.Control?.Model.State ?? (_own.IsSynchronised ? ClockState.Synchronised : ClockState.Converging);
 
     /// <summary>Converts a time of a plant's clock to C1.</summary>
@@ -56,7 +57,7 @@ public sealed class ServedClock : IControlClock
         if (from == _plant.Control) return model.IsKnown;
         var now = _plant.Counter.Now;
         if (!ClockSettings.Default.Trusts(model) || OffsetToControl(model, now) is not { } ahead || !IsNear(time, model.ToControl(now))) return false;
-        // Uses the current difference. Stamps are at most a second old. In a second, two clocks diverge by microseconds.
+        // Uses the current offset. A stamp is at most a second old, and two clocks diverge by only microseconds in a second.
         onControl = time - ahead;
         return true;
     }
@@ -84,7 +85,7 @@ public sealed class ServedClock : IControlClock
         return model.ToControl(now) - control;
     }
 
-    // A stamp of another century minus an offset may overflow the types, and is not from this clock.
+    // A stamp that differs by a century is not from this clock, and converting it could overflow the time types.
     static bool IsNear(ControlTime stamp, ControlTime now) =>
         Math.Abs((decimal)stamp.SinceEpoch.Ticks - now.SinceEpoch.Ticks) < (decimal)TimeSpan.TicksPerDay * 36500;
 }

@@ -1,17 +1,19 @@
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Counts the samples of one source in the last seconds by how their stamps match the clocks. For one thread at a time.</summary>
+/// <summary>Counts the samples of one source in the last seconds, by how well their stamps match the clocks. Not thread-safe.</summary>
 sealed class SourceStamps
 {
     readonly Second[] _seconds = new Second[StampWatch.Seconds];
     long? _first;
 
-    /// <summary>Minimum ages of the first seconds, with which later ones are compared; null until there are enough samples.</summary>
+    /// <summary>Minimum ages of the samples in the first seconds, as the reference for later samples; null until there are enough samples.</summary>
     public MinAges? Usual { get; set; }
 
     /// <param name="now">Number of the current second.</param>
     /// <param name="age">Control time minus the stamp.</param>
-    /// <param name="otherAge">The same on the other clock of <see cref="StampWatch"/>.</param>
+    /// <param name="otherAge">Time of the other clock of <see cref="StampWatch"/> minus the stamp.</param>
+    /// <param name="isRefused">Whether the sample was refused because its stamp lies in the future.</param>
+    /// <param name="fitsOther">Whether the stamp matches the other clock but not the control clock.</param>
     /// <param name="isAhead">Whether the stamp is further in the future than the clocks' errors explain.</param>
     public void Add(long now, TimeSpan age, TimeSpan otherAge, bool isRefused, bool fitsOther, bool isAhead)
     {
@@ -27,8 +29,8 @@ sealed class SourceStamps
         if (isRefused || fitsOther || isAhead) second.Age = age;
     }
 
-    /// <summary>Sums up the seconds within <see cref="StampWatch.Seconds"/>.</summary>
-    /// <param name="isCorrected">Whether the clocks have been corrected against each other, so that current stamps are not a valid reference.</param>
+    /// <summary>Returns the totals of the last <see cref="StampWatch.Seconds"/> seconds.</summary>
+    /// <param name="isCorrected">Whether one clock has been corrected relative to the other. Current stamps are then not a valid reference.</param>
     public StampCounts Read(long now, bool isCorrected)
     {
         var recent = Array.FindAll(_seconds, second => second.Samples > 0 && second.Number > now - StampWatch.Seconds);
@@ -54,10 +56,10 @@ sealed class SourceStamps
     }
 }
 
-/// <summary>The minimum ages of a source's samples in an interval, by the control clock and by the other clock of <see cref="StampWatch"/>.</summary>
+/// <summary>The minimum ages of a source's samples in an interval, on the control clock and on the other clock of <see cref="StampWatch"/>.</summary>
 readonly record struct MinAges(TimeSpan Control, TimeSpan Other)
 {
-    /// <summary>Maximum change of the difference of the ages if neither clock was corrected.</summary>
+    /// <summary>Maximum change of the difference between the two ages while neither clock is corrected.</summary>
     static readonly TimeSpan MaxDifference = TimeSpan.FromMilliseconds(20);
 
     TimeSpan Ahead => Control - Other;
@@ -65,7 +67,7 @@ readonly record struct MinAges(TimeSpan Control, TimeSpan Other)
     public MinAges With(MinAges other) =>
         new(Control < other.Control ? Control : other.Control, Other < other.Other ? Other : other.Other);
 
-    /// <summary>Whether neither clock was corrected in the interval.</summary>
+    /// <summary>Whether neither clock was corrected in these intervals: the difference between the two ages is constant.</summary>
     public static bool Agree(IEnumerable<MinAges> all)
     {
         var ahead = all.Select(one => one.Ahead).ToArray();
@@ -73,7 +75,7 @@ readonly record struct MinAges(TimeSpan Control, TimeSpan Other)
     }
 
     /// <summary>
-    /// Gets the change of the ages by the control clock, if the ages by the other clock are unchanged; zero otherwise.
+    /// Gets the change of the age on the control clock, if the age on the other clock is unchanged; zero otherwise.
     /// </summary>
     public TimeSpan ShiftWithOther(MinAges usual)
     {
@@ -87,15 +89,15 @@ readonly record struct MinAges(TimeSpan Control, TimeSpan Other)
 /// <param name="Ahead">Samples whose stamps are in the future, refused or not.</param>
 /// <param name="IsLasting">Whether the source has sent samples for <see cref="StampWatch.Seconds"/> or longer.</param>
 /// <param name="Shift">
-/// Change of the stamps' ages at plausible ages after a correction of the system clock that either they or the control clock followed; positive
-/// when they became older.
+/// Change of the stamps' minimum age on the control clock after a correction of the system clock that only one of the two followed: the
+/// stamps or the control clock. Positive when the stamps became older; zero without such a change.
 /// </param>
-/// <param name="Age">Control time minus the newest of these stamps.</param>
+/// <param name="Age">Control time minus the newest stamp that was refused, matched the other clock or lay in the future.</param>
 readonly record struct StampCounts(int Samples, int Refused, int OnOther, int Ahead, bool IsLasting, TimeSpan Shift, TimeSpan Age)
 {
     public bool IsContradiction => IsImplausible || IsShifted;
 
-    /// <summary>Whether most stamps cannot belong to live samples.</summary>
+    /// <summary>Whether most stamps are implausible for live samples on the control clock.</summary>
     public bool IsImplausible => Samples >= StampWatch.MinSamples && 2 * Math.Max(Refused, OnOther) > Samples;
 
     public bool IsShifted => Samples >= StampWatch.MinSamples && Shift != TimeSpan.Zero;

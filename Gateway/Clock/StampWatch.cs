@@ -1,43 +1,44 @@
 using System.Globalization;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
 /// <summary>Detects contradictions between the served clock and the stamps of the sources. Thread-safe.</summary>
 /// <remarks>
-/// If a source stamps with system time and the control clock does not follow a correction of the system clock, the two differ from then
-/// on. The source's samples are then in the future and refused, or they are old. The same happens if the control clock is the system clock
-/// and a source does not follow its correction. Only stamps without a plant clock are checked.
+/// Example: a source stamps its samples with system time, and the system clock is corrected, but the control clock does not follow. From
+/// then on, the stamps are either in the future, so that the gateway refuses the samples, or too old. The same happens if the control
+/// clock is the system clock and a source does not follow the correction. Stamps on a plant clock are not checked.
 /// </remarks>
 /// <param name="control">The control clock.</param>
 /// <param name="own">The gateway's own clock; null while another one is the control clock.</param>
-/// <param name="served">Name of the control clock. A change of it invalidates the earlier ages.</param>
+/// <param name="served">Name of the control clock. When it changes, the ages measured so far become invalid.</param>
 /// <param name="errorBound">Maximum error of the control clock.</param>
 /// <param name="other">
-/// The clock on which a source may be instead, Unix time: the system clock, or if that is the gateway's own clock, the system clock of the
-/// start, without its corrections since then.
+/// The other clock that a source may stamp with, as Unix time: the system clock. If the gateway's own clock is the system clock, it is the
+/// system clock without the corrections since the start.
 /// </param>
 /// <param name="isSystemServed">Whether the gateway's own clock is the system clock.</param>
 sealed class StampWatch(
     Func<ControlTime> control, Func<string> served, Func<TimeSpan> errorBound, Func<IControlClock> own, Func<ControlTime> other, bool isSystemServed,
     TimeProvider time)
 {
-    /// <summary>Minimum correction that is reported. It is visible in a headset: 100 mm at 1 m/s.</summary>
+    /// <summary>Minimum correction that is reported: at 1 m/s, it shifts the displayed pose by 100 mm.</summary>
     internal static readonly TimeSpan MinCorrection = TimeSpan.FromMilliseconds(100);
 
     /// <summary>Length of the evaluated interval, s.</summary>
     internal const int Seconds = 5;
 
-    /// <summary>Minimum number of samples in that interval for a conclusion.</summary>
+    /// <summary>Minimum number of samples in the evaluated interval for a conclusion.</summary>
     internal const int MinSamples = 5;
 
-    /// <summary>Maximum distance of a stamp in the future. Two clocks synchronised by NTP differ by less.</summary>
+    /// <summary>Maximum time by which a plausible stamp is in the future. Two clocks synchronised by NTP differ by less.</summary>
     static readonly TimeSpan MaxAhead = TimeSpan.FromMilliseconds(50);
 
     /// <summary>Maximum age of the samples of a live source.</summary>
     static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(1);
 
-    /// <summary>Maximum duration of reading two clocks. Slower readings do not give an accurate difference.</summary>
+    /// <summary>Maximum duration of reading both clocks. A slower reading does not give an accurate difference and is discarded.</summary>
     static readonly TimeSpan MaxReading = TimeSpan.FromMilliseconds(5);
 
     /// <summary>Maximum number of sources that are checked; further ones are ignored.</summary>
@@ -48,12 +49,12 @@ sealed class StampWatch(
 
     readonly Lock _lock = new();
     readonly Dictionary<HubSource, SourceStamps> _sources = [];
-    // Keyed by the source's title, so that a source that reconnects is compared with its first seconds.
+    // Keyed by title, so that a source that reconnects is still compared with the ages of its first seconds.
     readonly Dictionary<string, MinAges> _usual = [];
     TimeSpan? _ahead;
     ControlTime _since;
     TimeSpan _correction;
-    string _said, _served;
+    string _logged, _served;
 
     /// <summary>The fault that was found, with its remedy; null if there is none.</summary>
     public StampWarning Found { get; private set; }
@@ -64,13 +65,15 @@ sealed class StampWatch(
     /// <summary>Whether most samples of a source in the last seconds cannot be used with the control clock.</summary>
     public bool IsContradicted => Found is { IsContradiction: true };
 
-    /// <summary>The sources whose accepted samples have been in the future for a long time, and by how much.</summary>
+    /// <summary>
+    /// The sources whose accepted samples have been in the future for at least <see cref="Seconds"/>, and the time by which they are.
+    /// </summary>
     public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
 
     long Now => time.GetTimestamp() / time.TimestampFrequency;
 
     /// <summary>Takes the stamp of a sample.</summary>
-    /// <param name="isRefused">Whether it was refused because it is in the future.</param>
+    /// <param name="isRefused">Whether the sample was refused because its stamp is in the future.</param>
     public void Add(HubSource source, ControlTime stamp, bool isRefused)
     {
         var age = control() - stamp;
@@ -92,7 +95,7 @@ sealed class StampWatch(
     /// <summary>Evaluates the stamps once a second and logs changes.</summary>
     public void Look(Action<string> log)
     {
-        ForgetUsualOfAnotherClock();
+        ResetOnClockChange();
         MeasureCorrection();
         var sources = Read();
         Ahead = [.. sources.Where(one => one.Counts.IsAhead).DistinctBy(one => one.Source).Select(one => (one.Source, Length(-one.Counts.Age)))];
@@ -100,13 +103,13 @@ sealed class StampWatch(
             .OrderByDescending(one => one.Counts.IsImplausible).ThenByDescending(one => one.Counts.Percent).ToArray();
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
         var kind = IsContradicted ? "contradiction" : Warning;
-        if (kind == _said) return;
-        log(Warning == null ? "clock: time stamps and control clock agree again" : "clock: " + Warning);
-        _said = kind;
+        if (kind == _logged) return;
+        log(Warning == null ? StampMessages.AgreeAgain : "clock: " + Warning);
+        _logged = kind;
     }
 
-    // Ages by two control clocks cannot be compared.
-    void ForgetUsualOfAnotherClock()
+    // Ages on two different control clocks cannot be compared.
+    void ResetOnClockChange()
     {
         var name = served();
         if (name == _served) return;
@@ -118,7 +121,7 @@ sealed class StampWatch(
         }
     }
 
-    // Removes the sources without recent samples.
+    // Returns the counts of the sources with recent samples, and removes the other sources.
     (string Source, StampCounts Counts)[] Read()
     {
         lock (_lock)
@@ -156,40 +159,29 @@ sealed class StampWatch(
     }
 
     StampWarning Correction() => _correction.Duration() < MinCorrection ? null : new StampWarning(
-        Text($"the system clock was corrected by {_correction.TotalSeconds:+0.0;-0.0} s since the start, and the gateway's own control clock did not ")
-            + "follow. Time stamps that a source takes from the system clock are wrong by this amount",
-        Remedy, false);
+        StampMessages.SystemClockCorrected(_correction.TotalSeconds), StampMessages.SystemRemedy, false);
 
-    // Sorts the sources, the worst one first.
+    // Describes the first source in full and lists the names of the others.
     StampWarning Contradiction((string Source, StampCounts Counts)[] sources)
     {
         var (source, counts) = sources[0];
         var others = sources.Skip(1).Select(one => one.Source).Distinct().Take(MaxNamed).ToArray();
-        var same = others.Length == 0 ? "" : $"; the same is true of {string.Join(", ", others)}";
+        var same = StampMessages.SameFor(others);
         if (!counts.IsImplausible)
             return new StampWarning(
-                $"the stamps of the source {source} became {Length(counts.Shift.Duration())} {(counts.Shift > TimeSpan.Zero ? "older" : "newer")} by the "
-                    + $"control clock{(isSystemServed ? "" : ", but not by the system clock")}: {Cause}{same}",
+                StampMessages.Shifted(source, Length(counts.Shift.Duration()), counts.Shift > TimeSpan.Zero, isSystemServed, Cause) + same,
                 CorrectionRemedy, true);
-        var where = counts.Age < TimeSpan.Zero
-            ? Text($"in the future of the control clock, by {Length(-counts.Age)}") : Text($"before the control clock, by {Length(counts.Age)}");
         var fits = counts.FitsOther && own() != null;
-        var reason = Text($"{counts.Percent:0} % of the samples of the source {source} have stamps that lie {where}")
-            + (!fits ? "" : isSystemServed ? ": " + Cause : ", and that fit the system clock") + same;
-        return new StampWarning(reason, fits ? CorrectionRemedy : SourceRemedy, true);
+        var reason = StampMessages.Implausible(source, counts.Percent, Length(counts.Age.Duration()), counts.Age < TimeSpan.Zero)
+            + (!fits ? "" : isSystemServed ? ": " + Cause : StampMessages.FitsSystemClock) + same;
+        return new StampWarning(reason, fits ? CorrectionRemedy : StampMessages.SourceRemedy, true);
     }
 
     string Cause =>
-        own() == null ? $"they do not follow the control clock {served()}"
-        : isSystemServed ? "they did not follow a correction of the system clock" : "they followed a correction of the system clock";
+        own() == null ? StampMessages.NotFollowing(served())
+        : isSystemServed ? StampMessages.NotCorrected : StampMessages.Corrected;
 
-    string CorrectionRemedy => isSystemServed || own() == null ? SourceRemedy : Remedy;
-
-    /// <summary>The remedy for a source whose clock is not the control clock.</summary>
-    internal const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
-
-    // Does not apply to the verb simulate, whose gateway also has this clock.
-    const string Remedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";
+    string CorrectionRemedy => isSystemServed || own() == null ? StampMessages.SourceRemedy : StampMessages.SystemRemedy;
 
     static string Length(TimeSpan length) =>
         length < TimeSpan.FromSeconds(1) ? Text($"{length.TotalMilliseconds:0} ms")

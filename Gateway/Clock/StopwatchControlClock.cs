@@ -1,9 +1,10 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
 /// <summary>A control clock based on this machine's monotonic counter, with its own epoch and rate.</summary>
-/// <remarks>The ground truth of a simulation: <see cref="AtCount"/> gives its time at any count of <see cref="Stopwatch"/>.</remarks>
+/// <remarks>Serves as the ground truth of a simulation: <see cref="AtCount"/> gives its time at any count of <see cref="Stopwatch"/>.</remarks>
 public sealed class StopwatchControlClock : IControlClock
 {
     readonly long _startCount = Stopwatch.GetTimestamp();
@@ -15,7 +16,7 @@ public sealed class StopwatchControlClock : IControlClock
     public StopwatchControlClock(ControlTime atStart, double skew = 0)
     {
         if (!(Math.Abs(skew) < 0.1))
-            throw new ArgumentOutOfRangeException(nameof(skew), skew, "a clock's skew must be within ±0.1 (100 000 ppm)");
+            throw new ArgumentOutOfRangeException(nameof(skew), skew, PlantClockMessages.SkewOutOfRange);
         _start = atStart;
         _skew = skew;
     }
@@ -27,7 +28,9 @@ public sealed class StopwatchControlClock : IControlClock
     public TimeSpan ErrorBound { get; init; }
     public bool IsSynchronised { get; init; } = true;
 
-    /// <summary>At least the 100 ns of the time types. Longer for a controller that stamps whole cycles: times are rounded down to it.</summary>
+    /// <summary>
+    /// Step to which times are rounded down: by default the 100 ns of the time types; longer for a controller that stamps whole cycles.
+    /// </summary>
     public TimeSpan Resolution { get; init; } = new(1);
 
     /// <summary>Creates a clock that shows Unix time from now on.</summary>
@@ -36,14 +39,16 @@ public sealed class StopwatchControlClock : IControlClock
     /// <summary>Gets the clock's time when <see cref="Stopwatch.GetTimestamp"/> returns <paramref name="count"/>.</summary>
     public ControlTime AtCount(long count)
     {
-        // Whole ticks first. The skew's share is small, so a double holds it with a resolution far below a tick.
+        // Computes whole ticks in integers. The part due to skew is small, so a double holds it with a resolution far below a tick.
         var elapsed = (long)((Int128)(count - _startCount) * TimeSpan.TicksPerSecond / Stopwatch.Frequency);
         var shown = _start + new TimeSpan(elapsed + (long)Math.Round(elapsed * _skew));
         return shown - new TimeSpan(FloorRest(shown.SinceEpoch.Ticks, Resolution.Ticks));
     }
 
-    /// <summary>Gets the clock as a line over this machine's monotonic counter in nanoseconds: C1 = intercept + rate · counter, in ns.</summary>
-    /// <remarks>On Linux the counter is CLOCK_MONOTONIC, which all processes of a machine share. The line does not include the resolution.</remarks>
+    /// <summary>Gets the clock as a linear function of this machine's monotonic counter: C1 = intercept + rate · counter, all in ns.</summary>
+    /// <remarks>
+    /// On Linux the counter is CLOCK_MONOTONIC, which all processes of a machine share. The function does not round to the resolution.
+    /// </remarks>
     public (long InterceptNs, double Rate) OverMonotonicCounter
     {
         get

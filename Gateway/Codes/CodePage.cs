@@ -5,10 +5,13 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Codes;
 
-/// <summary>The control clock as a code for cameras: a page that replaces LEDs by a monitor, and the time that the page requests.</summary>
+/// <summary>
+/// Serves the page that shows the control time as a code for cameras, for calibration with a monitor instead of LEDs, and the time that the
+/// page requests.
+/// </summary>
 /// <remarks>
-/// The page contains no data and needs no token, because a browser that opens it cannot send one. The time needs a token if the gateway
-/// has tokens. It is requested by POST, for which browsers always send the Origin header.
+/// The page contains no data and needs no token, because a browser that opens an address cannot send a token. A request for the time needs
+/// a token if the gateway has tokens. The page requests the time by POST, because browsers always send the Origin header with it.
 /// </remarks>
 /// <param name="html">Null if the page was not built.</param>
 sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
@@ -21,13 +24,13 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl
 
     public bool IsBuilt => _page.IsBuilt;
 
-    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
+    /// <summary>Answers requests for the page and for the time. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         // Reads the time first, because any work before it would count as network latency.
         var received = clock.Now;
         var isSocket = context.Request.Headers.Upgrade.Count > 0;
-        if (!isSocket && context.Request.Path == TimePath) return TellTimeAsync(context, received);
+        if (!isSocket && context.Request.Path == TimePath) return SendTimeAsync(context, received);
         return !isSocket && context.Request.Path == Path ? ShowAsync(context) : next(context);
     }
 
@@ -40,13 +43,13 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl
 
     Task SendPageAsync(HttpContext context)
     {
-        // With cross-origin isolation, browsers give a page a finer clock.
+        // With cross-origin isolation, browsers give the page a clock of finer resolution.
         context.Response.Headers["Cross-Origin-Opener-Policy"] = "same-origin";
         context.Response.Headers["Cross-Origin-Embedder-Policy"] = "require-corp";
         return _page.SendAsync(context);
     }
 
-    async Task TellTimeAsync(HttpContext context, ControlTime received)
+    async Task SendTimeAsync(HttpContext context, ControlTime received)
     {
         if (await accessControl.AdmitAsync(context) == null) return;
         if (!HttpMethods.IsPost(context.Request.Method))
@@ -62,7 +65,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl
         await context.Response.Body.WriteAsync(answer);
     }
 
-    // Written as strings: a browser's numbers cannot hold nanoseconds since 1970.
+    // Writes times as strings, because a number in JavaScript cannot hold nanoseconds since 1970 exactly.
     byte[] TimeText(ControlTime received)
     {
         var stepNs = clock.Resolution.Ticks * TimeSpan.NanosecondsPerTick;

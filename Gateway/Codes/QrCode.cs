@@ -18,22 +18,24 @@ sealed class QrCode : IDisposable
         _data = Generate(text);
     }
 
-    /// <summary>Number of modules along an edge, without the margin.</summary>
+    /// <summary>Number of modules along one edge, without the margin.</summary>
     public int Modules => Edge - 2 * Margin;
 
     /// <summary>Whether a module is dark; indices include the margin.</summary>
     public bool IsDark(int row, int column) => row < Edge && _data.ModuleMatrix[row][column];
 
-    /// <summary>Number of modules along an edge, with the margin.</summary>
+    /// <summary>Number of modules along one edge, with the margin.</summary>
     public int Edge => _data.ModuleMatrix.Count;
 
-    /// <summary>Gets text for a terminal: two rows of modules per line, light on dark, or black on white if colours are supported.</summary>
+    /// <summary>
+    /// Gets the code as text for a terminal, two rows of modules per line: black on white if colours are supported, else light on dark.
+    /// </summary>
     public string Blocks(bool hasColours)
     {
         var text = new StringBuilder();
         for (var row = 0; row < Edge; row += 2)
         {
-            // Black on white regardless of the terminal's own colours: not every reader accepts an inverted code.
+            // Sets black on white in place of the terminal's own colours, because some readers refuse an inverted code.
             if (hasColours) text.Append("\u001b[30;107m");
             for (var column = 0; column < Edge; column++)
                 text.Append(Block(IsInk(row, column, hasColours), IsInk(row + 1, column, hasColours)));
@@ -44,7 +46,9 @@ sealed class QrCode : IDisposable
         return text.ToString();
     }
 
-    /// <summary>Gets a drawing in millimetres in which the code without its margin has the given edge length.</summary>
+    /// <summary>Gets the code as a drawing in millimetres.</summary>
+    /// <param name="edgeMm">Edge length of the code without its margin.</param>
+    /// <param name="caption">Title of the drawing, not escaped.</param>
     public string Svg(double edgeMm, string caption)
     {
         var squares = new StringBuilder();
@@ -63,10 +67,12 @@ sealed class QrCode : IDisposable
             """).ReplaceLineEndings("\n");
     }
 
-    /// <summary>Gets a picture with the given number of pixels per module. It has no physical size: print it at the width of the drawing.</summary>
+    /// <summary>
+    /// Gets the code as a picture. The picture has no physical size; print it with the width of the drawing from <see cref="Svg"/>.
+    /// </summary>
     public byte[] Png(int pixelsPerModule)
     {
-        // PngByteQRCode disposes the data that it is given.
+        // Generates the data again, because PngByteQRCode disposes its data.
         using var picture = new PngByteQRCode(Generate(_text));
         return picture.GetGraphic(pixelsPerModule);
     }

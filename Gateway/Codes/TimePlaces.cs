@@ -1,19 +1,21 @@
 using Microsoft.AspNetCore.Connections.Features;
 using Microsoft.AspNetCore.Http.Features;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Sync;
 
 namespace Nowpose.Gateway.Codes;
 
-/// <summary>Limits requests for the time by HTTP: each connection counts as one WebSocket connection, with the rate limit of sync requests.</summary>
-/// <remarks>Connections stay open between requests, because connecting again would count as network latency.</remarks>
+/// <summary>Limits time requests over HTTP. Each connection counts as a WebSocket connection and has the rate limit of sync requests.</summary>
+/// <remarks>Connections stay open between requests, because the time to connect again would be measured as network latency.</remarks>
 sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Action<string> log)
 {
-    /// <summary>Whether this request may be served. If not, it was refused and answered, and its connection ends.</summary>
+    /// <summary>Checks whether a request may be served. Otherwise, answers it with the refusal and ends its connection.</summary>
+    /// <returns>True if the request may be served.</returns>
     public async Task<bool> AdmitAsync(HttpContext context)
     {
         if (PlaceOf(context) is not { } place)
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnections));
         else if (place.Rate.TryTake())
             return true;
         else
@@ -24,11 +26,11 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
     Task RefuseRateAsync(HttpContext context, Place place)
     {
         place.Why = Closure.TooManyRequests;
-        log($"websocket: closed a connection, {place.Why}");
-        return AccessControl.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
+        log(RequestMessages.ClosedForRate(place.Why));
+        return AccessControl.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), LimitMessages.Requests(options.SyncRequestsPerSecond));
     }
 
-    // Requests of one connection are sequential.
+    // Not locked, because the requests of one connection are sequential.
     Place PlaceOf(HttpContext context)
     {
         var items = context.Features.GetRequiredFeature<IConnectionItemsFeature>().Items;

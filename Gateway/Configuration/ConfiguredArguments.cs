@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 
@@ -12,16 +13,17 @@ sealed class ConfiguredArguments
 
     readonly ConfiguredPlaces _places = new();
 
-    /// <summary>A list has the plural as its key.</summary>
+    /// <summary>Maps the key of an entry that is a list to the option of one element.</summary>
     static readonly Dictionary<string, string> Plurals = new() { ["plants"] = "plant" };
 
-    // Options of the command line only.
+    // Options that a configuration file must not contain.
     static readonly string[] NotInAFile = [Option, "--check", "--help"];
 
     // Placeholders of options that take a path. In a file, paths are relative to the file's folder.
     static readonly string[] Paths = ["FILE", "FOLDER"];
 
-    /// <returns>The arguments with those of the file; unchanged if no file is given.</returns>
+    /// <summary>Inserts the entries of the file that <see cref="Option"/> names.</summary>
+    /// <returns>The combined arguments; the typed arguments if no file is given.</returns>
     /// <exception cref="InputException">The file has invalid entries. The message lists all of them with their lines.</exception>
     public string[] Of(Command root, string[] args)
     {
@@ -34,12 +36,12 @@ sealed class ConfiguredArguments
         var wrong = new List<string>();
         foreach (var entry in ConfigurationFile.Read(path, wrong)) Add(root, typed, entry, path, added, wrong);
         if (wrong.Count > 0) throw new WrongEntriesException(wrong);
-        // Inserted before the typed arguments, because these may end with values without an option.
+        // The file's arguments come first, because the typed arguments may end with values that belong to no option.
         var place = Array.IndexOf(args, verb.Name) + 1;
         return [.. args[..place], .. added, .. args[place..]];
     }
 
-    /// <summary>Adds the place in the file to a message about a configured option.</summary>
+    /// <summary>Adds file and line to a message about an option that the file sets.</summary>
     public string Place(string complaint) => _places.Place(complaint);
 
     void Add(Command root, ParseResult typed, ConfigurationEntry entry, string path, List<string> added, List<string> wrong)
@@ -49,7 +51,7 @@ sealed class ConfiguredArguments
         var option = verb.Options.FirstOrDefault(option => option.Name == name);
         if (option == null || NotInAFile.Contains(name))
         {
-            wrong.Add(entry.Wrong($"'{verb.Name}' has no such entry; {Allowed(entry.Key, verb)}"));
+            wrong.Add(entry.Wrong(ConfigurationMessages.UnknownEntry(verb.Name, Allowed(entry.Key, verb))));
             return;
         }
 
@@ -70,15 +72,15 @@ sealed class ConfiguredArguments
         }
     }
 
-    // Returns what is wrong with an option's value, in the words of the command line; null for a valid value.
+    // Returns the error in an option's value, worded as the command line words it; null for a valid value.
     static string Fault(ConfigurationEntry entry, Option option)
     {
         var takesMany = option.Arity.MaximumNumberOfValues > 1;
-        if (entry.IsList && !takesMany) return "is a list; give one value";
+        if (entry.IsList && !takesMany) return ConfigurationMessages.List;
         if (entry.Values.Count == 0 || entry.Values.Any(value => value.Length == 0)) return "has no value";
-        if (entry.Values.Any(value => value.Any(char.IsControl))) return "contains a line end or another control character";
+        if (entry.Values.Any(value => value.Any(char.IsControl))) return ConfigurationMessages.ControlCharacter;
         if (option.ValueType == typeof(bool) && entry.Values[0] is not ("true" or "false"))
-            return $"'{entry.Values[0]}' is neither true nor false";
+            return ConfigurationMessages.NotASwitch(entry.Values[0]);
         return null;
     }
 

@@ -1,22 +1,22 @@
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Maps options to their place in the configuration file, so that messages can state it.</summary>
+/// <summary>Adds the file and line of an option's entry in the configuration file to messages about that option.</summary>
 sealed class ConfiguredPlaces
 {
     readonly List<(string Beginning, string Replacement)> _beginnings = [];
 
-    /// <param name="option">The option as typed.</param>
-    /// <param name="paths">The files or folders that it names. Other values do not identify the option in a message.</param>
+    /// <param name="option">The option as written on a command line, such as --tokens.</param>
+    /// <param name="paths">The files or folders that the option names. A message that starts with one of them is about this option.</param>
     public void Add(string option, ConfigurationEntry entry, IEnumerable<string> paths)
     {
         var named = entry.Wrong("");
         _beginnings.Add((option + ":", named.TrimEnd()));
         _beginnings.Add((option + " ", named.TrimEnd(' ', ':') + " "));
-        // "PATH, line 3" is already a place.
+        // Matches only "PATH: "; a message that starts with "PATH, line 3" already states its place.
         foreach (var path in paths) _beginnings.Add((path + ": ", $"{named}{path}: "));
     }
 
-    /// <summary>Returns the message, with its place if it is about an entry of the file.</summary>
+    /// <summary>Returns the message, preceded by file and line if it is about an entry of the configuration file.</summary>
     public string Place(string complaint)
     {
         foreach (var (beginning, replacement) in _beginnings)

@@ -1,12 +1,13 @@
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Checks everything that a gateway would be started with, without leaving any changes.</summary>
+/// <summary>Checks the files, folders and ports that a gateway would use, and leaves no changes.</summary>
 static class DryRun
 {
     /// <param name="path">Path of the certificate. It may be missing; the gateway would create it.</param>
@@ -41,7 +42,7 @@ static class DryRun
 
     public static void Recordings(string folder, Findings findings)
     {
-        if (File.Exists(folder)) throw new InputException($"--recordings {folder}: is a file; a folder is needed");
+        if (File.Exists(folder)) throw new InputException(DryRunMessages.RecordingsAreAFile(folder));
         RequireWritable("--recordings", folder, Directory.Exists(folder) ? folder : FolderOf("--recordings", folder));
         findings.Good("recordings", Directory.Exists(folder) ? folder : $"{folder} (would be created)");
     }
@@ -54,7 +55,7 @@ static class DryRun
         findings.Try(() => findings.Good("websocket", $"{scheme}://{webSocket}/{Remark("--ws-port", webSocket)}"));
     }
 
-    // A port in use is not a configuration error: it may be used by the gateway that this one is to replace.
+    // A port in use is not a configuration error, because the gateway to be replaced may be using it.
     static string Remark(string option, IPEndPoint at)
     {
         try
@@ -64,33 +65,33 @@ static class DryRun
         }
         catch (IOException refused)
         {
-            return PortListener.IsTaken(refused) ? $" (port {at.Port} is in use)" : throw new InputException(refused.Message, refused);
+            return PortListener.IsTaken(refused) ? DryRunMessages.PortInUse(at.Port) : throw new InputException(refused.Message, refused);
         }
     }
 
     static void RequireRoom(string option, string path)
     {
-        if (Directory.Exists(path)) throw new InputException($"{option} {path}: is a folder; a file is needed");
+        if (Directory.Exists(path)) throw new InputException(DryRunMessages.IsAFolder(option, path));
         RequireWritable(option, path, FolderOf(option, path));
     }
 
     static string FolderOf(string option, string path)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(path));
-        return Directory.Exists(folder) ? folder : throw new InputException($"{option} {path}: folder {folder} does not exist");
+        return Directory.Exists(folder) ? folder : throw new InputException(DryRunMessages.NoFolder(option, path, folder));
     }
 
     static void RequireWritable(string option, string path, string folder)
     {
         try
         {
-            // Tested by writing, because permissions are not sufficient on a read-only file system.
+            // Tries to write, because permissions alone do not show that a file system is read-only.
             using var trial = new FileStream(
                 Path.Combine(folder, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{option} {path}: this user cannot write into the folder {folder}", e);
+            throw new InputException(DryRunMessages.NotWritable(option, path, folder), e);
         }
     }
 }

@@ -37,7 +37,7 @@ sealed class Findings
         return true;
     });
 
-    /// <summary>Writes the settings that would be used.</summary>
+    /// <summary>Writes the valid settings to the standard output.</summary>
     /// <exception cref="InputException">There are errors. The message lists all of them.</exception>
     public void Conclude()
     {

@@ -1,19 +1,22 @@
 namespace Nowpose.Gateway.Configuration;
 
-/// <summary>Finds the known word that was probably meant.</summary>
+/// <summary>Finds the known word that a misspelt word probably means.</summary>
 static class Nearest
 {
-    /// <returns>The word with the smallest edit distance to <paramref name="word"/>; null if the distance exceeds a third of its letters.</returns>
+    /// <returns>
+    /// The known word with the smallest edit distance to <paramref name="word"/>. Null if more than one letter differs and the distance
+    /// exceeds a third of the known word's length.
+    /// </returns>
     public static string Of(string word, IEnumerable<string> known)
     {
         var (near, letters) = known.Select(other => (other, Distance(word, other))).MinBy(pair => pair.Item2);
         return letters <= Math.Max(1, near.Length / 3) ? near : null;
     }
 
-    // Levenshtein distance: letters added, removed or replaced.
+    // Returns the Levenshtein distance: the minimum number of letters to add, remove or replace.
     static int Distance(string a, string b)
     {
-        // Longer words have no near match.
+        // Bounds the computing time for arbitrary input.
         if (a.Length > 64) return int.MaxValue;
         var row = Enumerable.Range(0, b.Length + 1).ToArray();
         for (var i = 1; i <= a.Length; i++)

@@ -5,8 +5,8 @@ namespace Nowpose.Gateway.Hub;
 
 /// <summary>The frames of the cell: their sources, the tree over all sources, and the newest poses of stationary frames. Not thread-safe.</summary>
 /// <remarks>
-/// A tracked frame ends with its source. A stationary frame stays, because it does not move: another source may take it over, and when the
-/// cell is full, it gives way to a new frame.
+/// A tracked frame is removed when its source ends. A stationary frame stays, because it does not move. Without a source, it may be taken
+/// over by another source, and it is removed when the cell is full and a new frame appears.
 /// </remarks>
 sealed class CellFrames(RobotLinks links)
 {
@@ -15,7 +15,7 @@ sealed class CellFrames(RobotLinks links)
 
     public LatchedMessages Stationary { get; } = new(Only);
 
-    /// <summary>Gets the refusal of a message with a frame of another source; null if there is none.</summary>
+    /// <summary>Returns a refusal if the message contains a frame of another source; null otherwise.</summary>
     public Refusal? FindTaken(HubSource source, TransformsMessage message)
     {
         for (var i = 0; i < message.Count; i++)
@@ -28,8 +28,8 @@ sealed class CellFrames(RobotLinks links)
         return null;
     }
 
-    /// <summary>Takes over the transforms of a message that keep the limits of the cell.</summary>
-    /// <returns>The message with these transforms; the same one if all of them do. It may be empty.</returns>
+    /// <summary>Adds or updates the frames of a message. Leaves out transforms that would break a limit of the cell.</summary>
+    /// <returns>The message itself if all its transforms were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
     public TransformsMessage Accept(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut)
     {
         TransformsMessage accepted = null;
@@ -49,7 +49,8 @@ sealed class CellFrames(RobotLinks links)
         return accepted ?? message;
     }
 
-    /// <param name="topic">The topic on which the source ends; null for all.</param>
+    /// <summary>Releases the frames of a source that ends.</summary>
+    /// <param name="topic">The topic on which the source ends; null for all topics.</param>
     public void Release(HubSource source, string topic)
     {
         foreach (var (child, frame) in _frames.Where(one => one.Value.Owner == source).ToArray())

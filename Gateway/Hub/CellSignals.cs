@@ -3,14 +3,14 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>The signals of the cell: their sources and their newest values. A signal ends with its source. Not thread-safe.</summary>
+/// <summary>The signals of the cell: their sources and their newest values. A signal is removed when its source ends. Not thread-safe.</summary>
 sealed class CellSignals
 {
     readonly Dictionary<string, HubSource> _owners = [];
 
     public LatchedMessages Newest { get; } = new(Only);
 
-    /// <summary>Gets the refusal of a message with a signal of another source; null if there is none.</summary>
+    /// <summary>Returns a refusal if the message contains a signal of another source; null otherwise.</summary>
     public Refusal? FindTaken(HubSource source, SignalsMessage message)
     {
         for (var i = 0; i < message.Count; i++)
@@ -19,9 +19,9 @@ sealed class CellSignals
         return null;
     }
 
-    /// <summary>Takes over the signals of a message as far as there is room for them.</summary>
-    /// <returns>The message with these signals; the same one if there is room for all. It may be empty.</returns>
-    /// <param name="began">Called with the signals that had no source before, if there are any.</param>
+    /// <summary>Adds the signals of a message up to the maximum number of signals, and leaves out the others.</summary>
+    /// <returns>The message itself if all its signals were accepted; otherwise a message with the accepted ones, which may be empty.</returns>
+    /// <param name="began">Called with the signals that had no source before, unless there are none.</param>
     public SignalsMessage Accept(HubSource source, SignalsMessage message, List<LeftOut> leftOut, Action<IReadOnlyCollection<string>> began)
     {
         HashSet<string> added = null;
@@ -44,7 +44,8 @@ sealed class CellSignals
         return accepted ?? message;
     }
 
-    /// <returns>The signals of the source, which have none now.</returns>
+    /// <summary>Removes the signals of a source that ends.</summary>
+    /// <returns>The removed signals.</returns>
     public IReadOnlyCollection<string> Release(HubSource source)
     {
         HashSet<string> ended = [.. _owners.Where(one => one.Value == source).Select(one => one.Key)];

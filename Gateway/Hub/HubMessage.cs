@@ -5,7 +5,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>One message for the subscribers of its topic. It is serialised once per time format, for all of them.</summary>
+/// <summary>One message for the subscribers of its topic. It is serialised once per time format, and all subscribers share the result.</summary>
 public sealed class HubMessage
 {
     readonly Lazy<byte[]> _sec;
@@ -23,16 +23,16 @@ public sealed class HubMessage
 
     public string Topic { get; }
 
-    /// <summary>The topic without the namespace of a robot.</summary>
+    /// <summary>The topic without the robot's namespace; null for topics of the cell.</summary>
     internal string Kind { get; private init; }
 
     /// <summary>Namespace of the robot; empty for none.</summary>
     internal string Robot { get; private init; } = "";
 
-    /// <summary>The joints of a joint state as named in the whole cell: <c>arm1/a</c> for the joint a of the robot arm1.</summary>
+    /// <summary>The cell-wide names of the joints in a joint state: <c>arm1/a</c> for the joint a of the robot arm1.</summary>
     internal string[] Joints { get; private init; }
 
-    /// <summary>Number in the order of publication on a topic that is latched per name; 0 on other topics.</summary>
+    /// <summary>Sequence number of the message on the topics /tf, /tf_static and /signals; 0 on other topics.</summary>
     internal long Sequence { get; private set; }
 
     /// <summary>The source, or null if unknown.</summary>
@@ -41,7 +41,9 @@ public sealed class HubMessage
     /// <summary>The deserialised message: an object of the topic's type, or a text for the robot description.</summary>
     public object Content { get; }
 
-    /// <summary>Time at which its last byte was read, or at which it was created in this process; a count of <see cref="Stopwatch"/>.</summary>
+    /// <summary>
+    /// Time at which the last byte of the message was read, or at which this process created it; a count of <see cref="Stopwatch"/>.
+    /// </summary>
     public long ReceivedAt { get; }
 
     public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) =>
@@ -108,13 +110,13 @@ public sealed class HubMessage
         };
     }
 
-    /// <summary>Returns this message, with its number in the order of publication.</summary>
+    /// <summary>Sets the <see cref="Sequence"/> and returns this message.</summary>
     internal HubMessage With(long sequence)
     {
         Sequence = sequence;
         return this;
     }
 
-    /// <summary>Gets the message as UTF-8; the same array for all callers.</summary>
+    /// <summary>Gets the message as UTF-8. All callers get the same array and must not change it.</summary>
     internal ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;
 }

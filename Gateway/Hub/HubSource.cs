@@ -4,35 +4,35 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>One publisher on the hub: a plant in this process, or a client. Disposing it releases its joints, frames and signals.</summary>
+/// <summary>One publisher on the hub: a plant in this process or a client. <see cref="Dispose"/> releases its joints, frames and signals.</summary>
 public sealed class HubSource : IDisposable
 {
     static readonly string[] TheRobot = ["the robot"];
 
-    /// <summary>Name of a source of this process.</summary>
+    /// <summary>Name of a source in this process.</summary>
     internal const string Own = "gateway";
 
     /// <summary>Name of a client that has not named itself.</summary>
     internal const string Unnamed = "rosbridge";
 
     readonly MessageHub _hub;
-    // The joint names of the last claim on each topic: a source sends the same ones repeatedly.
+    // Joint names of the last claim, by robot: caches the claim, because a source sends the same names in each message.
     readonly Dictionary<string, (string[] Names, string[] InCell)> _claimed = [];
 
     internal HubSource(MessageHub hub) => _hub = hub;
 
-    /// <summary>Name for users; for an adapter, the adapter's name.</summary>
+    /// <summary>Name shown to users; for an adapter, the adapter's name.</summary>
     internal string Name { get; set; } = Own;
 
-    /// <summary>Remote address of a client, without the port; null for a source of this process.</summary>
+    /// <summary>Remote address of a client, without the port; null for a source in this process.</summary>
     internal string Address { get; set; }
 
-    /// <summary>Name for messages, with the address if the client has not named itself.</summary>
+    /// <summary>Name used in messages, with the address if the client has not named itself.</summary>
     internal string Title => Name == Unnamed && Address != null ? $"{Name} {Address}" : Name;
 
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
-    /// <param name="receivedAt">Time at which its last byte was read, a count of <see cref="Stopwatch"/>; null for now.</param>
-    /// <returns>The name of that joint, or null if the message was published.</returns>
+    /// <param name="receivedAt">Time at which the last byte of the message was read, a count of <see cref="Stopwatch"/>; null for now.</param>
+    /// <returns>The name of the joint that belongs to another source; null if the message was published.</returns>
     public string TryPublish(JointStateMessage message, long? receivedAt = null) => Publish(message, receivedAt)?.What;
 
     /// <param name="robot">Namespace of the robot; empty for none.</param>
@@ -50,7 +50,9 @@ public sealed class HubSource : IDisposable
         return null;
     }
 
-    /// <summary>Publishes set-points. The newest of each source are kept for later subscribers, because they stay valid and are sent once.</summary>
+    /// <summary>
+    /// Publishes set-points. The newest set-points of each source are kept for later subscribers, because they are sent once and stay valid.
+    /// </summary>
     /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
     internal string TryPublish(JointTrajectoryMessage message, long? receivedAt = null) => Publish(message, receivedAt)?.What;
 
@@ -64,7 +66,7 @@ public sealed class HubSource : IDisposable
     }
 
     /// <summary>Publishes the robot description and keeps it for later subscribers, unless another source has published one.</summary>
-    /// <returns>The reason for the refusal, or null if it was published.</returns>
+    /// <returns>The name that was refused; null if the description was published.</returns>
     public string TryDescribe(string urdf) => Describe(urdf)?.What;
 
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
@@ -76,25 +78,27 @@ public sealed class HubSource : IDisposable
         return refusal;
     }
 
-    /// <summary>Publishes poses of frames, unless a child frame belongs to another source. Stationary ones are kept for later subscribers.</summary>
+    /// <summary>
+    /// Publishes poses of frames, unless a child frame belongs to another source. Poses of stationary frames are kept for later subscribers.
+    /// </summary>
     /// <param name="message">The message, which must not change afterwards.</param>
-    /// <param name="leftOut">Gets the transforms that were not published, because they break a limit of the cell.</param>
+    /// <param name="leftOut">Receives the transforms that were not published, because they break a limit of the cell.</param>
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Publish(TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long? receivedAt = null) =>
         _hub.Publish(this, message, isStationary, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
 
-    /// <summary>Publishes signals, unless one belongs to another source, and keeps them for later subscribers.</summary>
+    /// <summary>Publishes signals and keeps them for later subscribers, unless one of them belongs to another source.</summary>
     /// <param name="message">The message, which must not change afterwards.</param>
-    /// <param name="leftOut">Gets the signals that were not published, because there are too many.</param>
+    /// <param name="leftOut">Receives the signals that were not published, because the cell has too many.</param>
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Publish(SignalsMessage message, List<LeftOut> leftOut, long? receivedAt = null) =>
         _hub.Publish(this, message, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
 
-    /// <summary>Reserves a robot's topic, so that its namespace counts as used until the topic is released.</summary>
-    /// <returns>Null if there is room for the robot.</returns>
+    /// <summary>Marks a robot's topic as used by this source. The namespace counts as used until the topic is released.</summary>
+    /// <returns>A refusal if there are too many robots; otherwise null.</returns>
     internal Refusal? Use(RobotTopic topic) => _hub.Use(this, topic.Robot, topic.Kind);
 
-    /// <summary>Publishes the pose that a headset displays. It is forwarded without owning the joints.</summary>
+    /// <summary>Publishes the pose that a headset displays. The joints need not belong to this source.</summary>
     public void PublishDisplayed(JointStateMessage message) => _hub.Publish(HubMessage.Displayed(message));
 
     internal void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
@@ -117,15 +121,15 @@ public sealed class HubSource : IDisposable
     /// <summary>Whether none of the signals belongs to another source.</summary>
     internal bool MayPublish(SignalsMessage message) => _hub.IsFree(this, message);
 
-    /// <summary>Reports a sample that was dropped for its content.</summary>
+    /// <summary>Reports a sample that was dropped because of its content.</summary>
     /// <param name="robot">Namespace of the robot; empty for none.</param>
-    /// <param name="names">The joints that it names, as far as they can be read.</param>
+    /// <param name="names">The joints named in the sample, as far as they can be read.</param>
     internal void ReportDropped(string robot, string[] names, string reason) => _hub.ReportDropped(this, robot, names, reason);
 
-    /// <summary>Reports that the source ends normally, so that its missing joints are not reported for longer than usual.</summary>
+    /// <summary>Reports that the source ends normally, so that its joints are removed from the status after a time of silence.</summary>
     internal void Leave() => _hub.ReportLeft(this);
 
-    /// <summary>Releases the joints, frames or signals claimed on one topic.</summary>
+    /// <summary>Releases the joints, frames or signals that this source owns on one topic.</summary>
     public void Release(string topic)
     {
         _claimed.Clear();
@@ -134,7 +138,7 @@ public sealed class HubSource : IDisposable
 
     public void Dispose() => Release(null);
 
-    /// <summary>Gets the names of a robot's joints in the cell: the same array without a namespace.</summary>
+    /// <summary>Gets the cell-wide names of a robot's joints. Returns the same array for a robot without a namespace.</summary>
     internal static string[] InCell(string robot, string[] names) =>
         robot.Length == 0 ? names : Array.ConvertAll(names, name => RobotTopic.Qualified(robot, name));
 }

@@ -13,7 +13,7 @@ public sealed class MessageHub
     ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>> _subscribers =
         ImmutableDictionary<string, ImmutableArray<Action<HubMessage>>>.Empty;
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
-    // By topic, including the robot's namespace.
+    // Keyed by topic, including the robot's namespace.
     readonly Dictionary<string, HubMessage> _descriptions = [];
     readonly RobotRegistry _robots = new();
     readonly CellFrames _frames;
@@ -25,7 +25,7 @@ public sealed class MessageHub
     /// <summary>Number of topics with at least one subscriber.</summary>
     internal int Topics => Volatile.Read(ref _subscribers).Count;
 
-    /// <summary>The robots in namespaces.</summary>
+    /// <summary>The namespaces of the robots that have one.</summary>
     internal IReadOnlyList<string> Robots
     {
         get
@@ -37,18 +37,19 @@ public sealed class MessageHub
     /// <summary>The links of the described robots.</summary>
     internal RobotLinks Links { get; } = new();
 
-    /// <summary>Times from the receipt of joint states until they are written to the subscribers' sockets.</summary>
+    /// <summary>Times from the receipt of a joint state until it is written to a subscriber's socket.</summary>
     public ForwardingTimes Forwarding { get; } = new();
 
-    /// <summary>Raised when a sample was refused: the source, the joint, and the joint's owner. Called under the hub's lock.</summary>
+    /// <summary>Raised when a sample was refused, with its source, the joint, and the joint's owner. Called under the hub's lock.</summary>
     internal event Action<HubSource, string, HubSource> JointRefused;
 
     /// <summary>
-    /// Raised when a sample was dropped for its content: the source, the joints named in it, and the reason. Joints of other sources are excluded.
+    /// Raised when a sample was dropped because of its content, with its source, its joints and the reason. Not raised for a sample that names
+    /// a joint of another source.
     /// </summary>
     internal event Action<HubSource, string[], string> SampleDropped;
 
-    /// <summary>Raised when a client closed its connection normally, with its name.</summary>
+    /// <summary>Raised with the name of a client that has closed its connection normally.</summary>
     internal event Action<string> Left;
 
     /// <summary>Raised when a source ended normally: it closed its connection or unadvertised its joint states.</summary>
@@ -61,7 +62,7 @@ public sealed class MessageHub
         lock (_lock) return (string)_descriptions.GetValueOrDefault(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content;
     }
 
-    /// <summary>Whether the description of a robot is kept.</summary>
+    /// <summary>Whether the hub has the description of at least one robot.</summary>
     internal bool IsRobotDescribed
     {
         get
@@ -70,13 +71,13 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Raised when signals without a source get one. Called under the hub's lock.</summary>
+    /// <summary>Raised when signals without a source get a source. Called under the hub's lock.</summary>
     internal event Action<IReadOnlyCollection<string>> SignalsBegan;
 
-    /// <summary>Raised when the source of signals has ended or unadvertised them. Called under the hub's lock.</summary>
+    /// <summary>Raised when a source of signals has ended or has unadvertised the signals. Called under the hub's lock.</summary>
     internal event Action<HubSource, IReadOnlyCollection<string>> SignalsEnded;
 
-    /// <summary>Calls an action under the hub's lock: no signal gets a source or loses it in the meantime.</summary>
+    /// <summary>Calls an action under the hub's lock. No signal gets or loses its source during the call.</summary>
     internal void Exclusively(Action action)
     {
         lock (_lock) action();
@@ -85,10 +86,10 @@ public sealed class MessageHub
     /// <summary>Creates a publisher. A joint belongs to the first source that publishes it, until that source is disposed.</summary>
     public HubSource OpenSource() => new(this);
 
-    /// <summary>Calls <paramref name="receive"/> for every message of a topic from now on, on the publisher's thread: it must not wait.</summary>
-    /// <remarks>
-    /// The kept messages are passed immediately: a robot description, each source's newest set-points, stationary frames and signals.
-    /// </remarks>
+    /// <summary>Subscribes to a topic: passes the kept messages at once, and all later messages when they are published.</summary>
+    /// <remarks>The kept messages are the robot description, each source's newest set-points, stationary frames and signals.</remarks>
+    /// <param name="topic">The topic, with the robot's namespace.</param>
+    /// <param name="receive">Called on the publisher's thread; must not block.</param>
     public IDisposable Subscribe(string topic, Action<HubMessage> receive)
     {
         lock (_lock)
@@ -99,7 +100,7 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Like <see cref="Subscribe"/>, but without the kept messages, which the caller gets from <see cref="ReadLatched"/>.</summary>
+    /// <summary>Subscribes to a topic without its kept messages. The caller can get latched messages from <see cref="ReadLatched"/>.</summary>
     internal IDisposable SubscribeToNew(string topic, Action<HubMessage> receive)
     {
         lock (_lock)
@@ -110,15 +111,17 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Subscribes to a topic of all robots in namespaces. Kept messages are not passed.</summary>
+    /// <summary>Subscribes to one topic of all robots that have a namespace. Kept messages are not passed.</summary>
     /// <param name="kind">/joint_states, /joint_trajectory or /robot_description.</param>
     internal IDisposable SubscribeToRobots(string kind, Action<HubMessage> receive) => SubscribeToNew(OfAllRobots(kind), receive);
 
-    /// <summary>Whether a topic is latched per name: its newest values can be read at any time.</summary>
+    /// <summary>Whether a topic is latched per name: <see cref="ReadLatched"/> returns the newest value of each frame or signal.</summary>
     internal static bool IsLatched(string topic) => topic is RosTopics.TfStatic or RosTopics.Signals;
 
-    /// <summary>Gets the current values of a latched topic, in the order of publication. Nothing is published on it meanwhile.</summary>
-    /// <param name="since">Called first; returns the number of the first message to read.</param>
+    /// <summary>
+    /// Gets the current values of a latched topic, in the order of publication. No message is published on the topic during the call.
+    /// </summary>
+    /// <param name="since">Called first, under the lock; returns the sequence number of the first message to read.</param>
     internal IEnumerable<HubMessage> ReadLatched(string topic, Func<long> since)
     {
         lock (_lock) return (topic == RosTopics.Signals ? _signals.Newest : _frames.Stationary).Since(since());
@@ -135,7 +138,7 @@ public sealed class MessageHub
     internal Refusal? Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
         var topic = isStationary ? RosTopics.TfStatic : RosTopics.Tf;
-        // Under the lock, like the description, and so that the poses of a released frame are not published later.
+        // Under the lock for the same reason as PublishDescription, and so that no pose of a frame is published after its release.
         lock (_lock)
         {
             if (_frames.FindTaken(source, message) is { } taken) return taken;
@@ -168,7 +171,7 @@ public sealed class MessageHub
 
     internal void PublishDescription(HubMessage message)
     {
-        // Under the lock, so that a new subscriber gets it exactly once, as the kept or as the new message.
+        // Under the lock, so that a new subscriber gets the message exactly once, either as the kept message or as a new one.
         lock (_lock)
         {
             _descriptions[message.Topic] = message;
@@ -177,10 +180,10 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Publishes a message that stays valid until its source publishes the next.</summary>
+    /// <summary>Publishes a message and keeps it for later subscribers, until its source ends or publishes the next message on the topic.</summary>
     internal void PublishNewest(HubSource source, HubMessage message)
     {
-        // Under the lock, like the description.
+        // Under the lock for the same reason as PublishDescription.
         lock (_lock)
         {
             _newest[(source, message.Topic)] = message;
@@ -190,7 +193,7 @@ public sealed class MessageHub
 
     /// <summary>Records that a source publishes on a topic of a robot.</summary>
     /// <param name="robot">Namespace of the robot; empty for none.</param>
-    /// <returns>Null if there is room for the robot.</returns>
+    /// <returns>A refusal if there are too many robots; otherwise null.</returns>
     internal Refusal? Use(HubSource source, string robot, string kind)
     {
         lock (_lock)
@@ -206,9 +209,9 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Claims all of the names on a robot's topic or none.</summary>
+    /// <summary>Makes a source the owner of all names on a robot's topic, or of none if one name belongs to another source.</summary>
     /// <param name="robot">Namespace of the robot; empty for none.</param>
-    /// <returns>The name that belongs to another source, or null if all were claimed.</returns>
+    /// <returns>The refusal with the name that belongs to another source; null if the source owns all names.</returns>
     internal Refusal? Claim(HubSource source, string robot, string kind, string[] names)
     {
         lock (_lock)
@@ -252,7 +255,7 @@ public sealed class MessageHub
         var topic = RobotTopic.NameOf(robot, RosTopics.JointStates);
         lock (_lock)
         {
-            // A valid sample would have been refused, too, so the joints of the other source are not affected.
+            // The hub would have refused even a valid sample, so the fault does not concern the joints of the other source.
             if (FindTaken(source, topic, names) is { } taken)
             {
                 JointRefused?.Invoke(source, RobotTopic.Qualified(robot, taken), _owners[(topic, taken)]);
@@ -278,7 +281,7 @@ public sealed class MessageHub
         }
     }
 
-    // Gets the first name that belongs to another source; null if there is none. Called under the lock.
+    // Returns the first name that belongs to another source; null if there is none. Called under the lock.
     string FindTaken(HubSource source, string topic, string[] names) =>
         Array.Find(names, name => _owners.TryGetValue((topic, name), out var owner) && owner != source);
 
@@ -297,7 +300,7 @@ public sealed class MessageHub
         lock (_lock)
         {
             var left = _subscribers.GetValueOrDefault(topic, []).Remove(receive);
-            // Removed when unused: a client may subscribe to any number of topics, which must not accumulate.
+            // Removes a topic without subscribers, because a client may subscribe to any number of topics, one after the other.
             _subscribers = left.IsEmpty ? _subscribers.Remove(topic) : _subscribers.SetItem(topic, left);
         }
     }

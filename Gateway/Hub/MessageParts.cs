@@ -3,20 +3,24 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>Splits messages so that each part, written as JSON, is within the maximum length of a message.</summary>
-/// <remarks>A received message may become longer when it is written again: ROS 1 headers have one more field, and numbers more digits.</remarks>
+/// <summary>Splits messages into parts that, written as JSON, do not exceed the maximum length of a message.</summary>
+/// <remarks>
+/// A received message may become longer when it is written again, because headers of ROS 1 have one more field and numbers may get more digits.
+/// </remarks>
 static class MessageParts
 {
-    /// <summary>Length of the JSON around the transforms or signals, with room to spare.</summary>
+    /// <summary>Upper bound of the length of the JSON around the transforms or signals.</summary>
     const int EnvelopeBytes = 512;
 
-    /// <summary>Length of a transform without its names: field names, a stamp, and seven numbers of at most 24 characters.</summary>
+    /// <summary>
+    /// Upper bound of the length of a transform without its frame names: field names, a stamp, and seven numbers of up to 24 characters.
+    /// </summary>
     const int TransformBytes = 400;
 
-    /// <summary>Length of a signal without its name: quotation marks, separators, and a number.</summary>
+    /// <summary>Upper bound of the length of a signal without its name: quotation marks, separators, and a number.</summary>
     const int SignalBytes = 32;
 
-    // A control or rare character is written as \uXXXX; other characters have at most 3 bytes of UTF-8, or 4 for two UTF-16 code units.
+    // Maximum number of bytes per UTF-16 code unit: a control or rare character is written as \uXXXX; others need at most 3 bytes of UTF-8.
     const int BytesPerCharacter = 6;
 
     public static IEnumerable<TransformsMessage> Of(TransformsMessage message) => Divided(
@@ -62,7 +66,7 @@ static class MessageParts
         if (count > 0) yield return start == 0 ? message : part(message, index => index >= start);
     }
 
-    /// <summary>Maximum length of a text in JSON.</summary>
+    /// <summary>Returns an upper bound of the length of a text in JSON, in bytes.</summary>
     public static int BytesOf(string name)
     {
         var bytes = 0;

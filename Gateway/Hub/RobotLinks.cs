@@ -3,16 +3,16 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>The links of the described robots, by their names in the cell. Thread-safe.</summary>
-/// <remarks>A description is read in the background, because that is slow. Until then, its links are unknown.</remarks>
+/// <summary>The links of all robots that have a description, by their cell-wide names. Thread-safe.</summary>
+/// <remarks>A description is parsed in the background, because parsing is slow. Its links are unknown until the end.</remarks>
 sealed class RobotLinks
 {
     readonly Lock _lock = new();
     readonly Dictionary<string, DescribedRobot> _described = [];
-    // For each robot, its links and its root link.
+    // The links and the root link of each robot.
     readonly Dictionary<string, (HashSet<string> Links, string Root)> _robots = [];
 
-    /// <summary>Completes when the descriptions passed so far are read.</summary>
+    /// <summary>Completes when all descriptions passed so far are parsed.</summary>
     internal Task Read { get; private set; } = Task.CompletedTask;
 
     /// <param name="robot">Namespace of the robot; empty for none.</param>
@@ -35,7 +35,7 @@ sealed class RobotLinks
         }
     }
 
-    /// <summary>Gets the root link of the robot to which a link belongs; null for other frames.</summary>
+    /// <summary>Gets the root link of the robot to which a link belongs; null for a frame that is not a robot link.</summary>
     public string RootOf(string link)
     {
         lock (_lock)

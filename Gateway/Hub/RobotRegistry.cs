@@ -2,18 +2,18 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>The robots in namespaces: those with a source, and those whose description is kept. Bounded; not thread-safe.</summary>
+/// <summary>The robots that have a namespace and either a source or a kept description. Bounded; not thread-safe.</summary>
 sealed class RobotRegistry
 {
-    // In the order in which the robots appeared.
+    // In the order in which the robots were first used.
     readonly List<(string Robot, HashSet<(HubSource Source, string Topic)> Users)> _robots = [];
 
     /// <summary>The namespaces.</summary>
     public IEnumerable<string> Names => _robots.Select(one => one.Robot);
 
     /// <summary>Records that a source publishes on a topic of a robot.</summary>
-    /// <param name="removed">A robot without a source that gave way to the new one; null for none.</param>
-    /// <returns>False if there are too many robots.</returns>
+    /// <param name="removed">A robot without a source that was removed to make room for the new robot; null for none.</param>
+    /// <returns>False if the maximum number of robots is reached.</returns>
     public bool TryUse(string robot, HubSource source, string topic, out string removed)
     {
         removed = null;
@@ -38,8 +38,8 @@ sealed class RobotRegistry
     }
 
     /// <summary>Records that a source ends.</summary>
-    /// <param name="topic">The topic on which it ends; null for all.</param>
-    /// <param name="isKept">Whether a robot without sources stays.</param>
+    /// <param name="topic">The topic on which the source ends; null for all topics.</param>
+    /// <param name="isKept">Whether a robot stays without a source.</param>
     public void Release(HubSource source, string topic, Predicate<string> isKept)
     {
         foreach (var (_, users) in _robots) users.RemoveWhere(user => user.Source == source && (topic == null || user.Topic == topic));

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.MotionRecordings;
 
-/// <summary>The columns of the recording of a rigid body: time in s, position in m, unit quaternion.</summary>
+/// <summary>The columns in the recording of a rigid body: time in s, position in m, unit quaternion.</summary>
 static class BodyColumns
 {
     public const string Header = "t_s,x,y,z,qx,qy,qz,qw";
@@ -8,14 +8,14 @@ static class BodyColumns
     /// <summary>The columns of the quaternion.</summary>
     public const string Quaternion = "qx,qy,qz,qw";
 
-    /// <summary>Number of quaternion columns in a header that is not meant for joints.</summary>
+    /// <summary>Minimum number of quaternion columns for which a header is probably a misspelt header of a rigid body.</summary>
     const int MinResembling = 3;
 
     static readonly string[] Names = Header.Split(',');
 
     static readonly string[] QuaternionNames = Quaternion.Split(',');
 
-    /// <summary>Whether a header is that of a rigid body.</summary>
+    /// <summary>Whether a header is exactly the header of a rigid body.</summary>
     public static bool Are(string[] header) => header.AsSpan().SequenceEqual(Names);
 
     /// <summary>Whether a header contains most columns of a quaternion, in any order and case.</summary>

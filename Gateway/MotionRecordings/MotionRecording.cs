@@ -1,9 +1,11 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.MotionRecordings;
 
-/// <summary>Joint positions over time as recorded by a user, with linear interpolation between rows.</summary>
+/// <summary>Joint positions over time from a user's file, with linear interpolation between rows.</summary>
 /// <remarks>
-/// Units are the file's own (rad, m). Times are seconds relative to the file's first row, which preserves the precision of a recording
-/// stamped with dates. Immutable, so any thread may use it.
+/// Units are those of the file (rad, m). Times are seconds relative to the first row, because a double cannot hold seconds since 1970
+/// precisely. Immutable and thread-safe.
 /// </remarks>
 public sealed class MotionRecording
 {
@@ -32,8 +34,8 @@ public sealed class MotionRecording
     public double Duration => _times[^1];
 
     /// <summary>
-    /// Reads <c>FILE.csv</c> or <c>FILE.csv.gz</c>: a header, first the time <c>t</c> or <c>t_s</c> (seconds, strictly
-    /// increasing), then one column per joint.
+    /// Reads <c>FILE.csv</c> or <c>FILE.csv.gz</c>. The file has a header; the first column is the time <c>t</c> or <c>t_s</c> (seconds,
+    /// strictly increasing), and each further column is a joint.
     /// </summary>
     /// <exception cref="InputException">The file cannot be read or has another format. The message names file, line and field.</exception>
     public static MotionRecording Read(string path)
@@ -43,14 +45,14 @@ public sealed class MotionRecording
         return reader.Read();
     }
 
-    /// <summary>Gets all joints at a time, interpolated linearly. Before the first row, it returns the first; after the last row, the last.</summary>
-    /// <param name="secondsSinceStart">Relative to <see cref="Start"/>.</param>
+    /// <summary>Gets the positions of all joints at a time. Times outside the recording give the first or the last row.</summary>
+    /// <param name="secondsSinceStart">Time relative to <see cref="Start"/>, s.</param>
     /// <param name="positions">Receives one element per joint, in the order of <see cref="Names"/>.</param>
     public void At(double secondsSinceStart, Span<double> positions)
     {
-        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException("a time must be a number", nameof(secondsSinceStart));
+        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException(MotionFileMessages.TimeNotANumber, nameof(secondsSinceStart));
         if (positions.Length != _names.Length)
-            throw new ArgumentException($"the array has {positions.Length} elements; the recording has {_names.Length} joints", nameof(positions));
+            throw new ArgumentException(MotionFileMessages.ArrayLength(positions.Length, _names.Length), nameof(positions));
 
         var after = FirstRowAfter(secondsSinceStart);
         if (after == 0 || after == _times.Length)
@@ -69,8 +71,10 @@ public sealed class MotionRecording
     /// <param name="joint">Index into <see cref="Names"/>.</param>
     public double[] PositionsOf(int joint) => [.. Enumerable.Range(0, _times.Length).Select(row => _positions[row * _names.Length + joint])];
 
-    /// <summary>Gets the rows from one time to another, both inclusive, as a new recording.</summary>
-    /// <returns>Null for fewer than two rows.</returns>
+    /// <summary>Gets the rows between two times, both inclusive, as a new recording.</summary>
+    /// <param name="from">Time relative to <see cref="Start"/>, s.</param>
+    /// <param name="to">Time relative to <see cref="Start"/>, s.</param>
+    /// <returns>The recording; null if it would have fewer than two rows.</returns>
     public MotionRecording Between(double from, double to)
     {
         var first = Array.FindIndex(_times, t => t >= from);

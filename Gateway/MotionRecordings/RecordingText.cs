@@ -1,18 +1,19 @@
 using System.IO.Compression;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
-/// <summary>Opens text files given by users, compressed or not, with clear errors.</summary>
+/// <summary>Opens text files that users name, plain or compressed with gzip.</summary>
 public static class RecordingText
 {
-    /// <summary>Opens a file's text, unpacked while it is read if its name ends in <c>.gz</c>. The caller disposes it.</summary>
+    /// <summary>Opens a text file, and unpacks it while it is read if its name ends in <c>.gz</c>. The caller disposes the reader.</summary>
     /// <exception cref="InputException">The file does not exist or cannot be opened.</exception>
     public static TextReader Open(string path)
     {
         if (string.IsNullOrWhiteSpace(path))
-            throw new InputException("no file is named; a path of a .csv or .csv.gz file is needed");
+            throw new InputException(MotionFileMessages.NoFile);
         if (Directory.Exists(path))
-            throw new InputException($"{path}: is a folder; the path of a .csv or .csv.gz file is needed");
+            throw new InputException(MotionFileMessages.IsAFolder(path));
         try
         {
             Stream bytes = File.OpenRead(path);
@@ -30,8 +31,8 @@ public static class RecordingText
         }
     }
 
-    /// <summary>Creates the exception for a failure in the middle of reading.</summary>
+    /// <summary>Creates the exception for a failure while a file is being read.</summary>
     public static InputException Unreadable(string path, Exception e) => e is InvalidDataException
-        ? new InputException($"{path}: is not a complete gzip file, although its name ends in .gz", e)
+        ? new InputException(MotionFileMessages.NotGzip(path), e)
         : new InputException($"{path}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);
 }

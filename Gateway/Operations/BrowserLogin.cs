@@ -1,21 +1,24 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Operations;
 
-/// <summary>Exchanges a token for a session cookie, and ends the session.</summary>
-/// <remarks>Scripts and other sites cannot read the cookie. With TLS, it is sent over TLS only. It is valid as long as its token.</remarks>
+/// <summary>Logs browsers in and out: sets a session cookie in exchange for a token, and ends the session.</summary>
+/// <remarks>
+/// Scripts and other sites cannot read the cookie. With TLS, browsers send it over TLS only. The session ends when its token is revoked.
+/// </remarks>
 sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log)
 {
     readonly WrongTokens _wrong = new(options.Time);
 
-    /// <summary>POST /operations/login: {"token": …}.</summary>
+    /// <summary>Answers POST /operations/login, whose body is {"token": …}.</summary>
     public async Task LogInAsync(HttpContext context)
     {
         if (await RefuseBlockedAsync(context)) return;
         if (!options.AsksForTokens)
-            await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway requires no token");
-        // The address may have been blocked by other requests while the body was being received.
+            await RefuseAsync(context, StatusCodes.Status400BadRequest, OperationsMessages.NoTokenNeeded);
+        // Checks again after the body is received, because other requests may have blocked the address in the meantime.
         else if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context))
             return;
         else if (options.RoleOf(request.GetValueOrDefault("token", "").Trim()) is { } role)
@@ -24,12 +27,12 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
         {
             _wrong.Count(context.Connection.RemoteIpAddress);
             counters.Count(Closure.Token);
-            log("operations: refused an unknown token");
-            await RefuseAsync(context, StatusCodes.Status401Unauthorized, "not a token of this gateway");
+            log(OperationsMessages.UnknownTokenLog);
+            await RefuseAsync(context, StatusCodes.Status401Unauthorized, OperationsMessages.UnknownToken);
         }
     }
 
-    /// <summary>POST /operations/logout.</summary>
+    /// <summary>Answers POST /operations/logout.</summary>
     public Task LogOutAsync(HttpContext context)
     {
         CloseSession(context);
@@ -38,13 +41,13 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        AccessControl.RefuseBlockedAsync(context, _wrong, "too many wrong tokens; wait a minute");
+        AccessControl.RefuseBlockedAsync(context, _wrong, OperationsMessages.TooManyWrong);
 
     Task OpenSessionAsync(HttpContext context, string token, Role role)
     {
         CloseSession(context);
         context.Response.Cookies.Append(BrowserSessions.CookieOf(context), accessControl.Sessions.Open(TokenList.HashOf(token)), CookieSettings());
-        log($"operations: a browser logged in as {role}");
+        log(OperationsMessages.LoggedIn(role));
         return SmallJson.AnswerAsync(context, new { role = role.ToString().ToLowerInvariant() });
     }
 

@@ -5,27 +5,30 @@ using Nowpose.Gateway.Security;
 namespace Nowpose.Gateway.Operations;
 
 /// <summary>
-/// Sessions of browsers that have presented a token. A browser gets a random id instead of the token, because a page cannot store a token
+/// The sessions of browsers that have logged in with a token. A browser gets a random session id, because a page cannot store the token
 /// safely. Thread-safe.
 /// </summary>
-/// <remarks>Kept in memory only, so a restarted gateway requires a new login. A session has the current rights of its token.</remarks>
+/// <remarks>
+/// Sessions are kept in memory only: after a restart of the gateway, users log in again. A session has the current rights of its token.
+/// </remarks>
 sealed class BrowserSessions(TimeProvider time)
 {
-    /// <summary>Maximum number of sessions. Beyond it, the one that was idle longest ends, so that logins cannot exhaust the memory.</summary>
+    /// <summary>Maximum number of sessions. At the limit, a new session replaces the one that has been idle for the longest time.</summary>
     const int MaxCount = 256;
 
     const int IdBytes = 32;
 
-    /// <summary>Maximum idle time: a browser that was left open requires a new login the next morning.</summary>
+    /// <summary>Idle time after which a session ends. A browser left open overnight needs a new login in the morning.</summary>
     static readonly TimeSpan MaxIdle = TimeSpan.FromHours(12);
 
     readonly Dictionary<string, Session> _sessions = [];
 
-    /// <summary>Gets the cookie's name. It includes the port, because browsers share cookies between the ports of a host.</summary>
+    /// <summary>Gets the name of the session cookie. It contains the port, because browsers share cookies between the ports of a host.</summary>
     public static string CookieOf(HttpContext context) => $"nowpose-{context.Connection.LocalPort}";
 
-    /// <param name="tokenHash">Hash from <see cref="TokenList.HashOf"/>.</param>
-    /// <returns>The session's id for the browser: 32 random bytes as text.</returns>
+    /// <summary>Starts a session for a token.</summary>
+    /// <param name="tokenHash">Hash of the token from <see cref="TokenList.HashOf"/>.</param>
+    /// <returns>The session id for the browser: 32 random bytes as text.</returns>
     public string Open(byte[] tokenHash)
     {
         var id = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(IdBytes));
@@ -38,7 +41,7 @@ sealed class BrowserSessions(TimeProvider time)
         return id;
     }
 
-    /// <summary>Gets the hash of a session's token; null for an unknown or expired session.</summary>
+    /// <summary>Gets the hash of a session's token, and restarts the session's idle time. Returns null for an unknown or expired session.</summary>
     public byte[] TokenHashOf(string id)
     {
         var key = KeyOf(id);
@@ -56,7 +59,7 @@ sealed class BrowserSessions(TimeProvider time)
         }
     }
 
-    /// <summary>Whether the session is valid. This does not extend it.</summary>
+    /// <summary>Whether a session is valid. Does not restart its idle time.</summary>
     public bool IsOpen(string id)
     {
         lock (_sessions)
@@ -69,7 +72,7 @@ sealed class BrowserSessions(TimeProvider time)
             _sessions.Remove(KeyOf(id));
     }
 
-    // Looked up by its hash, so that the time does not reveal how much of a guess is right.
+    // Sessions are looked up by the hash of the id, so that the duration does not reveal how many characters of a guess are right.
     static string KeyOf(string id) => Convert.ToBase64String(TokenList.HashOf(id ?? ""));
 
     readonly record struct Session(byte[] TokenHash, long Used);

@@ -1,9 +1,10 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Operations;
 
-/// <summary>Serves the operations page and its login. The data that it shows are served below the same path by others.</summary>
-/// <remarks>The page itself contains no data and needs no token: it has the login form.</remarks>
+/// <summary>Serves the operations page and its login. Other routes below the same path serve the data for the page.</summary>
+/// <remarks>The page needs no token, because it contains no data, only the login form.</remarks>
 /// <param name="html">Null if the page was not built.</param>
 sealed class OperationsRoutes(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
 {
@@ -13,7 +14,7 @@ sealed class OperationsRoutes(GatewayOptions options, AccessControl accessContro
     readonly HtmlPage _page = new(html);
     readonly BrowserLogin _login = new(options, accessControl, counters, log);
 
-    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
+    /// <summary>Answers requests for the page and the login. Passes on all others, including WebSocket requests on these paths.</summary>
     public async Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;
@@ -38,7 +39,7 @@ sealed class OperationsRoutes(GatewayOptions options, AccessControl accessContro
         if (accessControl.IsNoRebinding(context)) return true;
         await AccessControl.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            "without tokens, the operations page is available under the gateway's address, its machine's name and localhost only");
+            OperationsMessages.ThisMachineOnly);
         return false;
     }
 }

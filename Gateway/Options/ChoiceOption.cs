@@ -1,8 +1,9 @@
 using System.CommandLine;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Options that take one of several words.</summary>
+/// <summary>Creates options that take one of several words.</summary>
 public static class ChoiceOption
 {
     public static Option<string> Create(string name, string description, string standard, IReadOnlyCollection<string> allowed)
@@ -17,7 +18,7 @@ public static class ChoiceOption
         {
             var value = result.GetValueOrDefault<string>();
             if (value != null && !allowed.Contains(value))
-                result.AddError($"{name}: '{value}' is not known; allowed: {list}.");
+                result.AddError(OptionMessages.UnknownChoice(name, value, list));
         });
         return option;
     }

@@ -2,10 +2,10 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Handles Ctrl-C and other requests to end, for example of a service manager. The second one ends the process immediately.</summary>
+/// <summary>Handles Ctrl-C and other requests to end, for example from a service manager. A second request ends the process immediately.</summary>
 sealed class EndRequest : IDisposable
 {
-    /// <summary>Time to write the results measured or recorded so far.</summary>
+    /// <summary>Maximum time for the command to write its results after the request. The process then ends.</summary>
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(15);
 
     static readonly PosixSignal[] Signals = [PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP, PosixSignal.SIGQUIT];
@@ -19,7 +19,7 @@ sealed class EndRequest : IDisposable
 
     public CancellationToken Token => _stop.Token;
 
-    /// <summary>Whether the request was Ctrl-C. Other cancellations count as Ctrl-C, too.</summary>
+    /// <summary>Whether the request was Ctrl-C. True also for a cancellation without a signal.</summary>
     public bool IsInterrupt { get; private set; } = true;
 
     public void Dispose()
@@ -34,7 +34,7 @@ sealed class EndRequest : IDisposable
         context.Cancel = true;
         IsInterrupt = context.Signal == PosixSignal.SIGINT;
         _timeout = new Timer(_ => Environment.Exit(IsInterrupt ? ExitStatus.Interrupted : ExitStatus.Terminated), null, TimeToEnd, Timeout.InfiniteTimeSpan);
-        // Continuations of the cancellation must not run on the thread that delivers signals.
+        // Cancels on another thread, so that continuations do not run on the thread that delivers signals.
         Task.Run(_stop.Cancel);
     }
 }

@@ -2,13 +2,14 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Numerics;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Options that take a number within a range. An invalid value gives one line that names option, value, unit and range.</summary>
+/// <summary>Creates options that take a number within a range. An invalid value gives one line with option, value, unit and range.</summary>
 public static class NumberOption
 {
-    /// <param name="unit">Unit after the numbers in messages: "ms", "s", or empty.</param>
+    /// <param name="unit">Unit written after numbers in messages, such as "ms" or "s"; empty for none.</param>
     public static Option<T> Create<T>(string name, string description, T standard, T min, T max, string unit)
         where T : INumber<T>
     {
@@ -20,7 +21,7 @@ public static class NumberOption
         };
     }
 
-    /// <summary>Creates an option without a default: null when it is not given.</summary>
+    /// <summary>Creates an option without a default. Its value is null if it is not given.</summary>
     public static Option<T?> CreateOptional<T>(string name, string description, T min, T max, string unit)
         where T : struct, INumber<T>
     {
@@ -36,15 +37,15 @@ public static class NumberOption
     {
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         var allowed = Invariant($"allowed: {min} to {max}{Suffix(unit)}.");
-        // Parsed as a double first: a number that does not fit the type is out of range, not "no number".
+        // Parses as a double first, so that a number too large for the type counts as out of range instead of invalid.
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number))
-            result.AddError($"{name}: '{text}' is not a number; {allowed}");
+            result.AddError(OptionMessages.NotANumber(name, text, allowed));
         else if (!(number >= double.CreateChecked(min) && number <= double.CreateChecked(max)))
-            result.AddError($"{name}: {text}{Suffix(unit)} is out of range; {allowed}");
+            result.AddError(OptionMessages.OutOfRange(name, text, Suffix(unit), allowed));
         else if (T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
             return value;
         else
-            result.AddError($"{name}: '{text}' is not a whole number; {allowed}");
+            result.AddError(OptionMessages.NotWhole(name, text, allowed));
         return min;
     }
 

@@ -1,10 +1,11 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Options that take a range of milliseconds, MIN-MAX, or one number for both.</summary>
+/// <summary>Creates options that take a range of milliseconds, MIN-MAX, or a single number as both ends.</summary>
 public static class RangeOption
 {
     public static Option<MillisecondRange> Create(string name, string description, MillisecondRange standard, double limit)
@@ -24,11 +25,11 @@ public static class RangeOption
         var ends = text.Split('-');
         if (ends.Length <= 2 && IsNumber(ends[0], out var min) && IsNumber(ends[^1], out var max) && min <= max && max <= limit)
             return new MillisecondRange(min, max);
-        result.AddError(FormattableString.Invariant($"{name}: '{text}' is not a range; allowed: MIN-MAX with 0 <= MIN <= MAX <= {limit} ms."));
+        result.AddError(OptionMessages.NotARange(name, text, limit));
         return default;
     }
 
-    // Accepts no sign, because "5--3" is not a range.
+    // Does not accept a sign, because the hyphen separates the two ends.
     static bool IsNumber(string text, out double value) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out value);
 }

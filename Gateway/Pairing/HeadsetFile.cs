@@ -1,17 +1,18 @@
 using System.Text;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The file of paired headsets, one line each, for programs and people. Only its owner may read it.</summary>
+/// <summary>Reads and writes the file of paired headsets: text with one line per headset. It is created readable by its owner only.</summary>
 static class HeadsetFile
 {
-    const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end immediately.\n";
+    const string Head = HeadsetListMessages.Head;
 
     const int Attempts = 20;
 
     static readonly TimeSpan AttemptInterval = TimeSpan.FromMilliseconds(25);
 
-    /// <summary>Creates the file if it does not exist.</summary>
+    /// <summary>Reads the file, and creates it if it does not exist.</summary>
     /// <exception cref="InputException">The file cannot be created or read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Open(string path) => Guarded(path, () =>
     {
@@ -19,7 +20,7 @@ static class HeadsetFile
         return Load(path);
     });
 
-    /// <summary>Reads the file; a missing file means no headsets.</summary>
+    /// <summary>Reads the file. Returns an empty list if it does not exist.</summary>
     /// <exception cref="InputException">The file cannot be read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path)
     {
@@ -27,8 +28,8 @@ static class HeadsetFile
         return fault == null ? headsets : throw new InputException(fault);
     }
 
-    /// <summary>Reads all valid lines. An invalid line must not keep a token valid that was removed in the same edit.</summary>
-    /// <param name="fault">Describes the first invalid line; null if all are valid.</param>
+    /// <summary>Reads all valid lines, so that a token is revoked even if the edit that removed it made another line invalid.</summary>
+    /// <param name="fault">Message about the first invalid line; null if all lines are valid.</param>
     /// <exception cref="InputException">The file cannot be read.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path, out string fault)
     {
@@ -36,12 +37,13 @@ static class HeadsetFile
         return Parse(path, lines, out fault);
     }
 
+    /// <summary>Appends the line of a headset.</summary>
     /// <exception cref="InputException">The file cannot be written.</exception>
     public static void Add(string path, PairedHeadset headset) => Rewrite(path, FileMode.OpenOrCreate, text =>
-        // An editor may have left the last line without a line end.
+        // Adds a line end if an editor has saved the last line without one.
         text + (text.Length > 0 && text[^1] != '\n' ? "\n" : "") + headset + "\n");
 
-    /// <summary>Removes lines. Keeps the text between them, and the file's owner.</summary>
+    /// <summary>Removes the lines of headsets. Keeps all other text and the owner of the file.</summary>
     /// <exception cref="InputException">The file cannot be read or written.</exception>
     public static void Remove(string path, IReadOnlyCollection<PairedHeadset> headsets)
     {
@@ -59,13 +61,13 @@ static class HeadsetFile
             var line = lines[i].Trim();
             if (line.Length == 0 || line[0] == '#') continue;
             if (PairedHeadset.Read(line) is { } headset) headsets.Add(headset);
-            else fault ??= $"{path}, line {i + 1}: not an entry of a paired headset; correct or remove the line";
+            else fault ??= HeadsetListMessages.NotAnEntry(path, i + 1);
         }
 
         return headsets;
     }
 
-    // Edited in place with an exclusive lock: a gateway that pairs while a token is revoked loses neither change.
+    // Edits the file in place under an exclusive lock, so that pairing and revoking at the same time do not overwrite each other's change.
     static void Rewrite(string path, FileMode mode, Func<string, string> change) => Guarded(path, () =>
     {
         var options = new FileStreamOptions { Mode = mode, Access = FileAccess.ReadWrite, Share = FileShare.None };
@@ -82,7 +84,7 @@ static class HeadsetFile
         return true;
     });
 
-    // Another process has the file open for a short time only.
+    // Tries again while another process has the file open, which takes a short time only.
     static T Retried<T>(Func<T> work)
     {
         for (var left = Attempts; ; left--)
@@ -106,7 +108,7 @@ static class HeadsetFile
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{path}: the list of paired headsets cannot be used ({e.Message})", e);
+            throw new InputException(HeadsetListMessages.Unusable(path, e.Message), e);
         }
     }
 }

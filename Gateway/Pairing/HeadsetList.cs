@@ -1,14 +1,15 @@
 using System.Buffers.Text;
 using System.Security.Cryptography;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The headsets that may connect with their own tokens. Thread-safe.</summary>
-/// <remarks>Follows its file: the token of a removed line is no longer valid.</remarks>
+/// <summary>The paired headsets, which may connect with their own tokens. Thread-safe.</summary>
+/// <remarks>The list follows changes of its file. When a line is removed, its token becomes invalid.</remarks>
 public sealed class HeadsetList
 {
-    /// <summary>Maximum number of headsets. No gateway serves more; each line is compared at each connection.</summary>
+    /// <summary>Maximum number of headsets. Limits the time to check a token, which is compared with every line.</summary>
     const int MaxCount = 1000;
 
     const int TokenBytes = 32;
@@ -18,15 +19,16 @@ public sealed class HeadsetList
     readonly object _gate = new();
     readonly FollowedFile<IReadOnlyList<PairedHeadset>> _headsets;
 
-    /// <param name="path">Path of the file; created if it does not exist.</param>
-    /// <param name="log">Receives a line when the file can no longer be read; null for none.</param>
-    /// <exception cref="InputException">The file is invalid. The message names it and the line.</exception>
+    /// <param name="path">Path of the file, which is created if it does not exist.</param>
+    /// <param name="time">Gives the times of pairings; null for the system's time.</param>
+    /// <param name="log">Receives a line when the file can no longer be read; null for no log.</param>
+    /// <exception cref="InputException">The file is invalid. The message names the file and the line.</exception>
     public HeadsetList(string path, TimeProvider time = null, Action<string> log = null)
     {
         _path = path;
         _time = time ?? TimeProvider.System;
         HeadsetFile.Open(path);
-        // No delay is needed, because a writer locks the file exclusively.
+        // Reads a changed file without delay, because a writer locks the file exclusively.
         _headsets = new FollowedFile<IReadOnlyList<PairedHeadset>>(
             [path], (out string fault) => HeadsetFile.Load(path, out fault), TimeSpan.Zero, log);
     }
@@ -39,7 +41,7 @@ public sealed class HeadsetList
     /// <inheritdoc cref="Knows(byte[])"/>
     public bool Knows(string token) => Knows(TokenList.HashOf(token ?? ""));
 
-    /// <summary>Whether the token belongs to a headset. Takes the same time for all tokens.</summary>
+    /// <summary>Whether the token belongs to a paired headset. The check takes the same time for all tokens.</summary>
     /// <param name="hash">Hash from <see cref="TokenList.HashOf"/>.</param>
     public bool Knows(byte[] hash)
     {
@@ -57,7 +59,7 @@ public sealed class HeadsetList
         lock (_gate)
         {
             if (_headsets.Current.Count >= MaxCount)
-                throw new InputException($"{_path}: already contains {MaxCount} headsets; revoke some");
+                throw new InputException(HeadsetListMessages.Full(_path, MaxCount));
             headset = new PairedHeadset(PairedHeadset.NameOf(name), _time.GetUtcNow().UtcDateTime, TokenList.HashOf(token));
             HeadsetFile.Add(_path, headset);
         }

@@ -3,14 +3,14 @@ using System.Security.Cryptography;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>One line of the list: the headset's name, the time of its pairing, and the hash of its token.</summary>
+/// <summary>One line of the list of paired headsets: the headset's name, the time of its pairing, and the hash of its token.</summary>
 sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
 {
     public const int MaxNameLength = 64;
 
     const string Role = "observer", HashPrefix = "sha256/", TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'";
 
-    /// <summary>Reads a line; null if it is invalid.</summary>
+    /// <summary>Parses a line. Returns null if it is invalid.</summary>
     public static PairedHeadset Read(string line)
     {
         var words = line.Split(' ', 4);
@@ -22,7 +22,7 @@ sealed record PairedHeadset(string Name, DateTime PairedUtc, byte[] Hash)
             ? new PairedHeadset(words[3], paired, hash[..length]) : null;
     }
 
-    /// <summary>Cleans a headset's name for a line: removes invisible characters and limits the length.</summary>
+    /// <summary>Makes a headset's name safe for a line of the file: removes invisible characters and limits the length.</summary>
     public static string NameOf(string name)
     {
         var plain = new string([.. (name ?? "").Where(IsPlain)]).Trim();

@@ -1,21 +1,25 @@
 using System.Net;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The page that shows the code and prints markers, with its requests. For browsers on this machine, and for operators' browsers.</summary>
+/// <summary>
+/// Serves the pairing page, which shows the pairing code and prints markers, and its requests. Available to browsers on this machine and to
+/// operators.
+/// </summary>
 /// <remarks>
-/// Anyone who can open the page can pair a headset. From other machines, an operator logs in on the operations page first. Alternatively,
-/// the page is opened through a tunnel by a user of this machine, or the verb "pair" shows the code on a terminal.
+/// Anyone who can open the page can pair a headset. On another machine, an operator first logs in on the operations page. Alternatives are a
+/// tunnel to this machine, and the verb "pair", which shows the code on a terminal.
 /// </remarks>
 /// <param name="html">Null if the page was not built.</param>
 sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl accessControl, string html)
 {
     readonly HtmlPage _page = new(html);
 
-    /// <summary>Ports of both servers, once they are known.</summary>
+    /// <summary>Port of the server, set after the start.</summary>
     public int SyncPort { get; set; }
 
     /// <inheritdoc cref="SyncPort"/>
@@ -25,13 +29,13 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
 
     CertificatePin Pin => options.Certificate == null ? null : CertificatePin.Of(options.Certificate);
 
-    /// <summary>GET /pair.</summary>
+    /// <summary>Answers GET /pair with the page.</summary>
     public async Task ShowAsync(HttpContext context)
     {
         if (await AdmitAsync(context)) await _page.SendAsync(context);
     }
 
-    /// <summary>POST /pair/code: {"renew": ""} requests a new code.</summary>
+    /// <summary>Answers POST /pair/code with the current pairing code. The body {"renew": ""} requests a new code.</summary>
     public async Task SendCodeAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
@@ -40,7 +44,9 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         await SmallJson.AnswerAsync(context, new { text = code.Text, left_s = left.TotalSeconds, key = code.Pin?.Beginning ?? "" });
     }
 
-    /// <summary>POST /pair/cell: gets the marker's code for name, host, offset and size_mm; without them, the default values.</summary>
+    /// <summary>
+    /// Answers POST /pair/cell with the text of the marker's code for name, host, offset and size_mm. Without a name, answers with the defaults.
+    /// </summary>
     public async Task SendCellAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
@@ -57,7 +63,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         {
             var offset = Field("offset");
             if (!MarkerOffset.TryReadNumber(Field("size_mm"), out var sizeMm) || sizeMm <= 0)
-                throw new InputException($"marker size: '{Field("size_mm")}' is not a size; allowed: 10 to 999 mm");
+                throw new InputException(PairingServiceMessages.MarkerSize(Field("size_mm")));
             var code = new CellCode(
                 Field("name"), Field("host"), Pin, offset.Length == 0 ? null : MarkerOffset.Parse(offset, "marker offset"), sizeMm / 1000,
                 SyncPort, WebSocketPort);
@@ -69,24 +75,24 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         }
     }
 
-    // A gateway without TLS serves this machine only.
+    // Without TLS, pairing is possible on this machine only.
     string[] Hosts() => options.Certificate == null
         ? ["localhost"] : [.. OwnHosts.Reachable(options.Bind).Select(host => host.Trim('[', ']'))];
 
     async Task<bool> AdmitAsync(HttpContext context)
     {
         if (!await accessControl.AdmitOriginAsync(context)) return false;
-        // A page whose name was made to resolve to this address (DNS rebinding) could read the answer. It sends its own host name.
+        // Checks the host name against DNS rebinding: another site can make its own host name resolve to this machine and read the answer.
         if (IsFromThisMachine(context.Connection) && accessControl.IsOwnHost(context)) return true;
-        // An operator's cookie or header is not sent with such a name.
+        // An operator's login needs no host check, because browsers do not send its cookie or header under another host name.
         if (accessControl.IsOperator(context)) return true;
         await AccessControl.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            "the pairing page is available to browsers on the gateway's machine, under its address, its name or localhost, and to operators who have logged in");
+            PairingServiceMessages.ThisMachineOnly);
         return false;
     }
 
-    // Answers to an address of this machine cannot reach any other machine.
+    // A client whose address is the local address is on this machine, because answers to that address do not leave it.
     static bool IsFromThisMachine(ConnectionInfo connection) =>
         IPAddress.IsLoopback(connection.RemoteIpAddress) || connection.RemoteIpAddress.Equals(connection.LocalIpAddress);
 }

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>Serves the requests below /pair when the gateway pairs headsets.</summary>
+/// <summary>Serves the requests to /pair and below it, if the gateway pairs headsets.</summary>
 sealed class PairingRoutes
 {
     const string CodePath = PairingLimits.Path + "/code", CellPath = PairingLimits.Path + "/cell";
@@ -23,7 +23,7 @@ sealed class PairingRoutes
 
     public PairingPage Page { get; }
 
-    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
+    /// <summary>Answers the requests for pairing. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;

@@ -1,29 +1,30 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>Exchanges the token of the shown code for a headset's own token.</summary>
+/// <summary>Gives a headset its own token in exchange for the one-time token in the shown pairing code.</summary>
 sealed class PairingService(GatewayOptions options, ShownCode shown, AccessControl accessControl, ConnectionCounters counters, Action<string> log)
 {
     readonly WrongTokens _wrong = new(options.Time);
 
-    /// <summary>POST /pair.</summary>
+    /// <summary>Answers POST /pair, whose body is {"token": …, "name": …}.</summary>
     public async Task ServeAsync(HttpContext context)
     {
-        // A headset sends no Origin. Another site's page that tries codes does.
+        // Refuses pages of other sites that try codes: browsers send the Origin header, headsets do not.
         if (!await accessControl.AdmitOriginAsync(context)) return;
         if (await RefuseBlockedAsync(context)) return;
-        // The address may have been blocked by other requests while the body was being received.
+        // Checks again after the body is received, because other requests may have blocked the address in the meantime.
         if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context)) return;
         if (!request.TryGetValue("token", out var token) || !request.TryGetValue("name", out var name))
-            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "token and name are needed");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, PairingServiceMessages.Fields);
         else
             await ExchangeAsync(context, token, name);
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        AccessControl.RefuseBlockedAsync(context, _wrong, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
+        AccessControl.RefuseBlockedAsync(context, _wrong, PairingServiceMessages.TooManyWrong(PairingLimits.WrongCodesPerMinute));
 
     Task ExchangeAsync(HttpContext context, string token, string name)
     {
@@ -35,20 +36,20 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
         }
         catch (InputException fault)
         {
-            // The code stays valid: the failure was not the headset's.
+            // The code stays valid, so that the headset can try again.
             log("pairing: " + fault.Message);
-            return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be stored");
+            return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, PairingServiceMessages.NotStored);
         }
 
         if (own != null)
         {
-            log($"pairing: headset '{headset.Name}' received a token");
+            log(PairingServiceMessages.TokenGiven(headset.Name));
             return SmallJson.AnswerAsync(context, new { token = own });
         }
 
         _wrong.Count(context.Connection.RemoteIpAddress);
         counters.Count(Closure.Token);
-        log("pairing: refused a wrong code");
-        return AccessControl.AnswerAsync(context, StatusCodes.Status401Unauthorized, "this is not the current code");
+        log(PairingServiceMessages.WrongCodeLog);
+        return AccessControl.AnswerAsync(context, StatusCodes.Status401Unauthorized, PairingServiceMessages.WrongCode);
     }
 }

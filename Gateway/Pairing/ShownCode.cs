@@ -6,8 +6,8 @@ using Base64Url = System.Buffers.Text.Base64Url;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>The code that a headset can exchange at present. Thread-safe.</summary>
-/// <remarks>It is replaced when it is used, when it expires, and on request.</remarks>
+/// <summary>The current pairing code, which a headset can exchange once for its own token. Thread-safe.</summary>
+/// <remarks>A new code replaces it when it has been used, when it expires, and on request.</remarks>
 sealed class ShownCode(CertificatePin pin, TimeProvider time)
 {
     readonly object _gate = new();
@@ -15,7 +15,8 @@ sealed class ShownCode(CertificatePin pin, TimeProvider time)
     long _made;
     bool _isUsed = true;
 
-    /// <summary>Gets the code to show, and the remaining time of its validity.</summary>
+    /// <summary>Gets the code to show.</summary>
+    /// <param name="left">Remaining time of its validity.</param>
     public TokenCode Current(out TimeSpan left)
     {
         lock (_gate)
@@ -33,13 +34,15 @@ sealed class ShownCode(CertificatePin pin, TimeProvider time)
             _isUsed = true;
     }
 
-    /// <summary>Exchanges the token of the shown code once. The code stays valid if <paramref name="give"/> fails.</summary>
-    /// <returns>The result of the exchange; null for any other token.</returns>
+    /// <summary>Exchanges the token in the current code, once.</summary>
+    /// <param name="token">The token that a headset sent.</param>
+    /// <param name="give">Creates the headset's own token. If it throws, the code stays valid.</param>
+    /// <returns>The headset's own token; null if <paramref name="token"/> is not in the current code.</returns>
     public string Take(string token, Func<string> give)
     {
         lock (_gate)
         {
-            // Always compared, so that the time does not reveal whether there is a code.
+            // Compares even without a code, so that the duration does not reveal whether a code exists.
             var isIt = CryptographicOperations.FixedTimeEquals(TokenList.HashOf(token ?? ""), TokenList.HashOf(_code?.Token ?? ""));
             if (!isIt || !IsValid) return null;
             var given = give();

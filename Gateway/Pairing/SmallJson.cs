@@ -1,28 +1,30 @@
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>Reads and writes requests and answers with a few texts. Their size is checked before they are read.</summary>
+/// <summary>
+/// Reads small requests that are JSON objects of strings, and writes answers as JSON. Checks the size of a request before reading it.
+/// </summary>
 static class SmallJson
 {
     static readonly JsonDocumentOptions Strict = new() { MaxDepth = 2 };
 
-    /// <returns>
-    /// The texts of the request's object, including unknown ones; null for any other request, which has then been refused and answered.
-    /// </returns>
+    /// <summary>Reads a request. Refuses and answers a request that is not a small JSON object of strings.</summary>
+    /// <returns>The fields of the object, including unknown fields; null if the request was refused.</returns>
     public static async Task<Dictionary<string, string>> ReadAsync(HttpContext context)
     {
         var length = context.Request.ContentLength;
         if (length > PairingLimits.BodyBytes)
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status413PayloadTooLarge, $"no more than {PairingLimits.BodyBytes} bytes");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status413PayloadTooLarge, LimitMessages.BodyBytes(PairingLimits.BodyBytes));
             return null;
         }
 
         if (length is > 0 && await BodyAsync(context, (int)length) is { } texts) return texts;
-        await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "the request must be a JSON object of strings with a Content-Length");
+        await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, PairingServiceMessages.NotJson);
         return null;
     }
 

@@ -3,10 +3,11 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>Access to this gateway for a program that it starts. Passed in the environment, which files and process lists do not show.</summary>
+/// <summary>The address, token and pin with which an adapter program connects to the gateway that started it.</summary>
+/// <remarks>They are passed in environment variables, because command lines are visible to other users.</remarks>
 /// <param name="WebSocket">Address of the WebSocket on this machine.</param>
 /// <param name="Token">Token with the role of a source, created at each start of the gateway.</param>
-/// <param name="Pin">Pin of the gateway's key; null without TLS.</param>
+/// <param name="Pin">Pin of the gateway's certificate; null without TLS.</param>
 sealed record AdapterAccess(Uri WebSocket, string Token, CertificatePin Pin)
 {
     public static AdapterAccess To(GatewayServer gateway)
@@ -18,7 +19,7 @@ sealed record AdapterAccess(Uri WebSocket, string Token, CertificatePin Pin)
             new Uri($"{scheme}://{new IPEndPoint(host, gateway.WebSocketEndPoint.Port)}/"), gateway.AdapterToken, gateway.Pin);
     }
 
-    public void Tell(IDictionary<string, string> environment)
+    public void AddTo(IDictionary<string, string> environment)
     {
         environment["NOWPOSE_GATEWAY"] = WebSocket.ToString();
         environment["NOWPOSE_TOKEN"] = Token;
@@ -26,6 +27,6 @@ sealed record AdapterAccess(Uri WebSocket, string Token, CertificatePin Pin)
         else environment["NOWPOSE_PIN"] = Pin.ToString();
     }
 
-    /// <summary>Gets the address, without the token.</summary>
+    /// <summary>Returns the address only, so that the token does not appear in a log.</summary>
     public override string ToString() => WebSocket.ToString();
 }

@@ -1,14 +1,15 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>Keeps the program of one control system's adapter running: restarts it when it ends, and ends it with the gateway.</summary>
+/// <summary>Keeps one adapter program running: restarts it when it ends, and ends it when the gateway stops.</summary>
 sealed class AdapterProcess : IAsyncDisposable
 {
     static readonly TimeSpan FirstPause = TimeSpan.FromSeconds(0.5), MaxPause = TimeSpan.FromSeconds(30);
 
-    /// <summary>Minimum run time of a successful start.</summary>
-    static readonly TimeSpan Steady = TimeSpan.FromSeconds(60);
+    /// <summary>Run time after which the next restart waits for <see cref="FirstPause"/> again.</summary>
+    static readonly TimeSpan MinRunTime = TimeSpan.FromSeconds(60);
 
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(4);
 
@@ -24,7 +25,7 @@ sealed class AdapterProcess : IAsyncDisposable
     int _starts;
 
     /// <summary>Starts the program immediately.</summary>
-    /// <param name="log">Also receives the lines of the program.</param>
+    /// <param name="log">Receives the lines that the program prints, and its restarts.</param>
     public AdapterProcess(PlantFile plant, AdapterAccess access, TimeProvider time, Action<string> log)
     {
         _plant = plant;
@@ -34,7 +35,7 @@ sealed class AdapterProcess : IAsyncDisposable
         _running = Task.Run(RunAsync);
     }
 
-    /// <summary>Number of starts.</summary>
+    /// <summary>Number of times the program has been started.</summary>
     public int Starts => Volatile.Read(ref _starts);
 
     public AdapterState State =>
@@ -60,14 +61,14 @@ sealed class AdapterProcess : IAsyncDisposable
             _end = end;
             _process = null;
             if (_stop.IsCancellationRequested) return;
-            if (Stopwatch.GetElapsedTime(started) > Steady) pause = FirstPause;
-            _log($"{_plant.Path}: its adapter ended ({end}) and starts again in {pause.TotalSeconds:0.#} s");
+            if (Stopwatch.GetElapsedTime(started) > MinRunTime) pause = FirstPause;
+            _log(AdapterMessages.Ended(_plant.Path, end, pause.TotalSeconds));
             await Task.Delay(pause, _stop.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
             pause = pause * 2 < MaxPause ? pause * 2 : MaxPause;
         }
     }
 
-    // Returns how it ended.
+    // Returns the exit status, or the reason why the program could not start.
     async Task<string> RunOnceAsync()
     {
         try
@@ -76,8 +77,8 @@ sealed class AdapterProcess : IAsyncDisposable
             Interlocked.Increment(ref _starts);
             Interlocked.Exchange(ref _startedAt, _time.GetTimestamp());
             _process = process;
-            process.OutputDataReceived += (_, line) => Tell(line.Data);
-            process.ErrorDataReceived += (_, line) => Tell(line.Data);
+            process.OutputDataReceived += (_, line) => Log(line.Data);
+            process.ErrorDataReceived += (_, line) => Log(line.Data);
             process.BeginOutputReadLine();
             process.BeginErrorReadLine();
             await using (_stop.Token.Register(() => _ = EndAsync(process)))
@@ -90,7 +91,7 @@ sealed class AdapterProcess : IAsyncDisposable
         }
     }
 
-    void Tell(string line)
+    void Log(string line)
     {
         if (!string.IsNullOrEmpty(line)) _log(line);
     }

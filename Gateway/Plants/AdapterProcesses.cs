@@ -1,14 +1,15 @@
 using System.Net;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>The programs of the adapters that a gateway starts, one for each control system.</summary>
+/// <summary>The adapter programs that a gateway starts, one for each control system.</summary>
 sealed class AdapterProcesses : IAsyncDisposable
 {
     readonly AdapterProcess[] _processes;
 
-    // One for each adapter, so that many lines of one do not suppress those of another.
+    // One log per adapter, so that many lines of one adapter do not suppress the lines of another.
     readonly RateLimitedLog[] _logs;
 
     AdapterProcesses(PlantFile[] plants, GatewayServer gateway)
@@ -18,15 +19,14 @@ sealed class AdapterProcesses : IAsyncDisposable
         _processes = [.. plants.Zip(_logs, (plant, log) => new AdapterProcess(plant, access, gateway.Time, log.Write))];
     }
 
-    /// <summary>Checks all configurations.</summary>
-    /// <param name="options">Options of their gateway.</param>
-    /// <exception cref="InputException">A configuration has invalid entries. The message lists all entries of all files.</exception>
+    /// <summary>Checks all plant configurations.</summary>
+    /// <param name="options">Options of the gateway that the adapters will connect to.</param>
+    /// <exception cref="InputException">A configuration has invalid entries. The message lists the invalid entries of all files.</exception>
     public static async Task<IReadOnlyList<PlantFile>> CheckAsync(
         IReadOnlyCollection<string> files, GatewayOptions options, CancellationToken stop)
     {
         if (files.Count > 0 && options.Certificate == null && !options.IsLoopback && !IsAny(options.Bind))
-            throw new InputException(
-                $"--plant with --bind {options.Bind} and no --tls: adapters connect only over TLS or loopback; add --tls, or bind to any");
+            throw new InputException(AdapterMessages.NoTls(options.Bind));
         var good = new List<PlantFile>();
         var bad = new List<string>();
         foreach (var file in files)
@@ -41,7 +41,7 @@ sealed class AdapterProcesses : IAsyncDisposable
             {
                 var plant = await AdapterProgram.CheckAsync(file, stop);
                 if (good.Find(other => other.Name == plant.Name) is { } other)
-                    bad.Add($"{file}: its plant has the same name '{plant.Name}' as the one in {other.Path}; set another plant.name in one of the two files");
+                    bad.Add(AdapterMessages.SameName(file, plant.Name, other.Path));
                 good.Add(plant);
             }
             catch (WrongEntriesException wrong)
@@ -54,7 +54,7 @@ sealed class AdapterProcesses : IAsyncDisposable
     }
 
     /// <summary>Starts an adapter for each plant.</summary>
-    /// <param name="gateway">The running gateway. It logs the programs' lines and is not ready until all of them report.</param>
+    /// <param name="gateway">The running gateway. It logs the programs' output, and becomes ready when all adapters have reported.</param>
     public static AdapterProcesses Start(IEnumerable<PlantFile> plants, GatewayServer gateway)
     {
         var started = new AdapterProcesses([.. plants], gateway);

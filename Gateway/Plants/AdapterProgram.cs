@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Web;
 
@@ -11,8 +12,10 @@ static class AdapterProgram
     static readonly TimeSpan CheckTimeout = TimeSpan.FromSeconds(30);
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs");
 
-    /// <summary>Lets the program check a configuration file, without reading the plant.</summary>
-    /// <exception cref="InputException">The file has invalid entries, listed with their lines, or the program cannot run.</exception>
+    /// <summary>Runs the program to check a configuration file, without connecting to the plant.</summary>
+    /// <exception cref="InputException">
+    /// The file has invalid entries, which the message lists with their lines, or the program cannot run.
+    /// </exception>
     public static async Task<PlantFile> CheckAsync(string file, CancellationToken stop)
     {
         using var process = Start(file, ["--check"], null);
@@ -35,7 +38,7 @@ static class AdapterProgram
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
         {
-            throw new InputException($"{file}: its check did not end within {CheckTimeout.TotalSeconds} s; try again when the machine is less busy");
+            throw new InputException(AdapterMessages.CheckTooSlow(file, CheckTimeout.TotalSeconds));
         }
         finally
         {
@@ -43,16 +46,16 @@ static class AdapterProgram
         }
     }
 
-    /// <summary>Starts the program with redirected input and outputs.</summary>
-    /// <param name="access">Access to the gateway; null for a run that needs none.</param>
-    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
+    /// <summary>Starts the program with redirected standard input and outputs.</summary>
+    /// <param name="access">Access to the gateway; null for a run that does not connect to it.</param>
+    /// <exception cref="InputException">Node.js is missing, or was missing when the gateway was built.</exception>
     public static Process Start(string file, IEnumerable<string> options, AdapterAccess access)
     {
-        return NodeProgram.Start("--plant: Node.js 20 or newer is needed to read a control system", Script, [file, .. options], process =>
+        return NodeProgram.Start(AdapterMessages.NodeNeeded, Script, [file, .. options], process =>
         {
-            // The program ends when its input is closed, even when this process was killed.
+            // With this variable, the program ends when its standard input is closed, which also happens when this process is killed.
             process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
-            access?.Tell(process.StartInfo.Environment);
+            access?.AddTo(process.StartInfo.Environment);
         });
     }
 
@@ -61,7 +64,8 @@ static class AdapterProgram
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
-        /// <exception cref="InputException">The program printed something else, for example because its version is different.</exception>
+        /// <summary>Parses the result that the program printed.</summary>
+        /// <exception cref="InputException">The result has another format, for example because the program has another version.</exception>
         public static PlantContent Read(string file, string json)
         {
             try
@@ -70,10 +74,10 @@ static class AdapterProgram
             }
             catch (JsonException)
             {
-                // Reported below.
+                // The exception below reports it.
             }
 
-            throw new InputException($"{file}: the result of its check cannot be read; build the gateway and the adapters from the same version");
+            throw new InputException(AdapterMessages.CheckUnreadable(file));
         }
     }
 }

@@ -1,20 +1,22 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Plants;
 
 /// <summary>The sampling times of a simulated cell, and the delay until a sample is sent.</summary>
 public sealed record CellTiming
 {
-    /// <summary>The cell's control cycle. Stamps are multiples of it.</summary>
+    /// <summary>The control cycle of the cell. Stamps are multiples of this time.</summary>
     public static readonly TimeSpan Cycle = TimeSpan.FromMilliseconds(1);
 
     /// <param name="samplingInterval">T_s, at least one cycle.</param>
     /// <param name="acquisitionMin">Minimum time from t_k until the sample is sent.</param>
-    /// <param name="acquisitionMax">Maximum time; uniformly distributed between both.</param>
+    /// <param name="acquisitionMax">Maximum time from t_k until the sample is sent. The time is uniformly distributed between the two.</param>
     public CellTiming(TimeSpan samplingInterval, TimeSpan acquisitionMin, TimeSpan acquisitionMax)
     {
         if (samplingInterval < Cycle)
-            throw new ArgumentOutOfRangeException(nameof(samplingInterval), samplingInterval, "must be at least one control cycle of 1 ms");
+            throw new ArgumentOutOfRangeException(nameof(samplingInterval), samplingInterval, PlantMessages.SamplingTime);
         if (acquisitionMin < TimeSpan.Zero || acquisitionMax < acquisitionMin)
-            throw new ArgumentOutOfRangeException(nameof(acquisitionMin), acquisitionMin, $"must be from 0 to the maximum, {acquisitionMax}");
+            throw new ArgumentOutOfRangeException(nameof(acquisitionMin), acquisitionMin, PlantMessages.AcquisitionTime(acquisitionMax));
         SamplingInterval = samplingInterval;
         AcquisitionMin = acquisitionMin;
         AcquisitionMax = acquisitionMax;

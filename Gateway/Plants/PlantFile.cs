@@ -6,8 +6,8 @@ namespace Nowpose.Gateway.Plants;
 
 /// <summary>A checked plant configuration.</summary>
 /// <param name="Path">Path of the file.</param>
-/// <param name="Name">Name of the plant, under which its adapter reports.</param>
-/// <param name="Summary">A line for the log: the data and their source.</param>
+/// <param name="Name">Name of the plant, which is also the name of its adapter in the gateway's status.</param>
+/// <param name="Summary">A line for the log about the data and their source.</param>
 sealed record PlantFile(string Path, string Name, string Summary)
 {
     /// <summary>Names of the configured joints.</summary>
@@ -16,22 +16,28 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>Whether the adapter also publishes joints that the file does not list.</summary>
     public bool PassesUnlisted { get; init; }
 
-    /// <summary>Whether the file has objects or signals.</summary>
+    /// <summary>Whether the file configures objects or signals.</summary>
     public bool HasObjects { get; init; }
 
-    /// <summary>The URDF of the robot without a namespace that the adapter publishes; null for none.</summary>
+    /// <summary>The URDF that the adapter publishes for the robot without a namespace; null for none.</summary>
     public string Robot { get; init; }
 
-    /// <summary>The URDFs of robots in namespaces that the adapter publishes.</summary>
+    /// <summary>The URDFs that the adapter publishes for robots with a namespace, by namespace.</summary>
     public IReadOnlyDictionary<string, string> Robots { get; init; } = new Dictionary<string, string>();
 
-    /// <summary>Gets whether joint positions have to arrive from a gateway's plants. A cell without a robot may have objects and signals alone.</summary>
+    /// <summary>
+    /// Whether the plants of a gateway must send joint positions. False for a cell with objects and signals but without a robot.
+    /// </summary>
+    /// <param name="plants">All plants of the gateway.</param>
     /// <param name="robot">The URDF that the gateway itself publishes; null for none.</param>
     public static bool ExpectsJoints(IReadOnlyCollection<PlantFile> plants, string robot) => plants.Count > 0
         && (robot != null || !plants.Any(plant => plant.HasObjects)
             || plants.Any(plant => plant.Joints.Count > 0 || plant.PassesUnlisted || plant.Robot != null || plant.Robots.Count > 0));
 
-    /// <summary>Gets the joints of a robot's arm that no plant publishes, without which headsets cannot show a current pose; those of robots in namespaces as NAMESPACE/JOINT.</summary>
+    /// <summary>
+    /// Gets the arm joints that no plant publishes. Headsets cannot show a current pose without them. Joints of a robot with a namespace are
+    /// named NAMESPACE/JOINT.
+    /// </summary>
     /// <param name="plants">All plants of a gateway.</param>
     /// <param name="robot">The URDF that the gateway itself publishes; null for none.</param>
     public static IReadOnlyList<string> MissingJoints(IReadOnlyCollection<PlantFile> plants, string robot)
@@ -45,7 +51,7 @@ sealed record PlantFile(string Path, string Name, string Summary)
                let model = new DescribedRobot(described.Value).Model
                where model != null
                let names = UnpublishedJoints.NamesOf(model).ConvertAll(name => RobotTopic.Qualified(described.Key, name))
-               // A robot whose joints are all unpublished may have its source elsewhere.
+               // Skips a robot without any published joint, because another program may publish its joints.
                where described.Key.Length == 0 || names.Exists(published.Contains)
                from name in names
                where !published.Contains(name)

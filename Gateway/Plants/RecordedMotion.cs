@@ -1,10 +1,11 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>A recording played forward and backward. One pass in each direction is one cycle.</summary>
+/// <summary>The motion of a robot from a recording. One cycle plays the recording forward and then backward.</summary>
 public sealed class RecordedMotion : IMotion
 {
     readonly MotionRecording _recording;
@@ -14,9 +15,12 @@ public sealed class RecordedMotion : IMotion
     readonly double[] _rest;
 
     /// <summary>
-    /// Assigns columns to joints by name. If any name is not a joint of the robot, assigns all columns to its joints in order.
+    /// Assigns the columns to joints by name. If one column has a name that is not a joint of the robot, assigns all columns in the order of
+    /// the robot's joints.
     /// </summary>
-    /// <remarks>Joints without a column stay at 0, or at the limit nearest to 0. Mimic joints follow their masters.</remarks>
+    /// <remarks>
+    /// A joint without a column stays at 0, or at its limit nearest to 0. A mimic joint without a column follows the joint that it mimics.
+    /// </remarks>
     /// <exception cref="InputException">
     /// The recording has more columns than the robot has joints, or the robot has too many joints.
     /// </exception>
@@ -55,8 +59,7 @@ public sealed class RecordedMotion : IMotion
         var joints = robot.MovingJoints.Where(joint => joint.Mimic == null).Select(joint => joint.MovingIndex).ToArray();
         if (recording.Names.Count > joints.Length)
             throw new InputException(
-                $"the recording has {recording.Names.Count} columns ({string.Join(", ", recording.Names)}), "
-                + $"robot {robot.Name} has {joints.Length} joints that move independently; choose a robot with this number of columns");
+                PlantMessages.ColumnCount(recording.Names.Count, string.Join(", ", recording.Names), robot.Name, joints.Length));
         return joints[..recording.Names.Count];
     }
 }

@@ -1,8 +1,9 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>Loads robots by the name of an included one, or by the path of a URDF.</summary>
+/// <summary>Loads robot models: an included robot by its name, any other by the path of its URDF.</summary>
 public static class RobotFiles
 {
     static readonly string[] Included = ["youbot", "ur5", "ur3e", "ur5e", "ur10e", "ur16e"];
@@ -10,14 +11,15 @@ public static class RobotFiles
     /// <summary>The names of the included robots, for option help and messages.</summary>
     public static string Names { get; } = string.Join(", ", Included);
 
-    /// <summary>Whether the name is that of an included robot.</summary>
+    /// <summary>Whether an included robot has this name.</summary>
     public static bool IsIncluded(string name) => Included.Contains(name);
 
-    /// <param name="nameOrPath">"youbot", "ur5e" or another included robot, or the path of a .urdf file.</param>
-    /// <exception cref="InputException">The robot does not exist, or its URDF cannot be read or computed.</exception>
+    /// <summary>Loads a robot model.</summary>
+    /// <param name="nameOrPath">Name of an included robot, such as "ur5e", or path of a .urdf file.</param>
+    /// <exception cref="InputException">The file does not exist or cannot be read, or its URDF is invalid.</exception>
     public static RobotModel Load(string nameOrPath) => Load(nameOrPath, out _);
 
-    /// <param name="urdf">The robot's text, as it is sent to a headset.</param>
+    /// <param name="urdf">The text of the URDF, as sent to headsets.</param>
     /// <inheritdoc cref="Load(string)"/>
     public static RobotModel Load(string nameOrPath, out string urdf)
     {
@@ -25,13 +27,13 @@ public static class RobotFiles
         return UrdfReader.Read(urdf, nameOrPath);
     }
 
-    /// <summary>Reads the URDF text that is sent to a headset, without checks.</summary>
+    /// <summary>Reads the text of a URDF, as sent to headsets, without checking it.</summary>
     /// <inheritdoc cref="Load(string)"/>
     public static string LoadText(string nameOrPath)
     {
         if (IsIncluded(nameOrPath))
             return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
-        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException("no robot is named; " + Allowed);
+        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException(PlantMessages.NoRobot(Allowed));
         if (Directory.Exists(nameOrPath)) throw new InputException($"{nameOrPath}: is a folder; {Allowed}");
         try
         {
@@ -47,5 +49,5 @@ public static class RobotFiles
         }
     }
 
-    static string Allowed => Names + " or the path of a .urdf file is needed";
+    static string Allowed => PlantMessages.Robots(Names);
 }

@@ -7,7 +7,7 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>A robot cell that publishes its joint positions, objects and signals, with access to the robots' true positions.</summary>
+/// <summary>A simulated robot cell that publishes joint positions, objects and signals, and gives access to the true joint positions.</summary>
 public sealed class SimulatedCell : IDisposable
 {
     readonly IControlClock _clock;
@@ -20,15 +20,20 @@ public sealed class SimulatedCell : IDisposable
     Thread _thread;
     long _samples;
 
-    /// <param name="timing">When samples are taken and sent.</param>
-    /// <param name="seed">Seed of the acquisition delays.</param>
-    /// <param name="publishesPlan">Whether the set-points of the next second are published, too, four times a second.</param>
+    /// <summary>Creates a cell with one robot, without objects and signals.</summary>
+    /// <param name="motion">The motion of the robot.</param>
+    /// <param name="clock">The control clock, with which samples are stamped.</param>
+    /// <param name="timing">Sampling interval and acquisition times.</param>
+    /// <param name="seed">Seed of the acquisition times.</param>
+    /// <param name="publishesPlan">Whether the cell also publishes the set-points of the next second, four times a second.</param>
     public SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan = false)
         : this(motion, clock, timing, seed, publishesPlan, null)
     {
     }
 
-    /// <param name="work">The work of the robots, whose objects and signals are published, too; null for one robot without work.</param>
+    /// <summary>Creates a cell.</summary>
+    /// <param name="work">The robots' tasks, whose objects and signals are published; null for one robot without objects and signals.</param>
+    /// <inheritdoc cref="SimulatedCell(IMotion, IControlClock, CellTiming, int, bool)"/>
     internal SimulatedCell(IMotion motion, IControlClock clock, CellTiming timing, int seed, bool publishesPlan, CellWork work)
     {
         _work = work;
@@ -43,26 +48,26 @@ public sealed class SimulatedCell : IDisposable
 
     public IMotion Motion { get; }
 
-    /// <summary>Start of the motion.</summary>
+    /// <summary>Control time at which the motion starts.</summary>
     public ControlTime Start { get; }
 
-    /// <summary>Samples sent so far. Thread-safe.</summary>
+    /// <summary>Number of samples sent so far. Thread-safe.</summary>
     public long Samples => Interlocked.Read(ref _samples);
 
-    /// <summary>Gets the robot's true position. Thread-safe; allocates nothing.</summary>
-    /// <param name="positions">As long as the motion's joint names, rad or m.</param>
+    /// <summary>Gets the robot's true joint positions at a time. Thread-safe; does not allocate.</summary>
+    /// <param name="positions">Receives one position per joint name of the motion, rad or m.</param>
     public void TruthAt(ControlTime time, Span<double> positions) => Motion.At(SecondsAt(time), positions);
 
-    /// <summary>Starts to publish to a hub, on a separate thread until disposed.</summary>
+    /// <summary>Starts to publish to a hub, on a separate thread, until the cell is disposed.</summary>
     /// <remarks>
-    /// After a restart of the gateway, call this again to continue in the new hub. A subscriber that is receiving a sample must not call this
-    /// or dispose the cell.
+    /// Call this method again after a restart of the gateway, with its new hub. Subscribers must not call this method or
+    /// <see cref="Dispose"/> while they receive a sample.
     /// </remarks>
     public void PublishInto(MessageHub hub)
     {
         StopThread();
         _stop.Reset();
-        // A higher priority: a late thread would increase the acquisition time beyond its setting.
+        // Has a higher priority, because a late thread would lengthen the acquisition time beyond its setting.
         _thread = new Thread(() => Publish(hub)) { IsBackground = true, Name = "simulated cell", Priority = ThreadPriority.AboveNormal };
         _thread.Start();
     }
@@ -76,7 +81,7 @@ public sealed class SimulatedCell : IDisposable
     void Publish(MessageHub hub)
     {
         using var source = hub.OpenSource();
-        // Samples that were due without a hub are lost, as with a real cell.
+        // Skips the samples that were due before there was a hub. A real cell would also lose them.
         do
             _schedule.Next();
         while (_schedule.Sent < _clock.Now);
@@ -109,7 +114,7 @@ public sealed class SimulatedCell : IDisposable
 
     double SecondsAt(ControlTime time) => (time - Start).Ticks / (double)TimeSpan.TicksPerSecond;
 
-    // False if stopped.
+    // Returns false if the cell was stopped before this time.
     bool WaitUntil(ControlTime time) => PreciseWait.While(() => time - _clock.Now, _stop);
 
     void StopThread()

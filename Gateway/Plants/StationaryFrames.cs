@@ -1,35 +1,39 @@
 using Nowpose.Frames;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>Stationary objects of a file, as the gateway publishes them on /tf_static.</summary>
+/// <summary>Loads stationary objects from a file and publishes them on /tf_static.</summary>
 static class StationaryFrames
 {
-    /// <exception cref="InputException">The file cannot be read or is invalid, or its frames are a cycle.</exception>
+    /// <summary>Reads and checks the file.</summary>
+    /// <exception cref="InputException">The file cannot be read or is invalid, or its frames form a cycle.</exception>
     public static TransformsMessage Load(string path)
     {
         var message = StationaryFrameFile.Load(path);
-        // The links of robots are not known yet, so a parent that is none of the frames is allowed.
+        // Allows a parent that is not a frame of the file, because it may be a robot link, and the robots are not known yet.
         var parents = new FrameParents();
         for (var i = 0; i < message.Count; i++) Require(path, message[i], parents.TrySet(message[i].Child, message[i].Parent));
         return message;
     }
 
-    /// <exception cref="InputException">A frame breaks a limit of the cell.</exception>
+    /// <summary>Publishes the objects.</summary>
+    /// <param name="path">Path of the file, for messages.</param>
+    /// <exception cref="InputException">A frame belongs to another source or breaks a limit of the cell.</exception>
     public static void Publish(string path, TransformsMessage message, HubSource source)
     {
         var leftOut = new List<LeftOut>();
         if (source.Publish(message, isStationary: true, leftOut) is { } refusal) throw new InputException($"{path}: {refusal.What}");
-        if (leftOut.Count > 0) throw new InputException($"{path}: {leftOut[0].What} {DropText.Of(leftOut[0].Reason)}");
+        if (leftOut.Count > 0) throw new InputException($"{path}: {leftOut[0].What} {DropMessages.Of(leftOut[0].Reason)}");
     }
 
     static void Require(string path, in FrameTransform frame, DropReason reason)
     {
         if (reason != DropReason.None)
-            throw new InputException($"{path}: frame {frame.Child} with parent {frame.Parent} {DropText.Of(reason)}");
+            throw new InputException($"{path}: frame {frame.Child} with parent {frame.Parent} {DropMessages.Of(reason)}");
     }
 }

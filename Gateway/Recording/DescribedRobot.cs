@@ -3,20 +3,20 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>The robot description from a source, with its model. Thread-safe.</summary>
+/// <summary>A robot description and the model parsed from it. Thread-safe.</summary>
 sealed class DescribedRobot(string urdf)
 {
     public static readonly DescribedRobot None = new(null);
 
     readonly Lazy<RobotModel> _model = new(() => ModelOf(urdf));
 
-    /// <summary>Null if no robot was described.</summary>
+    /// <summary>The text of the description; null if there is none.</summary>
     public string Urdf => urdf;
 
-    /// <summary>The model, or null if there is none. Computed slowly at the first call, so do not call this under a lock.</summary>
+    /// <summary>The model; null without a valid description. The first call is slow, so do not make it under a lock.</summary>
     public RobotModel Model => _model.Value;
 
-    // Null for a description that a headset could not use.
+    // Returns null for an invalid description, which headsets cannot use either.
     static RobotModel ModelOf(string urdf)
     {
         try

@@ -1,15 +1,15 @@
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>A file of lines that tracks which lines are on the disk, even if the disk becomes full in the middle of one.</summary>
+/// <summary>A buffered file of lines that counts the lines on the disk exactly, even if the disk becomes full within a line.</summary>
 /// <remarks>
-/// A normal buffered file that fails loses an unknown part of its buffer. For one thread, except for the counts.
+/// When a write of a FileStream fails, it is unknown which part of its buffer reached the disk. Not thread-safe, except for the counts.
 /// </remarks>
 sealed class LineFile : Stream
 {
     const int BufferBytes = 64 * 1024;
     const byte End = (byte)'\n';
 
-    // Lines that the recorder writes about itself do not count as records.
+    // Beginnings of the lines that the recorder writes about the recording itself. They do not count as records.
     static readonly byte[][] Own = [.. new[] { "session", "lost", "end" }.Select(kind => System.Text.Encoding.ASCII.GetBytes($"{{\"kind\":\"{kind}\""))];
 
     readonly Stream _disk;
@@ -18,10 +18,10 @@ sealed class LineFile : Stream
     long _lines, _waiting;
     bool _hasFailed;
 
-    /// <param name="disk">The unbuffered file; disposed with this object.</param>
+    /// <param name="disk">The unbuffered file. It is disposed with this object.</param>
     public LineFile(Stream disk) => _disk = disk;
 
-    /// <summary>Creates a file that must not exist yet, writable by its owner and readable by its group.</summary>
+    /// <summary>Creates a new file that its owner can read and write and its group can read. Fails if the file exists.</summary>
     public static LineFile Create(string path)
     {
         var options = new FileStreamOptions
@@ -33,7 +33,7 @@ sealed class LineFile : Stream
         return new LineFile(new FileStream(path, options));
     }
 
-    /// <summary>Number of records on the disk, including buffered ones as long as nothing has failed. Thread-safe.</summary>
+    /// <summary>Number of records written. Includes buffered records until a write fails. Thread-safe.</summary>
     public long Records => Interlocked.Read(ref _lines) + (Volatile.Read(ref _hasFailed) ? 0 : Interlocked.Read(ref _waiting));
 
     public override bool CanRead => false;
@@ -42,7 +42,7 @@ sealed class LineFile : Stream
     public override long Length => _disk.Length;
     public override long Position { get => _disk.Position; set => throw new NotSupportedException(); }
 
-    /// <summary>Writes whole lines.</summary>
+    /// <summary>Writes one or more complete lines.</summary>
     public override void Write(ReadOnlySpan<byte> line)
     {
         if (_length + line.Length > _buffer.Length) Flush();
@@ -94,7 +94,7 @@ sealed class LineFile : Stream
         catch
         {
             Volatile.Write(ref _hasFailed, true);
-            Interlocked.Add(ref _lines, RecordsIn(lines[..Mend(before, lines)]));
+            Interlocked.Add(ref _lines, RecordsIn(lines[..TruncateToWholeLines(before, lines)]));
             throw;
         }
 
@@ -102,8 +102,8 @@ sealed class LineFile : Stream
         Interlocked.Exchange(ref _waiting, 0);
     }
 
-    // Returns how many of the bytes to keep: the whole lines that reached the disk. An incomplete line is cut off.
-    int Mend(long before, ReadOnlySpan<byte> lines)
+    // Truncates the file after the last complete line that reached the disk. Returns the number of bytes of `lines` that remain.
+    int TruncateToWholeLines(long before, ReadOnlySpan<byte> lines)
     {
         try
         {

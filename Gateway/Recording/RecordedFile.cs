@@ -1,27 +1,32 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>One session file while it is written. Producers put records into a ring buffer; a separate thread writes them.</summary>
+/// <summary>A session file that is being written. Producers put records into a ring buffer; a separate thread writes them.</summary>
 sealed class RecordedFile
 {
-    /// <summary>Capacity for eight seconds of a thousand messages each; a power of two.</summary>
+    /// <summary>Capacity of the ring buffer in records: 8 s at 1000 messages per second. A power of two.</summary>
     const int RingLength = 8192;
 
     const double MaxMegabytes = 500;
 
-    /// <summary>Size at which the next file is started, before this one is full, so that nothing is lost between them.</summary>
+    /// <summary>Size at which the next file is started. It is below the maximum, so that no record is lost during the change.</summary>
     internal const long MaxBytes = (long)(0.9 * MaxMegabytes * 1e6);
 
     readonly RecordRing _ring = new(RingLength, DropsLine.Count);
     readonly RecordWriter _writer;
     LineFile _lines;
     long _offered;
-    int _isNextAskedFor;
+    int _isNextRequested;
     volatile string _deletion;
 
-    /// <param name="open">Creates the file at this path; called on the writing thread.</param>
+    /// <param name="path">Path of the file.</param>
+    /// <param name="open">Creates the file at its path; called on the writing thread.</param>
+    /// <param name="cell">Name of the cell; null for none.</param>
+    /// <param name="robot">The robot described in the file's header.</param>
+    /// <param name="startedUtc">Start of the recording, UTC.</param>
     public RecordedFile(string path, Func<string, LineFile> open, string cell, DescribedRobot robot, DateTime startedUtc)
     {
         Path = path;
@@ -35,13 +40,13 @@ sealed class RecordedFile
 
     public string Path { get; }
 
-    /// <summary>The robot in the file's header.</summary>
+    /// <summary>The robot described in the file's header.</summary>
     public DescribedRobot Robot { get; }
 
     /// <summary>Time at which the next file replaced this one, a count of <see cref="System.Diagnostics.Stopwatch"/>.</summary>
     public long RetiredAt { get; set; }
 
-    /// <summary>Whether the file was deleted, so that its content is lost.</summary>
+    /// <summary>Whether a user has deleted the file.</summary>
     public bool IsDeleted { get; private set; }
 
     /// <inheritdoc cref="RecordingStatus.IsDeletedWhileWritten"/>
@@ -49,22 +54,25 @@ sealed class RecordedFile
 
     public RecordingState State => _writer.State;
 
-    /// <summary>The reason why the recording ended because of an error; null otherwise.</summary>
+    /// <summary>The error that ended the recording; null if there is none.</summary>
     public string Problem => _deletion ?? _writer.Problem;
     public long Bytes => _writer.Written;
     public Task Ended => _writer.Ended;
 
-    /// <summary>Number of records in the file or on their way to it. Thread-safe.</summary>
+    /// <summary>Number of records in the file or waiting to be written. Thread-safe.</summary>
     public long Records => State == RecordingState.Recording && !IsDeleted ? Interlocked.Read(ref _offered) - _ring.Lost : Written;
 
-    /// <summary>Number of missing records: because the ring was full, or since the disk failed. Thread-safe.</summary>
+    /// <summary>Number of missing records, because the ring buffer was full, the disk failed or the file was deleted. Thread-safe.</summary>
     public long Lost => Interlocked.Read(ref _offered) - Records;
 
-    /// <summary>Whether the file has reached its maximum size and the next one must be started. True only once. Thread-safe.</summary>
-    public bool AsksForTheNext(long maxBytes) => Bytes > maxBytes && Interlocked.Exchange(ref _isNextAskedFor, 1) == 0;
+    /// <summary>
+    /// Returns true if the file has reached its maximum size and the next file must be started. Returns true only once. Thread-safe.
+    /// </summary>
+    public bool RequestsNext(long maxBytes) => Bytes > maxBytes && Interlocked.Exchange(ref _isNextRequested, 1) == 0;
 
     /// <summary>
-    /// Gets a record to fill and pass to <see cref="Publish"/>; null if it cannot be stored, which is counted as lost. Thread-safe; does not wait.
+    /// Gets a record to fill in and pass to <see cref="Publish"/>. Returns null, and counts the record as lost, if it cannot be stored.
+    /// Thread-safe; does not block.
     /// </summary>
     public SessionRecord TryClaim(RecordKind kind)
     {
@@ -74,18 +82,18 @@ sealed class RecordedFile
 
     public void Publish(SessionRecord record) => _ring.Publish(record);
 
-    /// <summary>Stops the recording. Records up to now are still written. Returns immediately; see <see cref="Ended"/>.</summary>
+    /// <summary>Stops the recording. Returns immediately; <see cref="Ended"/> completes when the records up to now are written.</summary>
     public void Stop() => _writer.Stop();
 
-    /// <summary>Reports that the file was removed from the folder.</summary>
-    /// <param name="isRecording">Whether it was still being written. This is an error, and the file is ended.</param>
+    /// <summary>Reports that a user has deleted the file.</summary>
+    /// <param name="isRecording">Whether the file was still being written, which is an error.</param>
     public void SetDeleted(bool isRecording)
     {
         IsDeleted = true;
-        if (isRecording) _deletion = "the file was deleted during the recording, and its lines are lost";
+        if (isRecording) _deletion = RecorderMessages.Deleted;
     }
 
-    /// <summary>Whether the file has been created.</summary>
+    /// <summary>Whether the file has been created on the disk.</summary>
     public bool IsMade => _lines != null;
 
     long Written => IsDeleted ? 0 : _lines?.Records ?? 0;

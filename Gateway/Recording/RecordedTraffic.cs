@@ -9,8 +9,8 @@ using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Converts the gateway's traffic to records of a session file, with the gateway's counter as C2.</summary>
-/// <remarks>Thread-safe; publishers never wait.</remarks>
+/// <summary>Converts the gateway's traffic to records of a session file. C2 in these records is this machine's counter.</summary>
+/// <remarks>Thread-safe; does not block publishers.</remarks>
 sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters drops)
 {
     readonly IPerformanceCounterClock _counter = plant.Counter;
@@ -31,7 +31,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 
     public void Add(RecordedFile file, PlantClock asked, in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault)
     {
-        // Exchanges with clocks other than C1 are not recorded.
+        // Records only exchanges with C1.
         if (asked != plant.Control || file.TryClaim(RecordKind.Sync) is not { } record) return;
         record.Exchange = exchange;
         record.Verdict = verdict;
@@ -39,7 +39,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         file.Publish(record);
     }
 
-    /// <summary>Writes the periodic records, once a second; one thread at a time.</summary>
+    /// <summary>Adds the periodic records. Called once a second, by one thread at a time.</summary>
     public void Tick(RecordedFile file)
     {
         AddTimeLine(file);
@@ -47,7 +47,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         AddDrops(file);
     }
 
-    /// <summary>Starts a new file, which repeats the description of C1.</summary>
+    /// <summary>Prepares for a new file, so that the next <see cref="Tick"/> repeats the description of C1 and the drop counts.</summary>
     public void Begin()
     {
         _timeLine = null;
@@ -102,7 +102,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 
     ControlTime ControlArrivalOf(HubMessage message) => clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt);
 
-    // The header describes the robot without a namespace.
+    // Null for the robot without a namespace, because its joints are named as in the file's header.
     static string PrefixOf(HubMessage message) => message.Robot.Length == 0 ? null : message.Robot + "/";
 
     void AddDiagnostics(RecordedFile file, HubMessage message, DiagnosticsMessage diagnostics)
@@ -113,7 +113,8 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         file.Publish(record);
     }
 
-    // Earlier stamps are not comparable: C1 is another clock now, or was set.
+    // Marks the places where the time line of C1 changes, because another clock is C1 or the clock was set. Stamps before and after such a
+    // place are not comparable.
     void AddTimeLine(RecordedFile file)
     {
         var now = (clock.Source, plant.Control?.Model.Steps ?? 0);
@@ -125,7 +126,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         file.Publish(record);
     }
 
-    // The gateway's own clock has a known offset, recorded as an exchange with itself so that readers of the file find it.
+    // The gateway's own clock is read without exchanges. Its offset is recorded as an exchange, so that readers of the file find an offset.
     void AddOwnClock(RecordedFile file)
     {
         var before = _counter.Now;

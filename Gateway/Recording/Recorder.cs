@@ -2,16 +2,17 @@ using System.Diagnostics;
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Records the gateway's traffic to session files while it is enabled. Thread-safe; the hub never waits for it.</summary>
+/// <summary>Records the gateway's traffic to session files while it is enabled. Thread-safe; does not block the hub.</summary>
 /// <remarks>
 /// A new file starts when the robot changes, because a file's header describes one robot, and when the file reaches its maximum size. A
-/// disk error ends the recording until it is enabled again. The status gives the reason and the number of missing lines.
+/// disk error ends the recording until the recorder is enabled again. The status gives the reason and the number of missing lines.
 /// </remarks>
 public sealed class Recorder : IAsyncDisposable
 {
@@ -21,10 +22,10 @@ public sealed class Recorder : IAsyncDisposable
     static readonly string[] RobotTopics = [RosTopics.JointStates, RosTopics.JointTrajectory];
     static readonly TimeSpan TickInterval = TimeSpan.FromSeconds(1);
 
-    /// <summary>Time after which no producer uses the previous file.</summary>
+    /// <summary>Time for which producers may still use a file after the next file has replaced it.</summary>
     static readonly TimeSpan Retirement = TimeSpan.FromSeconds(0.5);
 
-    /// <summary>Timeout for a disk that hangs, not for a slow one.</summary>
+    /// <summary>Maximum time for the last records to reach the disk. Exceeded only if the disk does not respond.</summary>
     static readonly TimeSpan TimeToEnd = TimeSpan.FromSeconds(8);
 
     readonly GatewayOptions _options;
@@ -38,21 +39,21 @@ public sealed class Recorder : IAsyncDisposable
     readonly Lock _gate = new();
     readonly List<IDisposable> _subscriptions = [];
     readonly HashSet<PlantClock> _listened = [];
-    // Replaced files that a publisher may still use for a moment.
+    // Files that the next file has replaced, but that a publisher may still be using.
     readonly List<RecordedFile> _retired = [];
     readonly List<Task> _ending = [];
-    // Paths of started files. Each file is created on a separate thread and may appear on the disk later.
+    // Paths of the files that were started. A file appears on the disk later, because its writing thread creates it.
     readonly HashSet<string> _begun = [];
     readonly Timer _timer;
     volatile RecordedFile _file;
     volatile bool _isWanted;
     DescribedRobot _robot = DescribedRobot.None;
     bool _isDisposed;
-    // Counts of the previous files since the recorder was enabled.
+    // Sums over the earlier files since the recorder was enabled.
     long _linesBefore, _lostBefore;
 
-    /// <param name="open">Creates a file at a path that does not exist yet; null for a file on the disk.</param>
-    /// <param name="maxBytes">Size of a file after which the next one is started.</param>
+    /// <param name="open">Creates a file at a path that does not exist yet; null to create files on the disk.</param>
+    /// <param name="maxBytes">Size of a file in bytes at which the next file is started.</param>
     internal Recorder(
         GatewayOptions options, MessageHub hub, ServedClock clock, PlantClocks plant, DropCounters drops, Action<string> log,
         Func<string, LineFile> open = null, long maxBytes = RecordedFile.MaxBytes)
@@ -76,10 +77,10 @@ public sealed class Recorder : IAsyncDisposable
     /// <summary>Whether a folder for recordings is configured.</summary>
     public bool CanRecord => _options.Recordings != null;
 
-    /// <summary>Whether it records: it was enabled and has had no disk error since.</summary>
+    /// <summary>Whether the recorder is enabled and its current file has had no error.</summary>
     public bool IsOn => _isWanted && _file.Problem == null;
 
-    /// <summary>Path of the current or last file; null before the first.</summary>
+    /// <summary>Path of the current or last file; null before the first recording.</summary>
     public string Path => _file?.Path;
 
     internal RecordingStatus Status
@@ -100,16 +101,16 @@ public sealed class Recorder : IAsyncDisposable
         }
     }
 
-    /// <summary>Starts a file, unless one is being written.</summary>
+    /// <summary>Enables the recorder and starts a file, unless a file is being written.</summary>
     /// <exception cref="InputException">No folder is configured.</exception>
     public void SwitchOn()
     {
-        if (!CanRecord) throw new InputException("recording: no folder is configured; start the gateway with --recordings FOLDER");
+        if (!CanRecord) throw new InputException(RecorderMessages.NoFolder);
         var next = Prepare();
         lock (_gate)
         {
             if (_isDisposed || IsOn) return;
-            // The file of a recording that a disk error ended is no longer counted, but its buffered records are still written.
+            // The counts restart for the new recording. Buffered records of files that were replaced earlier are still written.
             EndRetired(TimeSpan.Zero);
             _retired.Clear();
             _linesBefore = _lostBefore = 0;
@@ -118,10 +119,10 @@ public sealed class Recorder : IAsyncDisposable
             _timer.Change(TickInterval, TickInterval);
         }
 
-        RenewForANewRobot();
+        RenewOnRobotChange();
     }
 
-    /// <summary>Ends the file. Completes when everything received up to now is in it.</summary>
+    /// <summary>Disables the recorder and ends the file. Completes when the file contains all messages received up to now.</summary>
     public Task SwitchOffAsync()
     {
         lock (_gate)
@@ -139,7 +140,7 @@ public sealed class Recorder : IAsyncDisposable
         }
     }
 
-    /// <summary>Ends the recording if its file was deleted. Accesses the disk, so call this where it may block.</summary>
+    /// <summary>Ends the recording if a user has deleted its file. Accesses the disk and may block.</summary>
     internal void NoticeDeletion()
     {
         var file = _file;
@@ -154,7 +155,7 @@ public sealed class Recorder : IAsyncDisposable
         }
     }
 
-    /// <summary>Ends the file like <see cref="SwitchOffAsync"/>, with a timeout for a disk that does not respond.</summary>
+    /// <summary>Ends the file like <see cref="SwitchOffAsync"/>, but stops waiting if the disk does not respond.</summary>
     public async ValueTask DisposeAsync()
     {
         foreach (var subscription in _subscriptions) subscription.Dispose();
@@ -163,7 +164,7 @@ public sealed class Recorder : IAsyncDisposable
         await _timer.DisposeAsync();
         var ended = SwitchOffAsync();
         if (await Task.WhenAny(ended, Task.Delay(TimeToEnd)) != ended)
-            _log($"recording {_file.Path}: the disk did not store the data within {TimeToEnd.TotalSeconds:0} s; the remaining lines are lost");
+            _log(RecorderMessages.DiskTooSlow(_file.Path, TimeToEnd.TotalSeconds));
     }
 
     void Take(HubMessage message)
@@ -171,23 +172,23 @@ public sealed class Recorder : IAsyncDisposable
         if (!_isWanted) return;
         var file = _file;
         _traffic.Add(file, message);
-        if (file.AsksForTheNext(_maxBytes)) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
+        if (file.RequestsNext(_maxBytes)) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
     void Describe(HubMessage message)
     {
-        // Called under the hub's lock, so it must not wait.
+        // Must not block, because the hub calls this method under its lock.
         Interlocked.Exchange(ref _robot, new DescribedRobot((string)message.Content));
-        RenewForANewRobot();
+        RenewOnRobotChange();
     }
 
-    // Called after a robot was described and after a file was started; the later of the two calls finds both changes.
-    void RenewForANewRobot()
+    // Called after a new robot description and after the start of a file. If both happen at once, the later call sees both changes.
+    void RenewOnRobotChange()
     {
         Interlocked.MemoryBarrier();
         if (!_isWanted) return;
         var file = _file;
-        // Reading a URDF is slow and must not block the publisher.
+        // Continues on another thread, because parsing a URDF is slow and must not block the publisher.
         if (file.Robot.Urdf != _robot.Urdf) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
@@ -216,17 +217,17 @@ public sealed class Recorder : IAsyncDisposable
         var next = Prepare();
         lock (_gate)
         {
-            // Another thread may have done it or disabled the recorder, or the disk may have failed.
+            // In the meantime, another thread may have started the next file or disabled the recorder, or the disk may have failed.
             if (!IsOn || _isDisposed || _file != old) return;
             Begin(next);
             old.RetiredAt = Stopwatch.GetTimestamp();
             _retired.Add(old);
         }
 
-        RenewForANewRobot();
+        RenewOnRobotChange();
     }
 
-    // Called without the lock, because it reads a long URDF and accesses the disk.
+    // Called without the lock, because it parses a URDF and accesses the disk, which may take long.
     (DateTime Now, string Path, DescribedRobot Robot) Prepare()
     {
         var robot = _robot;
@@ -237,14 +238,14 @@ public sealed class Recorder : IAsyncDisposable
 
     void Begin((DateTime Now, string Path, DescribedRobot Robot) next)
     {
-        // Another thread has started this file since the path was chosen.
+        // Chooses another path if another thread has started a file with this path in the meantime.
         if (!_begun.Add(next.Path)) _begun.Add((next = Prepare()).Path);
         _traffic.Begin();
         var file = new RecordedFile(next.Path, _open, _options.Cell, next.Robot, next.Now);
         _file = file;
         _log($"recording {file.Path}");
         _traffic.Tick(file);
-        // These messages were published earlier and are not published again.
+        // Adds the latched messages, because they were published before this file and are not published again.
         foreach (var topic in LatchedTopics)
             foreach (var message in _hub.ReadLatched(topic, () => 0)) _traffic.Add(file, message);
         _ending.RemoveAll(ended => ended.IsCompleted);
@@ -275,7 +276,7 @@ public sealed class Recorder : IAsyncDisposable
         _ending.Add(file.Ended);
     }
 
-    // Two recordings within a second, or two gateways, create two files.
+    // Appends a number if the name is in use, by an earlier recording in the same second or by another gateway.
     string FreePath(DateTime now)
     {
         var name = $"{Safe(_options.Cell) ?? "gateway"}-{now.ToString("yyyyMMdd'T'HHmmss'Z'", CultureInfo.InvariantCulture)}";

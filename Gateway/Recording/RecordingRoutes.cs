@@ -1,18 +1,20 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Enables and disables the recorder, lists the recordings and sends them. For operators.</summary>
+/// <summary>Serves operators' requests to enable and disable the recorder, to list recordings and to download a recording.</summary>
 /// <remarks>
-/// POST /operations/recording with {"on": "true"} or {"on": "false"}. GET /operations/recordings for the list; with a name appended for a file.
+/// POST /operations/recording with {"on": "true"} or {"on": "false"} enables or disables the recorder. GET /operations/recordings returns the
+/// list, and GET /operations/recordings/NAME a recording.
 /// </remarks>
 sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessControl accessControl)
 {
     const string SwitchPath = "/operations/recording", ListPath = "/operations/recordings", FilePath = ListPath + "/";
 
-    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
+    /// <summary>Answers requests about recordings. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);
@@ -28,7 +30,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
         if (!await accessControl.AdmitOperatorAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (request.GetValueOrDefault("on") is not ("true" or "false"))
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "on: must be \"true\" or \"false\"");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, RecorderMessages.OnField);
             return;
         }
 
@@ -55,7 +57,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
         if (!await AdmitReaderAsync(context)) return;
         if (folder.Find(name) is not { } file)
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status404NotFound, "no recording in the folder has this name; /operations/recordings lists the names");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status404NotFound, RecorderMessages.UnknownName);
             return;
         }
 
@@ -64,16 +66,16 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
         response.Headers.ContentDisposition = $"attachment; filename=\"{file.Name}\"";
         response.Headers.CacheControl = "no-store";
         response.Headers.Connection = "close";
-        // Data that the recorder appends from now on are not sent.
+        // Sends the current length, without the data that the recorder appends during the download.
         response.ContentLength = file.Length;
         await response.SendFileAsync(file.FullName, 0, file.Length, context.RequestAborted);
     }
 
-    // Browsers send no Origin header when a page requests from its own host.
+    // Checks the host name, because browsers send no Origin header with a GET request of a page to its own host.
     async Task<bool> AdmitReaderAsync(HttpContext context)
     {
         if (accessControl.IsNoRebinding(context)) return await accessControl.AdmitOperatorAsync(context);
-        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
+        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, OperationsMessages.UseOwnAddress);
         return false;
     }
 }

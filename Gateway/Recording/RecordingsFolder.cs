@@ -3,7 +3,7 @@ using Nowpose.Gateway.Status;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>A recording in the folder.</summary>
+/// <summary>A recording in the gateway's folder.</summary>
 sealed record StoredRecording(string Name, long Bytes, string ChangedUtc);
 
 /// <summary>The recordings in the gateway's folder. Thread-safe.</summary>
@@ -12,7 +12,7 @@ sealed partial class RecordingsFolder(string path)
 {
     internal const int MaxListed = 1000;
 
-    /// <summary>Gets the recordings, the newest first; empty while the folder cannot be read.</summary>
+    /// <summary>Gets the newest recordings, the newest first. Returns an empty list while the folder cannot be read.</summary>
     public IReadOnlyList<StoredRecording> List()
     {
         try
@@ -33,13 +33,13 @@ sealed partial class RecordingsFolder(string path)
     /// <summary>Gets the file of a recording; null for a name that is not a recording in this folder.</summary>
     public FileInfo Find(string name)
     {
-        // A matching name has no separator, so the path stays inside the folder.
+        // A name that matches has no path separator, so the path stays inside the folder.
         if (path == null || !Name().IsMatch(name)) return null;
         var file = new FileInfo(Path.Combine(path, name));
         return file.Exists && IsRecording(file) ? file : null;
     }
 
-    // A link could point to a file outside the folder.
+    // Excludes symbolic links, because a link can point to a file outside the folder.
     static bool IsRecording(FileInfo file) => file.LinkTarget == null && Name().IsMatch(file.Name);
 
     [GeneratedRegex(@"\A[A-Za-z0-9_-]{1,100}\.jsonl\z")]

@@ -1,8 +1,9 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Recording;
 
-/// <summary>Detects deleted recordings, including the one that is being written.</summary>
+/// <summary>Detects recordings that a user has deleted, including the file that is being written.</summary>
 sealed class RecordingsWatch : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
@@ -17,7 +18,7 @@ sealed class RecordingsWatch : IDisposable
     public RecordingsWatch(Recorder recorder, RecordingsFolder folder, EventList events, Action<string> log)
     {
         (_recorder, _folder, _events) = (recorder, folder, events);
-        _look = new GuardedTask(LookNow, "recordings: the folder could not be checked", log);
+        _look = new GuardedTask(LookNow, RecorderMessages.FolderNotChecked, log);
         _listed = [.. folder.List().Select(file => file.Name)];
         _timer = new Timer(_ => LookUnlessBusy());
         if (recorder.CanRecord) _timer.Change(Interval, Interval);
@@ -27,7 +28,7 @@ sealed class RecordingsWatch : IDisposable
 
     public void Dispose() => _timer.Dispose();
 
-    // If the disk hangs, only one thread waits, not one more each second.
+    // Skips the check while the previous one is still waiting for the disk, so that not more than one thread waits.
     internal void LookUnlessBusy() => _look.RunUnlessBusy();
 
     void LookNow()
@@ -35,7 +36,7 @@ sealed class RecordingsWatch : IDisposable
         _recorder.NoticeDeletion();
         var present = _folder.List().Select(file => file.Name).ToHashSet();
         var stopped = _recorder.Status is { Problem: not null } status ? status.File : null;
-        // The list has a maximum length, so a file that is missing from it may only have become too old.
+        // Checks the file itself, because an old file also disappears from the list when newer files fill the list.
         foreach (var name in _listed.Where(name => !present.Contains(name) && name != stopped && _folder.Find(name) == null))
             _events.Note(new Condition("recording", name, "was deleted", "", Level.Warning));
         _listed = present;

@@ -1,7 +1,7 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>A WebSocket's stream. Received bytes pass through a <see cref="FragmentCounter"/>, and pings are sent between frames.</summary>
-/// <remarks>A WebSocket writes each frame with one call, so a ping is never inside a frame.</remarks>
+/// <summary>The stream under a WebSocket. Passes received bytes to a <see cref="FragmentCounter"/>, and sends pings between frames.</summary>
+/// <remarks>The WebSocket writes each frame with one call, so a ping cannot interrupt a frame.</remarks>
 sealed class CountingStream(Stream inner, FragmentCounter counter, Action received) : Stream
 {
     const byte FinalPing = 0x89;
@@ -14,7 +14,8 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
     public override long Length => throw new NotSupportedException();
     public override long Position { get => throw new NotSupportedException(); set => throw new NotSupportedException(); }
 
-    /// <summary>Sends a ping; its payload has at most 125 bytes.</summary>
+    /// <summary>Sends a ping.</summary>
+    /// <param name="payload">The payload, at most 125 bytes.</param>
     public async Task PingAsync(ReadOnlyMemory<byte> payload)
     {
         byte[] frame = [FinalPing, (byte)payload.Length, .. payload.Span];
@@ -52,14 +53,14 @@ sealed class CountingStream(Stream inner, FragmentCounter counter, Action receiv
 
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    // Kestrel sends the bytes of each write at once.
+    // Does nothing, because Kestrel sends the bytes of each write at once.
     public override Task FlushAsync(CancellationToken cancellationToken) => Task.CompletedTask;
 
     public override void Flush() => throw new NotSupportedException();
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
     public override void SetLength(long value) => throw new NotSupportedException();
 
-    // The lock is not disposed, because a ping may still be waiting for it.
+    // Does not dispose the semaphore, because a ping may still be waiting for it.
     protected override void Dispose(bool disposing)
     {
         if (disposing)

@@ -2,7 +2,7 @@ using Microsoft.AspNetCore.Http.Features;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Wraps Kestrel's own upgrade so that the WebSocket's received bytes are counted.</summary>
+/// <summary>Wraps Kestrel's upgrade to a WebSocket, so that the WebSocket uses a <see cref="CountingStream"/>.</summary>
 sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
 {
     Stream _stream;
@@ -10,7 +10,7 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
 
     public FragmentCounter Fragments { get; } = new();
 
-    /// <summary>Called when something was received.</summary>
+    /// <summary>Called after each read that received bytes.</summary>
     public Action Received { get; set; }
 
     public bool IsUpgradableRequest => inner.IsUpgradableRequest;
@@ -23,11 +23,12 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
         return counting;
     }
 
-    /// <summary>Sends a ping once the WebSocket has been accepted.</summary>
+    /// <summary>Sends a ping. Call it only after the WebSocket has been accepted.</summary>
     public Task PingAsync(ReadOnlyMemory<byte> payload) => _ping(payload);
 
-    /// <summary>Reads and discards what a peer still sends after the close, until it disconnects or the time is up.</summary>
-    /// <remarks>Closing with unread bytes would reset the connection, and the reason of the close would be lost.</remarks>
+    /// <summary>Reads and discards the bytes that a client sends after the close frame, until it disconnects or the time is up.</summary>
+    /// <remarks>Closing a socket with unread bytes resets the connection, and the client would not receive the reason of the close.</remarks>
+    /// <param name="atMost">Maximum time.</param>
     public async Task DrainAsync(TimeSpan atMost)
     {
         using var timeUp = new CancellationTokenSource(atMost);
@@ -37,7 +38,7 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
         }
         catch (Exception e) when (e is IOException or OperationCanceledException or ObjectDisposedException)
         {
-            // The peer disconnected without a close, or the time is up.
+            // The client disconnected without a close frame, or the time is up.
         }
     }
 }

@@ -2,8 +2,8 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Counts the frames of each WebSocket message from the received bytes (RFC 6455, 5.2).</summary>
 /// <remarks>
-/// The WebSocket classes return bytes as they arrive and do not report the end of a frame: a long frame over a slow network looks like
-/// many fragments. Control frames, which may occur between fragments, do not count; pongs are passed on.
+/// .NET's WebSocket returns bytes as they arrive and does not report the end of a frame, so a long frame over a slow network looks like many
+/// fragments. Control frames, which may occur between fragments, are not counted. The payloads of pongs are passed to <see cref="Pong"/>.
 /// </remarks>
 sealed class FragmentCounter
 {
@@ -29,7 +29,7 @@ sealed class FragmentCounter
     /// <summary>Receives the payload of each pong, on the receiving thread.</summary>
     public Action<ReadOnlyMemory<byte>> Pong { get; set; }
 
-    /// <summary>Processes the bytes that follow those of the previous call.</summary>
+    /// <summary>Processes the next received bytes.</summary>
     public void Feed(ReadOnlySpan<byte> bytes)
     {
         while (bytes.Length > 0)
@@ -53,7 +53,7 @@ sealed class FragmentCounter
         }
     }
 
-    /// <summary>Gets the fragment count of the oldest message not yet taken. Call this once for each completed message.</summary>
+    /// <summary>Removes and returns the fragment count of the oldest message. Call it once for each completed message.</summary>
     public int Take()
     {
         lock (_lock)
@@ -79,7 +79,7 @@ sealed class FragmentCounter
 
     void Keep(ReadOnlySpan<byte> bytes)
     {
-        // A client masks its payload with the last four bytes of the frame's header, which is two bytes long without the mask.
+        // Unmasks the payload: the header of a client's pong is two bytes followed by the mask of four bytes.
         foreach (var one in bytes)
         {
             _pong[_pongLength] = (byte)(one ^ _header[2 + (_pongLength % MaskBytes)]);
@@ -96,7 +96,7 @@ sealed class FragmentCounter
         var length = 0UL;
         foreach (var digit in _header.AsSpan(2, bytes))
             length = length << 8 | digit;
-        // A length of more than 63 bits is a protocol error, for which the WebSocket itself closes.
+        // Accepts a length of more than 63 bits; the WebSocket closes the connection because of this protocol error.
         return (long)Math.Min(length, long.MaxValue);
     }
 

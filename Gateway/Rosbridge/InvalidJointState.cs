@@ -5,17 +5,17 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Reads the joints of an invalid joint state, and finds the one that makes it invalid.</summary>
+/// <summary>Reads the joint names of an invalid joint state, and finds the joint with an invalid position.</summary>
 static class InvalidJointState
 {
-    // A velocity or an effort may be absent, null or NaN.
+    // Only positions are checked, because a velocity or an effort may be absent, null or NaN.
     const string Field = "position";
 
     /// <summary>
     /// Returns the names of the joints, and a description of the first position that is not a finite number, such as "position of joint a is
     /// null"; null if there is none.
     /// </summary>
-    /// <param name="utf8">A whole message.</param>
+    /// <param name="utf8">The complete message.</param>
     public static (string[] Names, string Trouble) Read(ReadOnlySpan<byte> utf8)
     {
         try

@@ -6,31 +6,33 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>
-/// The queue of a subscription to a topic that is latched per name. When it loses messages, the newest values of the names in them are
-/// sent: a signal may not change again for hours, so its newest value must arrive.
+/// The queue of a subscription to a topic that is latched per name. If the queue drops messages, it later sends the newest value of each
+/// name in them, because a signal may not change again for hours and its newest value must arrive.
 /// </summary>
-/// <remarks>The hub's lock orders publishing and reading of latched values, so that no value is missed and none is older than one sent before.</remarks>
-/// <param name="lost">Counts a message that is not sent.</param>
+/// <remarks>
+/// The hub publishes and reads latched values under its lock, so that no value is missed and no older value follows a newer one.
+/// </remarks>
+/// <param name="lost">Counts one message that is not sent.</param>
 sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queue, Action lost)
 {
     const long None = long.MaxValue;
 
-    /// <summary>An entry that only wakes the loop that sends.</summary>
+    /// <summary>A queue entry without content that wakes the sending loop.</summary>
     public static readonly HubMessage Wake = HubMessage.Description("");
 
-    // Values read from the hub, which precede the messages in the queue.
+    // Values read from the hub. They are sent before the messages in the queue.
     readonly Queue<HubMessage> _read = [];
-    // Number of the first message that was lost; at the start, all messages are.
+    // Sequence number of the first dropped message. 0 at the start, so that all current values are sent.
     long _lostFrom;
     long _readAt;
 
-    /// <summary>Whether values wait outside of the queue.</summary>
+    /// <summary>Whether values read from the hub are waiting to be sent.</summary>
     public bool HasMore => _read.Count > 0;
 
-    /// <summary>Starts with the current values. Call this after the subscription.</summary>
+    /// <summary>Sends the current values. Call this method after the subscription.</summary>
     public void Start() => queue.Writer.TryWrite(Wake);
 
-    /// <summary>Takes a message that was dropped from the full queue. Called under the hub's lock, or at the start.</summary>
+    /// <summary>Records a message that was dropped from the full queue. Called under the hub's lock, or at the start.</summary>
     public void Lose(HubMessage message)
     {
         if (message == Wake) return;
@@ -38,10 +40,10 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
         if (message.Sequence < Volatile.Read(ref _lostFrom)) Volatile.Write(ref _lostFrom, message.Sequence);
     }
 
-    /// <summary>Takes the next message; null if there is none. For one thread at a time.</summary>
+    /// <summary>Removes and returns the next message; null if there is none. Not thread-safe.</summary>
     /// <param name="isOld">
-    /// Returns whether a message received at a time, a count of <see cref="Stopwatch"/>, has waited too long for the client.
-    /// The newest values are then sent instead.
+    /// Returns whether a message has waited too long for the client, so that the newest values are sent instead. The argument is the time at
+    /// which the message was received, a count of <see cref="Stopwatch"/>.
     /// </param>
     public HubMessage Next(Func<long, bool> isOld)
     {
@@ -51,13 +53,13 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
             if (_read.TryDequeue(out var message)) return message;
             if (!queue.Reader.TryRead(out message)) return null;
             if (message == Wake) continue;
-            // An earlier message may have been lost since the start of this method.
+            // Checks again, because the queue may have dropped an earlier message since the start of this method.
             if (!isOld(message.ReceivedAt) && Volatile.Read(ref _lostFrom) > message.Sequence) return message;
             ReadAgain(message.Sequence);
         }
     }
 
-    // Replaces the waiting messages by the newest values.
+    // Replaces all waiting messages by the newest values of their names.
     void ReadAgain(long from)
     {
         var waiting = new List<long>();

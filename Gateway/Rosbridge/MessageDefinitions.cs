@@ -1,13 +1,13 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Definitions of the message types of the gateway's topics in the formats of ROS 1 and ROS 2.</summary>
-/// <param name="isRos2">Whether types are named package/msg/Name, and times have the types of ROS 2.</param>
+/// <summary>Returns the definitions of the message types on the gateway's topics, in the format of ROS 1 or ROS 2.</summary>
+/// <param name="isRos2">Whether to use ROS 2: type names have the form package/msg/Name, and times have the types of ROS 2.</param>
 sealed class MessageDefinitions(bool isRos2)
 {
     const string Separator = "================================================================================";
     const string HeaderType = "std_msgs/Header";
 
-    // Each type precedes the types that it needs, with ROS 1 names; "time" and "duration" are built-in types there.
+    // The fields of each type, with ROS 1 names. In ROS 1, "time" and "duration" are built-in types.
     static readonly Dictionary<string, string[]> Fields = new()
     {
         [HeaderType] = ["time stamp", "string frame_id"],
@@ -34,7 +34,7 @@ sealed class MessageDefinitions(bool isRos2)
     public string Spelled(string type) => isRos2 && !type.Contains("/msg/", StringComparison.Ordinal)
         ? type.Replace("/", "/msg/", StringComparison.Ordinal) : type;
 
-    /// <summary>Gets the definition with those of all nested types as one text; empty for an unknown type.</summary>
+    /// <summary>Gets the definitions of a type and of all nested types as one text; empty for an unknown type.</summary>
     public string FullText(string type)
     {
         var types = WithParts(Plain(type));
@@ -42,7 +42,7 @@ sealed class MessageDefinitions(bool isRos2)
             (i == 0 ? "" : $"{Separator}\nMSG: {part}\n") + string.Concat(FieldsOf(part).Select(field => $"{field.Text}\n"))));
     }
 
-    /// <summary>Gets the definitions of the type and all nested types, field by field; empty for an unknown type.</summary>
+    /// <summary>Gets the definitions of a type and of all nested types, field by field; empty for an unknown type.</summary>
     public IEnumerable<TypeDefinition> Details(string type) => WithParts(Plain(type)).Select(part => new TypeDefinition(
         Spelled(part),
         [.. FieldsOf(part).Select(field => field.Name)],

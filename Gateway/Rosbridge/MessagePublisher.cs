@@ -1,18 +1,21 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Checks the stamps of a client's messages, maps them to C1, and publishes the messages. For one thread at a time.</summary>
+/// <summary>Checks the stamps of a client's messages, converts them to C1, and publishes the messages. Not thread-safe.</summary>
 sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffers offers)
 {
     /// <summary>The transforms or signals that were not published with the last message, because they break a limit of the cell.</summary>
     public List<LeftOut> LeftOut { get; } = [];
 
-    /// <param name="stamp">The newest stamp, on C1; zero for none.</param>
-    /// <param name="rule">The rule that is broken, with the frame; null for the reason's own text.</param>
+    /// <summary>Checks the stamps of a message.</summary>
+    /// <param name="stamp">The newest stamp, on C1; zero for a message without a stamp.</param>
+    /// <param name="rule">Text with the frame and the rule that its stamp breaks; null to use the text of the reason.</param>
+    /// <returns><see cref="DropReason.None"/> for valid stamps.</returns>
     public DropReason Judge(RosbridgeMessage message, out ControlTime stamp, out string rule)
     {
         rule = null;
@@ -22,8 +25,10 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     }
 
     /// <summary>Publishes a message.</summary>
-    /// <param name="stamp">Its stamp on C1.</param>
-    /// <returns>Null on success.</returns>
+    /// <param name="message">The message, whose stamps are valid.</param>
+    /// <param name="stamp">Stamp of the message, on C1.</param>
+    /// <param name="receivedAt">Time at which the last byte of the message was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+    /// <returns>Null if the message was published.</returns>
     public Refusal? Publish(RosbridgeMessage message, ControlTime stamp, long receivedAt)
     {
         var robot = message.RobotTopic.Robot;
@@ -48,16 +53,16 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
         return null;
     }
 
-    /// <summary>Uses a stamp to check the clocks. The stamps of a source whose joints belong to another source are not used.</summary>
+    /// <summary>Passes a stamp to the comparison of clocks, unless the joints, frames or signals of the message belong to another source.</summary>
     /// <param name="isRefused">Whether the message was refused because the stamp is in the future.</param>
     public void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
     {
         if (stamp == default || offers.StampClock != null || !IsSample(message)) return;
-        // For an accepted sample, the hub has already checked this.
+        // An accepted message needs no check of the owner, because the hub has already checked it.
         if (!isRefused || MayPublish(message)) clock.Stamps.Add(source, stamp, isRefused);
     }
 
-    // The stamp of a stationary frame is not the time of a sample.
+    // Excludes /tf_static, because the stamp of a stationary frame is not the time of a sample.
     static bool IsSample(RosbridgeMessage message) => message.JointState != null || message.Signals != null || message.Topic == RosTopics.Tf;
 
     bool MayPublish(RosbridgeMessage message)
@@ -66,7 +71,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
         return message.Signals is { } signals ? source.MayPublish(signals) : source.MayPublish(message.Transforms);
     }
 
-    // Maps stamps of another clock of the plant to C1.
+    // Converts the stamp to C1 if the client stamps with another clock of the plant.
     DropReason Judge(ref ControlTime stamp)
     {
         if (!clock.TryMap(offers.StampClock, stamp, out stamp))
@@ -74,7 +79,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
         return StampRule.IsInFuture(stamp, clock.Now, clock.ErrorBound) ? DropReason.StampInFuture : DropReason.None;
     }
 
-    // A zero stamp, which only a stationary frame may have, stays.
+    // Does not convert a zero stamp, which only a stationary frame may have.
     DropReason Judge(TransformsMessage transforms, out ControlTime newest, out string rule)
     {
         newest = default;
@@ -87,7 +92,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
             if (stamp > newest) newest = stamp;
             if (reason != DropReason.None)
             {
-                rule = $"frame {RequestText.Short(transforms[i].Child)}: {DropText.Of(reason)}";
+                rule = $"frame {RequestText.Short(transforms[i].Child)}: {DropMessages.Of(reason)}";
                 return reason;
             }
 

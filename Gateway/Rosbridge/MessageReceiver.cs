@@ -5,17 +5,17 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Assembles messages and skips those that exceed a limit, within bounds of time and size.</summary>
-/// <param name="longest">Maximum length of a message in bytes; longer ones are dropped.</param>
+/// <summary>Receives the messages of a client. Skips a message that breaks a limit, as long as it ends within a maximum time and size.</summary>
+/// <param name="longest">Maximum length of a message in bytes. Longer messages are dropped.</param>
 sealed class MessageReceiver(
     WebSocket socket, FragmentCounter fragments, GatewayOptions options, int longest, RequestRate rate, TimeProvider time)
 {
     const int FirstBytes = 4096;
 
-    /// <summary>The topic whose messages may be longer than the others', without its slash, which JSON may write as "\/".</summary>
+    /// <summary>The topic with a higher limit of the message length. Without its slash, because JSON may contain it as "\/".</summary>
     static readonly byte[] LongTopic = Encoding.UTF8.GetBytes(RosTopics.RobotDescription.TrimStart('/'));
 
-    /// <summary>Pause between reads from a client that exceeds its rate limit. TCP then makes the client wait.</summary>
+    /// <summary>Pause after a message beyond the client's rate limit. TCP flow control then slows the client down.</summary>
     static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(50);
 
     byte[] _buffer = new byte[FirstBytes];
@@ -42,8 +42,11 @@ sealed class MessageReceiver(
         }
     }
 
-    /// <summary>Reads and discards what follows after <see cref="NextAsync"/> returned the end, until the peer closes or the time is up.</summary>
-    /// <remarks>Closing with unread bytes would reset the connection, and the peer might not see the reason of the close.</remarks>
+    /// <summary>
+    /// Reads and discards messages after <see cref="NextAsync"/> has returned the end, until the client closes the connection or the time is up.
+    /// </summary>
+    /// <remarks>Closing a socket with unread bytes resets the connection, and the client might not receive the reason of the close.</remarks>
+    /// <param name="atMost">Maximum time.</param>
     public async Task DrainAsync(TimeSpan atMost)
     {
         var timeUp = Task.Delay(atMost, time);
@@ -52,7 +55,7 @@ sealed class MessageReceiver(
             _receiving = socket.ReceiveAsync(_buffer.AsMemory(), CancellationToken.None).AsTask();
     }
 
-    // Bytes beyond the maximum length overwrite each other: the message is lost, but its end is found.
+    // Returns the free part of the buffer. Beyond the maximum length, returns the start again: the message is dropped anyway.
     Memory<byte> Room()
     {
         if (_length >= longest)
@@ -62,7 +65,7 @@ sealed class MessageReceiver(
         return _buffer.AsMemory((int)_length);
     }
 
-    // The wait for the start of a message has no timeout; a message that has started must end in time.
+    // Only a message that has started has a timeout; the wait for its start has none.
     async Task<bool> IsInTimeAsync(Task receiving)
     {
         if (_startedAt is not { } startedAt || receiving.IsCompleted)

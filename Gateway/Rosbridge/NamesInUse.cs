@@ -3,13 +3,16 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>Ensures that each name is used by one client at a time, so that no client can impersonate another. Thread-safe.</summary>
 sealed class NamesInUse(TimeProvider time)
 {
-    /// <summary>Headsets report once a second. A headset that reconnects gets its name before pings detect the loss of its old connection.</summary>
+    /// <summary>
+    /// Time after the last use of a name at which another connection may use it. Headsets use their names once a second. After a lost connection,
+    /// a headset gets its name back sooner than pings detect the loss.
+    /// </summary>
     internal static readonly TimeSpan FreeAfter = TimeSpan.FromSeconds(3);
 
     readonly Dictionary<string, (object Holder, long Heard)> _held = [];
 
-    /// <summary>Tries to reserve a name for a client.</summary>
-    /// <returns>False while another client uses it.</returns>
+    /// <summary>Reserves a name for a client, or extends the reservation.</summary>
+    /// <returns>False while another client uses the name.</returns>
     public bool TryUse(string name, object holder)
     {
         lock (_held)
@@ -20,8 +23,8 @@ sealed class NamesInUse(TimeProvider time)
         }
     }
 
-    /// <summary>Releases a name, unless another client has it by now.</summary>
-    /// <returns>Whether this client had it.</returns>
+    /// <summary>Releases a name, unless another client uses it.</summary>
+    /// <returns>Whether this client was using the name.</returns>
     public bool Release(string name, object holder)
     {
         lock (_held) return _held.TryGetValue(name, out var held) && held.Holder == holder && _held.Remove(name);

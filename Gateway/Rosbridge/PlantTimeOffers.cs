@@ -4,18 +4,22 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The clocks of the control system that one client offers. Called by the thread that handles its messages.</summary>
+/// <summary>The clocks of the control system that one client offers. Not thread-safe.</summary>
 sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> send) : IDisposable
 {
     readonly Dictionary<string, Offered> _offers = [];
 
-    /// <summary>The clock that stamps this client's messages: the first it offered, whichever client serves it; null if there is none.</summary>
+    /// <summary>
+    /// The clock with which this client stamps its messages: the first clock that it offered, even if another client serves the clock at
+    /// present. Null for a client that offers none.
+    /// </summary>
     public PlantClock StampClock { get; private set; }
 
     /// <summary>
-    /// Starts to request the time from a service. If another client serves that clock, the requests start when that client stops.
+    /// Starts to request the time from a service of this client. If another client serves the same clock, the requests start when that client
+    /// disconnects or no longer answers.
     /// </summary>
-    /// <returns>The reason for a refusal; <see cref="DropReason.None"/> otherwise, and if the requests were already running.</returns>
+    /// <returns>The reason why no requests are sent; <see cref="DropReason.None"/> if they are.</returns>
     public DropReason Offer(string service)
     {
         if (!service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) || !PlantClocks.IsName(service[RosTopics.PlantTime.Length..]))
@@ -25,7 +29,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         {
             if (clocks.Find(name) is not { } clock)
             {
-                // The client's stamps are not on C1. A clock without exchanges keeps them from being mapped.
+                // Too many clocks. Remembers one without exchanges, so that the client's stamps are not used as times on C1.
                 StampClock ??= new PlantClock(name, clocks.Counter);
                 return DropReason.OutOfRange;
             }
@@ -37,7 +41,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         return offered.TryAsk() ? DropReason.None : DropReason.JointTaken;
     }
 
-    /// <summary>Starts the requests to this client for clocks whose former client has disconnected or is silent.</summary>
+    /// <summary>Starts the requests to this client for each clock whose previous client has disconnected or no longer answers.</summary>
     public void TryAgain()
     {
         foreach (var offered in _offers.Values) offered.TryAsk();
@@ -50,7 +54,9 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         if (StampClock == offered.Clock) StampClock = _offers.Values.FirstOrDefault()?.Clock;
     }
 
-    /// <param name="count">Time at which its last byte was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+    /// <summary>Passes on an answer of the client.</summary>
+    /// <param name="response">The answer.</param>
+    /// <param name="count">Time at which the last byte of the answer was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
     public void Answer(RosbridgeMessage response, long count)
     {
         if (_offers.TryGetValue(response.Service, out var offered)) offered.Caller?.Answer(response, clocks.Counter.At(count));
@@ -69,9 +75,10 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
     {
         public PlantClock Clock => clock;
 
-        /// <summary>Null before the first request to this client.</summary>
+        /// <summary>Sends the requests; null before the first request to this client.</summary>
         public PlantClockCaller Caller { get; private set; }
 
+        /// <summary>Starts the requests if they are not running and no other client serves the clock.</summary>
         /// <returns>False while another client serves the clock.</returns>
         public bool TryAsk()
         {

@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The topics of the gateway. Topics of a robot exist in every namespace.</summary>
+/// <summary>The topics of the gateway and their types. Each topic of a robot exists in every namespace.</summary>
 static class Publications
 {
     static readonly Dictionary<string, string> Types = new()
@@ -23,30 +23,30 @@ static class Publications
     /// <summary>All topics without a namespace, with their types.</summary>
     public static IReadOnlyCollection<KeyValuePair<string, string>> All => Types;
 
-    /// <summary>All topics without a namespace, and those of the given robots, with their types.</summary>
-    /// <param name="robots">Namespaces.</param>
+    /// <summary>Gets all topics without a namespace and the topics of the given robots, with their types.</summary>
+    /// <param name="robots">Namespaces of the robots.</param>
     public static IEnumerable<KeyValuePair<string, string>> With(IEnumerable<string> robots) => Types.Concat(robots.SelectMany(robot =>
         RobotTopic.OfRobots.Select(kind => KeyValuePair.Create(RobotTopic.NameOf(robot, kind), Types[kind]))));
 
-    /// <summary>Gets the type of a known topic, with its ROS 1 name.</summary>
+    /// <summary>Gets the ROS 1 name of a known topic's type.</summary>
     public static string TypeOf(RobotTopic topic) => Types[topic.Kind];
 
     public static bool IsKnown(RobotTopic topic) => Types.ContainsKey(topic.Kind);
 
-    /// <summary>Whether clients can publish on the topic. Only the gateway publishes its version and the state of joints and signals.</summary>
+    /// <summary>Whether clients can publish on the topic. Only the gateway can publish its version and the status of joints and signals.</summary>
     public static bool IsOpen(RobotTopic topic) => IsKnown(topic) && topic.Kind is not (RosTopics.JointStatus or RosTopics.SignalStatus or RosTopics.Version);
 
-    /// <summary>Whether a type matches that of a known topic, with its ROS 1 or ROS 2 name. A missing type matches, too.</summary>
+    /// <summary>Whether a type name of ROS 1 or ROS 2 is the type of a known topic. Also true for a missing name.</summary>
     public static bool HasType(RobotTopic topic, string type) =>
         string.IsNullOrEmpty(type) || type.Replace("/msg/", "/", StringComparison.Ordinal) == TypeOf(topic);
 
-    /// <summary>Whether the topic describes only its sender, so that every client may publish it.</summary>
+    /// <summary>Whether messages on the topic describe only their sender, so that every client may publish on it.</summary>
     public static bool IsOfItself(RobotTopic topic) => topic.Kind is RosTopics.Diagnostics or RosTopics.Displayed;
 
-    /// <summary>Gets the client's own name in a message; null for kinds of messages without one.</summary>
+    /// <summary>Gets the sender's name in a message; null for messages without a sender's name.</summary>
     public static string NameIn(RosbridgeMessage message) => message.Diagnostics?.HardwareId ?? message.Displayed?.FrameId;
 
-    /// <summary>Gets the stamp that must not be in the future; null if there is none. Each transform has its own stamp.</summary>
+    /// <summary>Gets the stamp of a message; null for a message without a stamp, and for transforms, which have a stamp each.</summary>
     public static ControlTime? StampOf(RosbridgeMessage message) =>
         (message.JointState ?? message.Displayed)?.Stamp ?? message.JointTrajectory?.Stamp ?? message.Signals?.Stamp;
 }

@@ -2,22 +2,28 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Measures by pings how far a client has read, and limits the unread data. Thread-safe.</summary>
+/// <summary>Measures with pings how much a client has read, and limits the amount of unread data. Thread-safe.</summary>
 sealed class ReaderProgress : IDisposable
 {
     const int PayloadBytes = sizeof(long);
 
-    /// <summary>Minimum read rate. A slower client may be closed while a long message is being sent to it.</summary>
+    /// <summary>Minimum read rate. The connection of a slower client may be closed while a long message is being sent.</summary>
     const double MinBytesPerSecond = 3000;
 
-    /// <summary>Time from the message that makes a ping due to the ping.</summary>
-    /// <remarks>A sample is sent to all clients at the same time, and immediate pings with their pongs would delay it for the last clients.</remarks>
+    /// <summary>Delay of a ping after the message that makes it due.</summary>
+    /// <remarks>
+    /// A sample is sent to all clients at the same time. Immediate pings and their pongs would delay the sample for the last clients.
+    /// </remarks>
     internal static readonly TimeSpan PingDelay = TimeSpan.FromMilliseconds(5);
 
-    /// <summary>Ping delay for a near client. Its window allows a longer delay, and sending a sample to 200 clients may take more than 5 ms.</summary>
+    /// <summary>
+    /// Delay of a ping to a near client, whose window allows a longer delay. Sending a sample to 200 clients may take more than 5 ms.
+    /// </summary>
     internal static readonly TimeSpan NearPingDelay = TimeSpan.FromMilliseconds(11);
 
-    /// <summary>Interval at which a waiting message checks the window, which also opens over time for a client that does not answer pings.</summary>
+    /// <summary>
+    /// Interval at which the window is checked while a message waits. The window of a client that does not answer pings opens over time.
+    /// </summary>
     static readonly TimeSpan WaitStep = TimeSpan.FromMilliseconds(250);
 
     readonly Func<ReadOnlyMemory<byte>, Task> _sendPing;
@@ -33,14 +39,14 @@ sealed class ReaderProgress : IDisposable
     readonly byte[] _payload = new byte[PayloadBytes];
     bool _isPingPlanned;
     bool _isUnansweredReported;
-    // Null while no message waits.
+    // Completed when the window may have opened; null while no message waits.
     TaskCompletionSource _changed;
     TimeSpan _lastPing;
     TimeSpan _lastReceived;
 
-    /// <param name="sendPing">Sends a ping with a payload after everything that was sent before.</param>
+    /// <param name="sendPing">Sends a ping with a payload, after all data sent before.</param>
     /// <param name="unanswered">
-    /// Called once when messages are limited to an assumed read rate, because the client does not answer pings; null for none.
+    /// Called once, when the messages to a client that does not answer pings are limited to an assumed read rate; null for no call.
     /// </param>
     public ReaderProgress(
         Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time, Action unanswered = null)
@@ -56,13 +62,13 @@ sealed class ReaderProgress : IDisposable
 
     TimeSpan Now => _time.GetElapsedTime(_start);
 
-    /// <summary>Gets the timeout for a client to read a number of bytes and to answer.</summary>
+    /// <summary>Gets the timeout within which a client must read a number of bytes and answer.</summary>
     public TimeSpan TimeoutFor(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
-    /// <summary>End of the last time in which messages had to wait for the client, a count of the time provider.</summary>
+    /// <summary>Time until which messages last had to wait for the client, a timestamp of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
 
-    /// <summary>Completes when a message may be sent.</summary>
+    /// <summary>Waits until a message may be sent.</summary>
     /// <param name="isReply"><inheritdoc cref="SendWindow.IsOpen" path="/param[@name='isReply']"/></param>
     public async Task OpensAsync(bool isReply, CancellationToken stop)
     {
@@ -74,10 +80,10 @@ sealed class ReaderProgress : IDisposable
         }
     }
 
-    /// <summary>Records that a message had to wait for the client. For one thread at a time, like <see cref="OpensAsync"/>.</summary>
+    /// <summary>Records that a message had to wait for the client. Not thread-safe, like <see cref="OpensAsync"/>.</summary>
     public void OnWaited() => WaitedUntil = _time.GetTimestamp();
 
-    /// <summary>Call this before a message is sent.</summary>
+    /// <summary>Sends a ping if one is due before a message. Call this method before each message.</summary>
     public Task SendsAsync(int bytes)
     {
         lock (_lock)
@@ -85,7 +91,7 @@ sealed class ReaderProgress : IDisposable
         return PingAsync();
     }
 
-    /// <summary>Call this after a message was sent.</summary>
+    /// <summary>Counts a message that was sent. Call this method after each message.</summary>
     public void OnSent(int bytes, bool isReply = false)
     {
         lock (_lock)
@@ -95,13 +101,13 @@ sealed class ReaderProgress : IDisposable
         }
     }
 
-    /// <summary>Records that data were received from the client.</summary>
+    /// <summary>Records that the client has sent data.</summary>
     public void OnReceived()
     {
         lock (_lock) _lastReceived = Now;
     }
 
-    /// <summary>Processes the payload of a pong. Ignores pongs for pings of others.</summary>
+    /// <summary>Processes the payload of a pong. Ignores a pong that does not answer a ping of this object.</summary>
     public void OnPong(ReadOnlySpan<byte> payload)
     {
         if (payload.Length != PayloadBytes) return;
@@ -114,7 +120,8 @@ sealed class ReaderProgress : IDisposable
         Signal();
     }
 
-    /// <summary>Sends a ping in each interval until the client fails to answer in time, or reads too slowly. Returns which of the two.</summary>
+    /// <summary>Sends pings at the ping interval, until the client does not answer in time or reads too slowly.</summary>
+    /// <returns><see cref="Closure.Silence"/> or <see cref="Closure.SlowReader"/>.</returns>
     /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
     public async Task<Closure> WatchAsync(CancellationToken stop)
     {
@@ -140,16 +147,16 @@ sealed class ReaderProgress : IDisposable
         lock (_lock)
         {
             if (_window.PingAt is not { } pingAt) return false;
-            // Received data count as an answer until the client has answered a ping. If it stops answering later, it has stopped reading.
+            // Until the client has answered its first ping, received data count as an answer. Later, a missing answer means that it does not read.
             var last = _window.HasAnswered || _lastReceived < pingAt ? pingAt : _lastReceived;
-            // Bytes sent after the ping do not delay its pong.
+            // Considers only bytes sent before the ping, because later bytes do not delay its pong.
             return Now - last >= TimeoutFor(_window.BytesBeforePing);
         }
     }
 
     public void Dispose() => _delayedPing.Dispose();
 
-    // Call this under the lock.
+    // Called under the lock.
     void PlanPing()
     {
         if (_isPingPlanned || !_window.IsPingDue) return;
@@ -173,11 +180,11 @@ sealed class ReaderProgress : IDisposable
         }
         catch (Exception e) when (e is IOException or ObjectDisposedException or InvalidOperationException or OperationCanceledException)
         {
-            // The connection has ended, which the receiving side detects.
+            // The connection has ended. The receiving loop detects this.
         }
     }
 
-    // Null while the window is open.
+    // Returns a task that completes when the window may have opened; null while the window is open.
     Task NextChange(bool isReply)
     {
         Task change;

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
@@ -11,14 +12,14 @@ static class RequestText
     public static readonly string Topics =
         string.Join(", ", Publications.All.Select(topic => topic.Key).Concat(RobotTopic.OfRobots.Select(kind => RobotTopic.NameOf("ROBOT", kind))));
 
-    /// <summary>Operation and topic or service of a request, each followed by a space; empty for a message that could not be read.</summary>
+    /// <summary>Gets the operation and the topic or service of a request, each followed by a space; empty for an unreadable message.</summary>
     public static string Subject(RosbridgeMessage message) =>
         string.Concat(new[] { message?.OpName, message?.Topic ?? message?.Service }.Where(part => !string.IsNullOrEmpty(part)).Select(part => $"{Short(part)} "));
 
     public static string TypeRule(RosbridgeMessage message) =>
-        $"{message.Topic} has the type {Publications.TypeOf(message.RobotTopic)}, not {Short(message.Type)}";
+        RequestMessages.OtherType(message.Topic, Publications.TypeOf(message.RobotTopic), Short(message.Type));
 
-    /// <summary>Cuts a text of a client, so that replies repeat at most the maximum length of a name.</summary>
+    /// <summary>Shortens a client's text to the maximum length of a name, for replies.</summary>
     public static string Short(string text) =>
         text?.Length > ProtocolLimits.NameLength ? string.Concat(text.AsSpan(0, ProtocolLimits.NameLength - 1), "…") : text;
 }

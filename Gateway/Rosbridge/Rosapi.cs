@@ -5,9 +5,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The rosapi services that clients call when they connect. They describe the gateway as one node.</summary>
+/// <summary>Answers the rosapi services that clients call when they connect. The answers describe the gateway as one ROS node.</summary>
 /// <remarks>
-/// /rosapi/get_time and /rosapi/topics are in the session. Type names have the format of the caller's ROS version; ROS 1 while it is unknown.
+/// <see cref="RosbridgeSession"/> answers /rosapi/get_time and /rosapi/topics. Type names have the format of the caller's ROS version, or of
+/// ROS 1 while that version is unknown.
 /// </remarks>
 static class Rosapi
 {
@@ -46,10 +47,10 @@ static class Rosapi
 
     static IEnumerable<string> TopicsOf(RosapiCall call) => call.Topics.Select(topic => topic.Key);
 
-    /// <summary>Gets the values of a service's response; null for a service that is not in this class.</summary>
+    /// <summary>Calls a service and gets the values of its response; null for a service that this class does not answer.</summary>
     /// <param name="service">Name of the service, with its slash.</param>
-    /// <param name="text">The whole call, valid JSON.</param>
-    /// <param name="isRos2">Whether the caller has named types of ROS 2.</param>
+    /// <param name="text">The complete call, valid JSON.</param>
+    /// <param name="isRos2">Whether the caller has used type names of ROS 2.</param>
     public static string Call(string service, ReadOnlyMemory<byte> text, bool isRos2, MessageHub hub)
     {
         if (!service.StartsWith(Prefix, StringComparison.Ordinal) || !Services.TryGetValue(service[Prefix.Length..], out var known)) return null;
@@ -57,7 +58,7 @@ static class Rosapi
         return known.Answer(call).ToJsonString();
     }
 
-    /// <summary>Gets every topic with its type.</summary>
+    /// <summary>Gets all topics with their types.</summary>
     public static IEnumerable<KeyValuePair<string, string>> Types(bool isRos2, MessageHub hub) =>
         Publications.With(hub.Robots).Select(topic => KeyValuePair.Create(topic.Key, new MessageDefinitions(isRos2).Spelled(topic.Value)));
 
@@ -82,7 +83,7 @@ static class Rosapi
         ["services"] = List(isKnown ? ServiceNames : []),
     };
 
-    // Parameter values of rosapi are JSON texts.
+    // Returns a parameter as JSON text, as rosapi does.
     static string Value(RosapiCall call)
     {
         var topic = RobotTopic.Parse("/" + call.Argument("name")?.Split(':')[^1].TrimStart('/'));

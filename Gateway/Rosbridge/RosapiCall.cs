@@ -26,7 +26,7 @@ sealed class RosapiCall : IDisposable
     /// <summary>All topics with their types, in ROS 1 names.</summary>
     public IEnumerable<KeyValuePair<string, string>> Topics => Publications.With(_hub.Robots);
 
-    /// <summary>Namespaces of the described robots; empty for the robot without one.</summary>
+    /// <summary>Namespaces of the robots that have a description. The robot without a namespace is the empty text.</summary>
     public IEnumerable<string> DescribedRobots => _hub.Robots.Prepend("").Where(robot => DescriptionOf(robot) != null);
 
     /// <summary>Gets the description of a robot; null if there is none.</summary>
@@ -37,7 +37,7 @@ sealed class RosapiCall : IDisposable
 
     public void Dispose() => _text.Dispose();
 
-    // A call with NaN, which the gateway's own reader accepts in a field that it does not read, has no arguments.
+    // Treats invalid JSON as a call without arguments: the gateway's own reader accepts NaN in fields that it does not read.
     static JsonDocument Parsed(ReadOnlyMemory<byte> text)
     {
         try
@@ -59,7 +59,7 @@ sealed class RosapiCall : IDisposable
         }
         catch (InvalidOperationException)
         {
-            // An unpaired surrogate.
+            // The text contains an unpaired surrogate.
             return null;
         }
     }

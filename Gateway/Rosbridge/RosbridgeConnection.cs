@@ -4,7 +4,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>One client's WebSocket. Receives messages one by one and sends the data of its session and subscriptions.</summary>
+/// <summary>
+/// The WebSocket connection of one client. Passes received messages to its session, and sends replies and messages of subscriptions.
+/// </summary>
 sealed class RosbridgeConnection : IDisposable
 {
     internal const int WaitingReplies = 64;
@@ -21,7 +23,7 @@ sealed class RosbridgeConnection : IDisposable
     readonly Dictionary<string, TopicPump> _pumps = [];
     int _ended = NotEnded;
 
-    /// <param name="reader">Tracks how far the peer has read, and its timeout.</param>
+    /// <param name="reader">Measures how much the client has read, and detects a client that does not answer.</param>
     public RosbridgeConnection(
         WebSocket socket, MessageReceiver receiver, ReaderProgress reader, DropCounters drops, CancellationToken serverStops)
     {
@@ -33,7 +35,7 @@ sealed class RosbridgeConnection : IDisposable
             new BoundedChannelOptions(WaitingReplies) { FullMode = BoundedChannelFullMode.DropOldest }, _ => drops.Count(DropReason.SlowReader));
     }
 
-    /// <summary>Number of topic pumps, including those that ended recently: at most one per topic.</summary>
+    /// <summary>Number of topic pumps, including those that have ended since the last start. At most one per topic.</summary>
     internal int Pumps => _pumps.Count;
 
     /// <summary>Queues a reply. If the client does not read, the oldest replies are dropped.</summary>
@@ -42,7 +44,7 @@ sealed class RosbridgeConnection : IDisposable
     /// <summary>Starts to send the messages of a subscription. Called by the thread that handles the client's messages.</summary>
     public void Start(Subscription subscription)
     {
-        // Removed because a client can use any number of topics over time. A failed pump stays, so that its exception is reported.
+        // Removes ended pumps, because a client can use any number of topics over time. Keeps a failed pump, so that its exception is reported.
         foreach (var (topic, pump) in _pumps)
             if (pump.Ended.IsCompletedSuccessfully) _pumps.Remove(topic);
         if (!_pumps.TryGetValue(subscription.Topic, out var own))
@@ -50,20 +52,21 @@ sealed class RosbridgeConnection : IDisposable
         own.Start(subscription);
     }
 
-    /// <summary>Starts the close and ignores further messages. Thread-safe; does not wait.</summary>
+    /// <summary>Starts to close the connection, and ignores further messages. Thread-safe; does not block.</summary>
     public void End(Closure why)
     {
         if (Interlocked.CompareExchange(ref _ended, (int)why, NotEnded) == NotEnded)
             _ = CloseAsync(why);
     }
 
-    /// <summary>Serves the client until either side ends the connection; returns the reason.</summary>
+    /// <summary>Serves the client until either side ends the connection.</summary>
+    /// <returns>The reason of the end.</returns>
     public async Task<Closure> RunAsync(RosbridgeSession session)
     {
         var replying = PumpAsync(RepliesAsync);
         var watching = PumpAsync(WatchAsync);
         Closure why;
-        // The client answers with its own close, which ends the receiving, or the timeout ends it.
+        // When the server stops, receiving ends with the client's close frame or with the timeout.
         await using (_serverStops.UnsafeRegister(_ => End(Closure.Stopped), null))
             why = await ReceiveAsync(session);
         if (Ended == null && HasPeerLeft) session.Leave();
@@ -81,10 +84,10 @@ sealed class RosbridgeConnection : IDisposable
         _sending.Dispose();
     }
 
-    // The reason chosen by this side; null if there is none.
+    // The reason for which this side ends the connection; null if it does not.
     Closure? Ended => Volatile.Read(ref _ended) is var ended && ended != NotEnded ? (Closure)ended : null;
 
-    // Other close codes report a fault of the peer.
+    // Whether the client closed the connection normally. Other close codes report a fault.
     bool HasPeerLeft => _socket.CloseStatus
         is WebSocketCloseStatus.NormalClosure or WebSocketCloseStatus.EndpointUnavailable or WebSocketCloseStatus.Empty;
 
@@ -108,7 +111,7 @@ sealed class RosbridgeConnection : IDisposable
 
     static Closure Explain(Exception e) => (e as WebSocketException)?.WebSocketErrorCode switch
     {
-        // Violations of RFC 6455 in frames or texts, which the socket itself answers with a close of 1002 or 1007.
+        // A violation of RFC 6455. The WebSocket class itself closes with the code 1002 or 1007.
         WebSocketError.Faulted or WebSocketError.InvalidMessageType => Closure.MalformedFrame,
         WebSocketError.ConnectionClosedPrematurely => Closure.ByPeer,
         _ => Closure.ByPeer,
@@ -120,7 +123,7 @@ sealed class RosbridgeConnection : IDisposable
             await SendAsync(_ => _replies.Reader.TryRead(out var reply) ? reply : default, isReply: true);
     }
 
-    // Selects the message only when it can be sent, because a message selected earlier would be outdated.
+    // Selects the message when the client has room for it. A message selected earlier would be outdated by then.
     async Task SendAsync(Func<long, ReadOnlyMemory<byte>> next, bool isReply)
     {
         await _sending.WaitAsync(_stop.Token);
@@ -151,12 +154,12 @@ sealed class RosbridgeConnection : IDisposable
             return;
         }
 
-        // No close is sent: a peer that does not read would not receive it.
+        // Aborts without a close frame, which a client that does not read would not receive.
         Interlocked.CompareExchange(ref _ended, (int)Closure.Silence, NotEnded);
         _socket.Abort();
     }
 
-    // Received data do not extend this timeout, unlike that of pongs: a peer that sends but never reads would stay forever.
+    // Waits until a message is sent. Received data do not extend this timeout, so that a client that sends but never reads is disconnected.
     async Task BecomesSentAsync(Task sending, int length)
     {
         try
@@ -166,7 +169,7 @@ sealed class RosbridgeConnection : IDisposable
         }
         catch (TimeoutException)
         {
-            // A close would not reach a peer that does not read.
+            // Aborts without a close frame, which a client that does not read would not receive.
             Interlocked.CompareExchange(ref _ended, (int)Closure.Silence, NotEnded);
             _socket.Abort();
             await sending;
@@ -181,11 +184,11 @@ sealed class RosbridgeConnection : IDisposable
         }
         catch (Exception e) when (IsEndOfConnection(e))
         {
-            // The receiving side ends the connection.
+            // The receiving loop ends the connection.
         }
     }
 
-    // Aborting discards unsent data, including the close code. It is done only for a peer that does not read.
+    // Aborts only for a client that does not read, because an abort discards unsent data, including the close frame.
     async Task StopPumpsAsync(Task replying, bool isGone)
     {
         var pumps = Task.WhenAll([replying, .. _pumps.Values.Select(pump => pump.Ended)]);
@@ -199,7 +202,7 @@ sealed class RosbridgeConnection : IDisposable
         using var timeout = new CancellationTokenSource(CloseTimeout);
         try
         {
-            // A peer's close is answered with the same code, or with none if it had none.
+            // Answers the client's close frame with the same code.
             if (why == Closure.ByPeer)
                 await _socket.CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure, null, timeout.Token);
             else
@@ -211,7 +214,7 @@ sealed class RosbridgeConnection : IDisposable
         }
         catch (Exception e) when (IsEndOfConnection(e) || e is InvalidOperationException)
         {
-            // The connection is already closed.
+            // The connection has already ended.
         }
 
         if (Ended != null)

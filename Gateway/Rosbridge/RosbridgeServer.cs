@@ -3,6 +3,7 @@ using Microsoft.AspNetCore.Http.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core.Features;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Sync;
 using Nowpose.Protocol;
@@ -20,12 +21,14 @@ sealed class RosbridgeServer(
 
     public DropCounters Drops { get; } = new();
 
-    /// <summary>Ends every connection.</summary>
+    /// <summary>Closes all connections.</summary>
     public void Stop() => _stop.Cancel();
 
     public void Dispose() => _stop.Dispose();
 
-    /// <summary>Middleware that must run before the WebSocket middleware, which uses the upgrade feature present when it is called.</summary>
+    /// <summary>
+    /// Middleware that counts the fragments of messages. It must run before the WebSocket middleware, which uses the upgrade feature.
+    /// </summary>
     public static Task CountFragmentsAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Features.Get<IHttpUpgradeFeature>() is { } upgrade)
@@ -39,9 +42,9 @@ sealed class RosbridgeServer(
             return;
         if (!context.WebSockets.IsWebSocketRequest)
             await AccessControl.AnswerAsync(
-                context, StatusCodes.Status426UpgradeRequired, "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client");
+                context, StatusCodes.Status426UpgradeRequired, RequestMessages.NotAWebSocket);
         else if (!counters.TryEnter(options.MaxConnections))
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnections));
         else
             await ServeAsync(context, role);
     }
@@ -57,19 +60,19 @@ sealed class RosbridgeServer(
         {
             counters.Leave(why);
             if (why is not (Closure.ByPeer or Closure.Stopped))
-                log($"websocket: closed a connection, {why}");
+                log(RequestMessages.Closed(why));
         }
     }
 
     async Task<Closure> TalkAsync(HttpContext context, Role role)
     {
         var upgrade = (CountingUpgrade)context.Features.Get<IHttpUpgradeFeature>();
-        // Slow readers lose messages; the connection itself detects those that are too slow.
+        // Removes Kestrel's limit: RosbridgeConnection drops messages to slow readers, and disconnects those that are too slow.
         if (context.Features.Get<IHttpMinResponseDataRateFeature>() is { } rate)
             rate.MinDataRate = null;
         using var socket = await context.WebSockets.AcceptWebSocketAsync(new WebSocketAcceptContext
         {
-            // The connection sends its own pings, which also measure how far the client has read.
+            // Disables the pings of .NET, because ReaderProgress sends pings that also measure how much the client has read.
             KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
         PendingPlaces.Release(context);
@@ -80,8 +83,7 @@ sealed class RosbridgeServer(
         var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
         using var reader = new ReaderProgress(
             upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System,
-            () => log($"websocket: {AddressOf(context.Connection)} does not answer pings, "
-                + $"so it receives at most {SendWindow.AssumedBytesPerSecond / 1000:0} kB/s"));
+            () => log(RequestMessages.NoPong(AddressOf(context.Connection), SendWindow.AssumedBytesPerSecond / 1000)));
         upgrade.Fragments.Pong = payload => reader.OnPong(payload.Span);
         upgrade.Received = reader.OnReceived;
         SendBuffer.Limit(context);
@@ -102,7 +104,7 @@ sealed class RosbridgeServer(
     static string AddressOf(ConnectionInfo connection)
     {
         if (connection.RemoteIpAddress is not { } address) return null;
-        // Omits the port, which changes with each connection, so that a client that reconnects is the same source in the list of events.
+        // Omits the port, which differs for each connection, so that the list of events shows a client that reconnects as the same source.
         return (address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address).ToString();
     }
 }

@@ -1,6 +1,7 @@
 using System.Text;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
@@ -8,7 +9,7 @@ using static Nowpose.Gateway.Rosbridge.RequestText;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Handles the requests of one client, without access to sockets. Called by one thread at a time.</summary>
+/// <summary>Handles the requests of one client, without access to sockets. Not thread-safe.</summary>
 sealed class RosbridgeSession : IDisposable
 {
     readonly MessageHub _hub;
@@ -47,11 +48,11 @@ sealed class RosbridgeSession : IDisposable
         _publisher = new MessagePublisher(_source, clock, _offers);
     }
 
-    /// <summary>Address of the client, for messages about a client without a name.</summary>
+    /// <summary>Sets the client's address, which messages contain if the client has no name.</summary>
     public string Address { set => _source.Address = value; }
 
     /// <summary>
-    /// Removes the state that the client reported of itself, because it closed the connection normally. Call it before <see cref="Dispose"/>.
+    /// Removes the status that the client has reported. Call this method before <see cref="Dispose"/> if the client closed the connection normally.
     /// </summary>
     public void Leave()
     {
@@ -85,7 +86,7 @@ sealed class RosbridgeSession : IDisposable
     {
         if (message.Topic?.StartsWith('/') == false && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Advertise or RosbridgeOp.Publish)
         {
-            Drop(message, DropReason.UnknownTopic, rule: $"a topic name begins with a slash: /{Short(message.Topic)}");
+            Drop(message, DropReason.UnknownTopic, rule: RequestMessages.NoSlash(Short(message.Topic)));
             return;
         }
 
@@ -124,7 +125,7 @@ sealed class RosbridgeSession : IDisposable
             return;
         Warn(message);
         if (!Publications.IsKnown(message.RobotTopic))
-            Warn(message, $"receives no messages, because the gateway never publishes this topic. Its topics: {Topics}");
+            Warn(message, RequestMessages.NotPublished(Topics));
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
     }
@@ -188,7 +189,7 @@ sealed class RosbridgeSession : IDisposable
         DropLeftOut(message);
     }
 
-    // The first name that a client uses is its name. An observer must not use the name of a plant.
+    // Whether a client may use a name. The first name that it uses becomes its name. An observer must not use the name of a plant.
     bool IsOwn(string name)
     {
         if (_role != Role.Source && StatusObjects.IsAdapter(name))
@@ -208,12 +209,12 @@ sealed class RosbridgeSession : IDisposable
                 break;
             default:
                 _drops.Count(DropReason.UnknownService);
-                Reply(RosbridgeWriter.FailedResponse(message.Service, message.Id, DropText.Of(DropReason.UnknownService)));
+                Reply(RosbridgeWriter.FailedResponse(message.Service, message.Id, DropMessages.Of(DropReason.UnknownService)));
                 break;
         }
     }
 
-    // A name without a slash is relative to the root, where rosbridge's own node is. roslib uses this form for rosapi services.
+    // Returns the name of a service with a slash. As in rosbridge, a name without a slash is relative to the root; roslib uses such names.
     static string Absolute(string name) => name.StartsWith('/') ? name : "/" + name;
 
     DropReason Allowance(RobotTopic topic)
@@ -232,7 +233,7 @@ sealed class RosbridgeSession : IDisposable
         return isNameGood && topics.Count <= ProtocolLimits.TopicsPerClient;
     }
 
-    // The newest type that a client names shows its ROS version; responses of services name none.
+    // Derives the client's ROS version from the newest type name that it has sent, for responses of services, whose requests contain no type.
     void Remember(string type)
     {
         if (string.IsNullOrEmpty(type)) return;
@@ -240,7 +241,7 @@ sealed class RosbridgeSession : IDisposable
         _isRos2 = _form == RosTimeForm.Sec;
     }
 
-    // The request is served, but without an unsupported option.
+    // Warns of an unsupported option. The request is served without the option.
     void Warn(RosbridgeMessage message)
     {
         if (Unsupported.In(_text) is { } unsupported) Warn(message, unsupported);
@@ -254,10 +255,10 @@ sealed class RosbridgeSession : IDisposable
     void Drop(RosbridgeMessage message, Refusal refusal)
     {
         var owner = refusal.Owner == null ? "" : $", {Short(refusal.Owner.Title)}";
-        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropText.Of(refusal.Reason)}{owner}");
+        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropMessages.Of(refusal.Reason)}{owner}");
     }
 
-    // Each transform or signal is counted; the client gets one message per reason.
+    // Counts each transform or signal that was left out. The client gets one status message per reason.
     void DropLeftOut(RosbridgeMessage message)
     {
         foreach (var same in _publisher.LeftOut.GroupBy(one => one.Reason))
@@ -265,7 +266,7 @@ sealed class RosbridgeSession : IDisposable
             var count = same.Count();
             _drops.Count(same.Key, count - 1);
             var others = count > 1 ? $"; {count - 1} more likewise" : "";
-            Drop(message, same.Key, rule: $"{same.First().What} {DropText.Of(same.Key)}{others}");
+            Drop(message, same.Key, rule: $"{same.First().What} {DropMessages.Of(same.Key)}{others}");
         }
 
         _publisher.LeftOut.Clear();
@@ -276,14 +277,14 @@ sealed class RosbridgeSession : IDisposable
         _drops.Count(reason);
         if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.Tf or RosTopics.TfStatic or RosTopics.Signals, Transforms: null, Signals: null })
             rule ??= InvalidCellMessage.Read(_text.Span, reason);
-        rule ??= what == null ? DropText.Of(reason) : $"{what} {DropText.Of(reason)}";
+        rule ??= what == null ? DropMessages.Of(reason) : $"{what} {DropMessages.Of(reason)}";
         var text = reason == DropReason.UnknownOp
-            ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {KnownOperations}"
+            ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}dropped: {rule} ({reason})";
-        // The joint board handles joints of other sources itself.
+        // Excludes joints of other sources, which the hub reports itself.
         if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
             ReportDropped(topic.Robot, message.JointState, rule, reason);
-        // Last, so that a client that has the answer finds the drop in the state of the gateway.
+        // Replies last, so that a client that has received the reply finds the drop in the gateway's status.
         if (_level != "none")
             Reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
     }
@@ -291,7 +292,7 @@ sealed class RosbridgeSession : IDisposable
     void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
     {
         var (names, trouble) = valid == null ? InvalidJointState.Read(_text.Span) : (valid.Names, null);
-        _source.ReportDropped(robot, names, $"the gateway drops the samples of {_source.Title}: {trouble ?? rule} ({reason})");
+        _source.ReportDropped(robot, names, RequestMessages.Dropped(_source.Title, trouble ?? rule, reason));
     }
 
     void Reply(string text) => _reply(Encoding.UTF8.GetBytes(text));

@@ -3,7 +3,7 @@ using Microsoft.AspNetCore.Connections.Features;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Limits the kernel's unsent data for a slow reader that does not answer pings.</summary>
+/// <summary>Limits the unsent data in the kernel, for slow readers that do not answer pings.</summary>
 static class SendBuffer
 {
     const int UnsentBytes = 4096;
@@ -19,14 +19,14 @@ static class SendBuffer
         if (context.Features.Get<IConnectionSocketFeature>()?.Socket is not { } socket) return;
         try
         {
-            // Unlike a small buffer, this limits only unsent data, so it does not reduce the throughput of a long path.
+            // Limits only unsent data. A small buffer would also limit data in flight, and so the throughput of a long path.
             if (OperatingSystem.IsLinux()) socket.SetRawSocketOption(ProtocolTcp, LinuxNotSentLowWater, BitConverter.GetBytes(UnsentBytes));
             else if (OperatingSystem.IsMacOS()) socket.SetRawSocketOption(ProtocolTcp, MacNotSentLowWater, BitConverter.GetBytes(UnsentBytes));
             else socket.SendBufferSize = BufferBytes;
         }
         catch (Exception e) when (e is SocketException or ObjectDisposedException)
         {
-            // The connection has ended, which the receiving side detects.
+            // The connection has ended. The receiving loop detects this.
         }
     }
 }

@@ -1,41 +1,44 @@
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Limits the number of bytes that were sent to a client but not yet read by it.</summary>
+/// <summary>Limits the number of bytes that were sent to a client and that the client has not read yet.</summary>
 /// <remarks>
-/// The buffers between the gateway and the client's own read call (TLS, both kernels, proxies) can hold seconds of samples for a slow
-/// reader, and no system call reports all of them. A ping in the stream does: its pong confirms that everything before it was read. The
-/// window is the amount that the client reads in about <see cref="Target"/>. A ping is sent in a separate packet: TCP then detects a lost
-/// packet sooner. Sent together with messages, pings cost nearly a tenth of the reduction over lossy links (Benchmarks -- links: 86 instead
-/// of 94 %). Takes the time as an argument; not thread-safe.
+/// The buffers between the gateway and the client's read call (TLS, both kernels, proxies) can hold seconds of samples for a slow reader, and
+/// no system call reports the content of all of them. Instead, pings are sent in the stream: a pong confirms that the client has read all
+/// bytes before the ping. The window is the number of bytes that the client reads in about <see cref="Target"/>. Each ping is sent in a
+/// separate packet, because TCP then detects a lost packet sooner. With pings in the packets of messages, the error reduction over lossy
+/// links is 86 instead of 94 % (Benchmarks -- links). Takes the time as an argument; not thread-safe.
 /// </remarks>
 sealed class SendWindow
 {
-    /// <summary>Window size for a slow reader: one message at a time, because the last one may exceed the window.</summary>
+    /// <summary>Window size for a slow reader, in bytes. It allows one message at a time, because the last message may exceed the window.</summary>
     const int OneMessage = 1;
 
     /// <summary>
-    /// Minimum window size for a client that reads <see cref="MinBytesPerSecond"/>. It allows two messages of an arm, which are read within 0.8 s.
+    /// Minimum window size for a client that reads at least <see cref="MinBytesPerSecond"/>, in bytes. It allows two messages of an arm, which
+    /// such a client reads within 0.8 s.
     /// </summary>
     internal const int MinBytes = 512;
 
     const double MinBytesPerSecond = 1200;
 
-    /// <summary>Window size before the first pong. At 4 kB/s it is read within a third of a second.</summary>
+    /// <summary>Window size before the first pong, in bytes. A client reads it within a third of a second at 4 kB/s.</summary>
     internal const int FirstBytes = 1280;
 
     /// <summary>
-    /// Minimum window size for a client that answers within <see cref="Quick"/> and reads <see cref="QuickBytesPerSecond"/>. At 4 kB/s it is read
-    /// within two thirds of a second.
+    /// Minimum window size for a client that answers within <see cref="Quick"/> and reads at least <see cref="QuickBytesPerSecond"/>, in bytes.
+    /// A client reads it within two thirds of a second at 4 kB/s.
     /// </summary>
     internal const int QuickBytes = 2560;
 
     const double QuickBytesPerSecond = 3500;
 
-    /// <summary>Maximum number of bytes from one ping to the next. More pings let TCP detect more lost packets early.</summary>
+    /// <summary>Maximum number of bytes between two pings. With more pings, TCP detects more lost packets early.</summary>
     const int PingBytes = 1280;
 
-    /// <summary>Maximum number of bytes between pings to a client that answers within <see cref="Near"/>, before the rest of the window is sent.</summary>
-    /// <remarks>Pings are a third of the gateway's work for 200 headsets at 50 Hz when all are sent each <see cref="PingBytes"/>.</remarks>
+    /// <summary>Number of bytes after which a ping to a near client is due. A near client answers within <see cref="Near"/>.</summary>
+    /// <remarks>
+    /// With a ping after each <see cref="PingBytes"/>, pings would be a third of the gateway's work for 200 headsets at 50 Hz.
+    /// </remarks>
     internal const int NearPingBytes = 1900;
 
     internal const int MaxBytes = 256 * 1024;
@@ -44,45 +47,50 @@ sealed class SendWindow
 
     static readonly TimeSpan Near = TimeSpan.FromMilliseconds(10);
 
-    /// <summary>Target time to read a window. A ping is due after half a window of unread data.</summary>
+    /// <summary>Time in which a client should read a full window. A ping is due after half a window of unread data.</summary>
     internal static readonly TimeSpan Target = TimeSpan.FromMilliseconds(200);
 
     /// <summary>
-    /// Timeout of the first pong. A client that has answered no ping by then is assumed to read <see cref="AssumedBytesPerSecond"/>.
+    /// Timeout of the first pong. Afterwards, the read rate is assumed to be <see cref="AssumedBytesPerSecond"/>.
     /// </summary>
-    /// <remarks>A client that reads 700 bytes per second answers in time.</remarks>
+    /// <remarks>A client that reads 700 bytes per second answers within this time.</remarks>
     internal static readonly TimeSpan FirstPongTimeout = TimeSpan.FromSeconds(2);
 
-    /// <summary>Assumed read rate of a client that does not answer pings. Whether it is a slow one or a fast one cannot be measured.</summary>
-    /// <remarks>With a receive buffer of 1 KiB, TCP carries only 2.5 kB/s to a client that could read 4 kB/s.</remarks>
+    /// <summary>Assumed read rate of a client that does not answer pings, whose actual read rate cannot be measured.</summary>
+    /// <remarks>TCP transmits only 2.5 kB/s to a client that has a receive buffer of 1 KiB and could read 4 kB/s.</remarks>
     internal const double AssumedBytesPerSecond = 2000;
 
-    /// <summary>Time to read one message above which its sample is more than a second old: the queue adds 0.15 s.</summary>
+    /// <summary>Maximum time for reading one message. Together with 0.15 s in the queue, a sample is then at most a second old.</summary>
     internal static readonly TimeSpan MaxReadTime = TimeSpan.FromMilliseconds(850);
 
-    /// <summary>Number of pongs in a row that are later than this, after which the client is too slow. A lossy network delays single ones.</summary>
+    /// <summary>
+    /// Number of consecutive pongs later than <see cref="MaxReadTime"/> after which the client is too slow. A lossy network delays single pongs.
+    /// </summary>
     internal const int MaxLatePongs = 5;
 
-    /// <summary>Window size of a client whose window was not full, as a multiple of its unread bytes.</summary>
+    /// <summary>Minimum size to which a window that was not full shrinks, as a multiple of the unread bytes.</summary>
     const double Reserve = 1.25;
 
-    /// <summary>Number of newest pongs that determine the read rate on a lossy path.</summary>
+    /// <summary>Number of newest pongs whose mean read rate determines the window on a lossy path.</summary>
     const int RatedPongs = 8;
 
-    /// <summary>Minimum read rate after a lost packet, as a multiple of the rate before it. A slow reader reads at the same rate after a late pong.</summary>
+    /// <summary>
+    /// Minimum ratio of the read rate at a pong in time to the rate at the late pong just before it, for which the late pong counts as the
+    /// effect of a lost packet. A slow reader reads at nearly the same rate at both pongs.
+    /// </summary>
     const double RecoveryRatio = 2.5;
 
-    /// <summary>Number of pongs after a recovery for which the path counts as lossy.</summary>
+    /// <summary>Number of pongs for which the path counts as lossy after a recovery from a lost packet.</summary>
     const int LossyPongs = 256;
 
     /// <summary>
-    /// Target time to read a window on a lossy path. TCP delivers nothing for about 0.3 s after a lost packet; what waits meanwhile arrives at once,
-    /// so a window that closes delays the newest samples by a round trip. With <see cref="Target"/>, the reduction over the link "bad" was 71
-    /// instead of 93 % (Benchmarks -- links).
+    /// Time in which a client should read a full window on a lossy path. After a lost packet, TCP delivers nothing for about 0.3 s, and then all
+    /// waiting data at once. If the window closes in this time, the newest samples are sent a round trip later. With <see cref="Target"/>, the
+    /// error reduction over the link "bad" is 71 instead of 93 % (Benchmarks -- links).
     /// </summary>
     static readonly TimeSpan LossyTarget = TimeSpan.FromMilliseconds(500);
 
-    // The newest pongs, in a ring: the bytes that each confirmed, and the time in which the client read them.
+    // Ring buffer of the newest pongs: the number of bytes confirmed, and the time in which the client read them.
     readonly (long Read, TimeSpan Time)[] _rated = new (long, TimeSpan)[RatedPongs];
     int _pongs;
     int _pongsSinceRecovery = LossyPongs;
@@ -100,32 +108,34 @@ sealed class SendWindow
     int _latePongs;
     TimeSpan? _assumedUntil;
 
-    /// <summary>Window size, bytes.</summary>
+    /// <summary>Window size in bytes.</summary>
     public int Size { get; private set; } = OneMessage;
 
-    /// <summary>Number of sent bytes that are not confirmed as read.</summary>
+    /// <summary>Number of bytes sent to the client that no pong has confirmed as read.</summary>
     public long Unread => _sent - _read;
 
-    /// <summary>Number of bytes that the client has to read before the newest ping.</summary>
+    /// <summary>Number of unread bytes that precede the newest ping.</summary>
     public long BytesBeforePing => Math.Max(0, _pingPosition - _read);
 
-    /// <summary>Whether the client has answered a ping.</summary>
+    /// <summary>Whether the client has answered at least one ping.</summary>
     public bool HasAnswered => _hasAnswered;
 
-    /// <summary>Whether the client answered the newest ping within a few milliseconds.</summary>
+    /// <summary>
+    /// Whether the client answered the newest ping within <see cref="Near"/> and has a window of at least <see cref="QuickBytes"/>.
+    /// </summary>
     public bool IsNear { get; private set; }
 
-    /// <summary>Whether the client's read rate is assumed, because it has not answered a ping in time.</summary>
+    /// <summary>Whether the client's read rate is assumed, because the client has not answered a ping in time.</summary>
     public bool IsAssumed => !_hasAnswered && _assumedUntil != null;
 
-    /// <summary>Whether the client needs too much time for each single message, so that its samples are always old.</summary>
+    /// <summary>Whether the client reads so slowly that all its samples are old, even if one message is sent at a time.</summary>
     public bool IsTooSlow => _latePongs >= MaxLatePongs;
 
     /// <summary>Time at which the outstanding ping was sent; null if there is none.</summary>
     public TimeSpan? PingAt => _pingAt;
 
-    /// <summary>Whether a message may be sent; the last one may exceed the window.</summary>
-    /// <param name="isReply">Whether the message answers a request. Of all others, only one is sent before the first pong.</param>
+    /// <summary>Whether a message may be sent. The last message may exceed the window.</summary>
+    /// <param name="isReply">Whether the message answers a request. Before the first pong, only one message that is not a reply is sent.</param>
     public bool IsOpen(TimeSpan now, bool isReply = false)
     {
         if (!_hasAnswered && now - _pingAt >= FirstPongTimeout) AssumeRead(now);
@@ -141,14 +151,14 @@ sealed class SendWindow
         _hasPublished |= !isReply;
     }
 
-    /// <summary>Whether a ping should be sent first: after a long message, the first pong would be delayed by it.</summary>
+    /// <summary>Whether a ping should be sent before a message, because the message is so long that it would delay the first pong.</summary>
     public bool IsPingDueBefore(int bytes) => !_hasAnswered && _pingAt == null && bytes > FirstBytes;
 
     /// <summary>Whether a ping should follow the sent data.</summary>
     public bool IsPingDue => _pingAt == null && _sent - Math.Max(_read, _pingPosition) >= PingDueBytes;
 
     /// <summary>Records a ping at the end of the sent data.</summary>
-    /// <returns>Its number, which the pong repeats.</returns>
+    /// <returns>The number of the ping, which the pong repeats.</returns>
     public long OnPing(TimeSpan now)
     {
         _pingAt = now;
@@ -156,7 +166,7 @@ sealed class SendWindow
         return ++_pingId;
     }
 
-    /// <summary>Processes a pong. Numbers other than that of the newest ping are ignored.</summary>
+    /// <summary>Processes a pong. Ignores a pong that does not answer the newest ping.</summary>
     public void OnPong(long id, TimeSpan now)
     {
         if (_pingAt is not { } pingAt || id != _pingId) return;
@@ -165,7 +175,7 @@ sealed class SendWindow
         var read = _pingPosition - _read;
         _read = _pingPosition;
         _hasAnswered = true;
-        // The pong of an idle connection does not show how fast the client could read.
+        // Ignores the time of a pong that confirms no bytes, because it does not show how fast the client can read.
         if (read > 0)
         {
             var time = now - _unreadSince + TimeSpan.FromTicks(1);
@@ -174,7 +184,7 @@ sealed class SendWindow
         }
 
         _unreadSince = now;
-        // With a smaller window, no ping would ever be due.
+        // Requires this size, because a smaller window would be full before a ping is due.
         IsNear = now - pingAt < Near && Size >= QuickBytes;
         _mayGrow = _wasFull;
         _wasFull = false;
@@ -199,20 +209,20 @@ sealed class SendWindow
         _lateRate = isLate ? readRate : null;
         var size = SizeFor(took, read, unread);
         if (_pongsSinceRecovery < LossyPongs) size = Math.Max(isLate ? 0 : size, MeanRate * LossyTarget.TotalSeconds);
-        // A pong for a few bytes does not show that the client can read more.
+        // Requires a read rate for a minimum size, because a quick pong for a few bytes does not show that the client can read more.
         var min = took < Quick && readRate >= QuickBytesPerSecond ? QuickBytes : readRate >= MinBytesPerSecond ? MinBytes : OneMessage;
         Size = (int)Math.Clamp(size, min, MaxBytes);
     }
 
-    // A full window grows with the next pong, because the first pong of a client that has just become slow is still fast.
-    // A window that is not full shrinks to what it needs: after a burst of messages, it must not stay large for a client that becomes slow later.
+    // A window that was full grows one pong later, because a client that has just become slow still answers the first ping quickly.
+    // A window that was not full shrinks to the size in use, so that it is not too large for a client that becomes slow after a burst.
     double SizeFor(TimeSpan took, long read, long unread)
     {
         var factor = Math.Clamp(Target / (took + TimeSpan.FromTicks(1)), 0.25, 2);
         return took > Target || _mayGrow ? Math.Max(Size, read) * factor : Math.Min(Size, Math.Max(QuickBytes, Reserve * unread));
     }
 
-    // Read rate over the newest pongs, bytes per second.
+    // Mean read rate over the newest pongs, in bytes per second.
     double MeanRate
     {
         get

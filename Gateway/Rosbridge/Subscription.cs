@@ -7,12 +7,12 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>One client's subscription to one topic: a queue that drops its oldest message when full, and the loop that sends from it.</summary>
+/// <summary>A client's subscription to one topic: a queue that drops its oldest message when full, and the loop that sends from the queue.</summary>
 sealed class Subscription : IDisposable
 {
     const int MaxQueueLength = 1024;
 
-    /// <summary>Maximum waiting time for a slow reader. Older samples are dropped if a newer one is queued.</summary>
+    /// <summary>Maximum time for which a sample waits for a slow reader. An older sample is dropped if a newer one is queued.</summary>
     internal static readonly TimeSpan MaxSampleAge = TimeSpan.FromMilliseconds(150);
 
     readonly Channel<HubMessage> _queue;
@@ -27,7 +27,7 @@ sealed class Subscription : IDisposable
     {
         Topic = topic;
         _terms = terms;
-        // Messages skipped because of the client's throttle rate are not counted as drops.
+        // Does not count messages that are skipped because of the client's throttle rate.
         _lost = () => drops.Count(terms.ThrottleMs > 0 ? DropReason.None : DropReason.SlowReader);
         var bounds = new BoundedChannelOptions(QueueOf(terms, standardQueue)) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true };
         _times = RobotTopic.Parse(topic).Kind == RosTopics.JointStates && terms.ThrottleMs == 0 ? hub.Forwarding : null;
@@ -49,12 +49,13 @@ sealed class Subscription : IDisposable
 
     /// <summary>Sends messages until the subscription is disposed or sending fails.</summary>
     /// <param name="send">
-    /// Waits until the client has room for a message, and sends the one that its argument selects. The argument gets the end of the last time
-    /// in which messages had to wait for the client, a count of <see cref="Stopwatch"/>.
+    /// Waits until the client has room for a message, then calls its argument to select a message, and sends that message. The argument takes
+    /// the time until which messages last had to wait for the client, a count of <see cref="Stopwatch"/>.
     /// </param>
+    /// <param name="stop">Ends the wait of a throttled subscription.</param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {
-        // Without a token, which would be registered for each message. The end of the connection disposes the subscription.
+        // Passes no cancellation token, which costs a registration per message. The end of the connection disposes the subscription.
         while (HasMore || await _queue.Reader.WaitToReadAsync(CancellationToken.None))
         {
             var began = Stopwatch.GetTimestamp();
@@ -63,13 +64,13 @@ sealed class Subscription : IDisposable
             if (message == null) continue;
             _times?.Add(message.ReceivedAt);
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
-            // The values that are sent at the start belong together.
+            // Sends the values that were read together without a pause between them.
             if (rest > TimeSpan.Zero && !HasMore && await IsOverWithinAsync(rest, stop))
                 return;
         }
     }
 
-    /// <summary>Counts the messages that stay queued in a subscription without a sending loop as dropped.</summary>
+    /// <summary>Counts the queued messages of a subscription that never got a sending loop as dropped.</summary>
     public void CountUnsent()
     {
         while (_queue.Reader.TryRead(out var message))
@@ -78,13 +79,13 @@ sealed class Subscription : IDisposable
 
     bool HasMore => _latched?.HasMore == true && !_ended.Task.IsCompleted;
 
-    // Null if the queue has been emptied.
+    // Returns the next message to send; null if the queue is empty.
     HubMessage Next(long waitedUntil)
     {
         if (_latched != null) return _latched.Next(receivedAt => IsOld(receivedAt, waitedUntil));
         while (_queue.Reader.TryRead(out var message))
         {
-            // A message that waited for another reason, such as a busy processor, is sent late instead of dropped.
+            // Drops only messages that waited for the client. A message that waited for another reason, such as a busy processor, is sent late.
             if (message.Content is not (JointStateMessage or TransformsMessage) || !IsOld(message.ReceivedAt, waitedUntil) || !_queue.Reader.TryPeek(out _)) return message;
             _lost();
         }
@@ -94,7 +95,7 @@ sealed class Subscription : IDisposable
 
     static bool IsOld(long receivedAt, long waitedUntil) => receivedAt < waitedUntil && Stopwatch.GetElapsedTime(receivedAt) > MaxSampleAge;
 
-    // A throttle interval may be very long, for example a month. After an unsubscription, the wait must end.
+    // Returns whether the subscription ends during the wait. The wait must end early, because a throttle interval can be as long as a month.
     async Task<bool> IsOverWithinAsync(TimeSpan rest, CancellationToken stop)
     {
         using var waited = CancellationTokenSource.CreateLinkedTokenSource(stop);
@@ -110,7 +111,7 @@ sealed class Subscription : IDisposable
         _queue.Writer.TryComplete();
     }
 
-    // A throttled client without a queue length gets the newest message at the end of each interval.
+    // Without a queue length set by the client, a throttled subscription holds one message: the newest, sent at the end of each interval.
     static int QueueOf(SubscriptionTerms terms, int standard)
     {
         if (terms.QueueLength > 0)

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>The subscriptions of one client, by topic and the client's id. For one thread at a time.</summary>
+/// <summary>The subscriptions of one client, by topic and by the id that the client chose. Not thread-safe.</summary>
 sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops, Action<Subscription> start) : IDisposable
 {
     readonly Dictionary<string, (List<(string Id, SubscriptionTerms Terms)> Wishes, Subscription Live)> _topics = [];
@@ -18,6 +18,7 @@ sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops
         Renew(topic, wishes, present.Live);
     }
 
+    /// <summary>Removes one or all subscriptions to a topic.</summary>
     /// <param name="topic">Name of the topic.</param>
     /// <param name="id">Id of the subscription; null removes all subscriptions to the topic.</param>
     public void Remove(string topic, string id)

@@ -2,8 +2,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>A client's options for a topic.</summary>
-/// <param name="ThrottleMs">Minimum time between two messages; 0 for all messages.</param>
+/// <summary>The options of a subscription.</summary>
+/// <param name="Form">Format of times.</param>
+/// <param name="ThrottleMs">Minimum time between two messages, ms; 0 to get all messages.</param>
 /// <param name="QueueLength">Maximum number of queued messages; 0 for the gateway's default.</param>
 readonly record struct SubscriptionTerms(RosTimeForm Form, int ThrottleMs, int QueueLength)
 {
@@ -11,7 +12,7 @@ readonly record struct SubscriptionTerms(RosTimeForm Form, int ThrottleMs, int Q
         new(RosTopics.TimeFormOf(message.Type), message.ThrottleRateMs, message.QueueLength);
 
     /// <summary>
-    /// Combines the options of two subscriptions of a client to a topic into one stream, like rosbridge: the higher rate and the shorter queue.
+    /// Combines the options of two subscriptions of one client to one topic, as rosbridge does: the higher rate and the shorter queue.
     /// </summary>
     public SubscriptionTerms With(SubscriptionTerms other) =>
         new(Form, Math.Min(ThrottleMs, other.ThrottleMs), Shorter(QueueLength, other.QueueLength));

@@ -2,8 +2,8 @@ namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Sends the messages of a client's subscriptions to one topic, one subscription after the other.</summary>
 /// <remarks>
-/// If a client that does not read changes its subscription repeatedly, one subscription is active, the newest one waits, and those in
-/// between are skipped.
+/// If a client that does not read changes its subscription repeatedly, the first subscription stays active, the newest one waits, and those
+/// in between are skipped. Thus the number of subscriptions is bounded.
 /// </remarks>
 /// <param name="pump">Sends the messages of a subscription until its end.</param>
 sealed class TopicPump(Func<Subscription, Task> pump)
@@ -15,7 +15,7 @@ sealed class TopicPump(Func<Subscription, Task> pump)
     /// <summary>Completes when all started subscriptions have ended.</summary>
     public Task Ended { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Sends the messages of a subscription as soon as the previous one has ended. For one thread at a time.</summary>
+    /// <summary>Starts to send the messages of a subscription as soon as the previous subscription has ended. Not thread-safe.</summary>
     public void Start(Subscription subscription)
     {
         lock (_lock)

@@ -2,9 +2,9 @@ using System.Text.Json.Serialization;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>rosapi/TypeDef: the fields of a message type.</summary>
-/// <param name="ArrayLengths">−1 for a single value, 0 for an array of any length.</param>
-/// <param name="Examples">An empty value of each field.</param>
+/// <summary>The fields of a message type, as the ROS type rosapi/TypeDef.</summary>
+/// <param name="ArrayLengths">Array length of each field: −1 for a single value, 0 for an array of any length.</param>
+/// <param name="Examples">Empty value of each field.</param>
 sealed record TypeDefinition(
     [property: JsonPropertyName("type")] string Type,
     [property: JsonPropertyName("fieldnames")] string[] FieldNames,

@@ -1,12 +1,13 @@
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Finds options of rosbridge requests that the gateway does not support. The request is served without them.</summary>
+/// <summary>Finds options of a rosbridge request that the gateway does not support and ignores.</summary>
 static class Unsupported
 {
-    /// <summary>Gets the warning to the client; null if there are no unsupported options.</summary>
-    /// <param name="text">A whole message, valid JSON.</param>
+    /// <summary>Gets the warning for the client; null if the request has no unsupported option.</summary>
+    /// <param name="text">The complete request, valid JSON.</param>
     public static string In(ReadOnlyMemory<byte> text)
     {
         try
@@ -16,7 +17,7 @@ static class Unsupported
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException)
         {
-            // NaN or an unpaired surrogate, which the gateway's own reader accepts in a field that it does not read.
+            // The text contains NaN or an unpaired surrogate, which the gateway's own reader accepts in fields that it does not read.
             return null;
         }
     }
@@ -24,9 +25,9 @@ static class Unsupported
     static string In(JsonElement root)
     {
         if (root.TryGetProperty("compression", out var compression) && !IsNone(compression))
-            return $"compression {Short(compression)} is not supported; use none. Messages are sent as JSON text";
+            return RequestMessages.Compression(Short(compression));
         return root.TryGetProperty("fragment_size", out var size) && size.ValueKind != JsonValueKind.Null
-            ? $"fragment_size {Short(size)} is not supported; remove it. Messages are not fragmented" : null;
+            ? RequestMessages.FragmentSize(Short(size)) : null;
     }
 
     static bool IsNone(JsonElement compression) => compression.ValueKind == JsonValueKind.Null

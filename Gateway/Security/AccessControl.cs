@@ -1,16 +1,20 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Operations;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Admits requests according to the protocol and answers those that it refuses. One instance for everything that a gateway serves.</summary>
+/// <summary>
+/// Admits or refuses requests by the rules of the protocol, and answers refused requests. All routes of a gateway share one instance.
+/// </summary>
 sealed class AccessControl(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
 {
     public BrowserSessions Sessions { get; } = new(options.Time);
 
     AccessRule Rule => field ??= new AccessRule(options, Sessions);
 
-    /// <summary>Gets the role of a request; null if it was refused and answered.</summary>
+    /// <summary>Gets the role of a request. Refuses and answers a request without a valid token or from another origin.</summary>
+    /// <returns>The role; null if the request was refused.</returns>
     public async Task<Role?> AdmitAsync(HttpContext context)
     {
         if (!await AdmitOriginAsync(context)) return null;
@@ -19,22 +23,22 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return null;
     }
 
-    /// <summary>Refuses and answers a request from another site's page. Returns whether the request may continue.</summary>
+    /// <summary>Refuses and answers a request from a page of another site.</summary>
+    /// <returns>False if the request was refused.</returns>
     public async Task<bool> AdmitOriginAsync(HttpContext context)
     {
         if (Rule.IsOriginAllowed(context)) return true;
-        await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin,
-            $"the Origin is not that of the gateway; allowed: {Rule.AllowedOrigins(context)}");
+        await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin, AccessMessages.OtherOrigin(Rule.AllowedOrigins(context)));
         return false;
     }
 
-    /// <summary>Whether the request may control the recorder and pair headsets. If not, it was refused and answered.</summary>
+    /// <summary>Refuses and answers a request that may not control the recorder and pair headsets.</summary>
+    /// <returns>False if the request was refused.</returns>
     public async Task<bool> AdmitOperatorAsync(HttpContext context)
     {
         if (await AdmitAsync(context) == null) return false;
         if (IsOperator(context)) return true;
-        await AnswerAsync(context, StatusCodes.Status403Forbidden,
-            "this needs the role operator; log in with a token of a line \"operator TOKEN\". Without tokens, use a browser on the gateway's machine");
+        await AnswerAsync(context, StatusCodes.Status403Forbidden, AccessMessages.OperatorOnly);
         return false;
     }
 
@@ -47,7 +51,10 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     /// <inheritdoc cref="AccessRule.LoginOf"/>
     public Func<bool> LoginOf(HttpContext context) => Rule.LoginOf(context);
 
-    /// <summary>Whether DNS rebinding is excluded for a request. If tokens are required, a page that uses rebinding has none.</summary>
+    /// <summary>
+    /// Whether a request cannot come from a page that uses DNS rebinding: its host is one of the gateway's own, or the gateway requires tokens,
+    /// which such a page does not have.
+    /// </summary>
     public bool IsNoRebinding(HttpContext context) => options.AsksForTokens || IsOwnHost(context);
 
     /// <inheritdoc cref="AccessRule.IsOwnHost"/>
@@ -57,27 +64,28 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     public static Task AnswerAsync(HttpContext context, int status, string text)
     {
         context.Response.StatusCode = status;
-        // Closed, because a refused client must not use one of the places of admitted ones.
+        // Closes the connection, because a refused client must not occupy the place of an admitted one.
         context.Response.Headers.Connection = "close";
         context.Response.ContentType = "text/plain; charset=utf-8";
         return context.Response.WriteAsync(text + "\n");
     }
 
-    /// <summary>Answers requests with a method that is not allowed.</summary>
+    /// <summary>Refuses a request whose HTTP method is not allowed.</summary>
     public static Task RefuseMethodAsync(HttpContext context, string allowed)
     {
         context.Response.Headers.Allow = allowed;
-        return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: the method must be {allowed}");
+        return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, AccessMessages.Method(context.Request.Path, allowed));
     }
 
-    /// <summary>Answers requests that may be repeated after a while.</summary>
+    /// <summary>Refuses a request that the client may repeat after a wait.</summary>
     public static Task RefuseForNowAsync(HttpContext context, TimeSpan wait, string text)
     {
         context.Response.Headers.RetryAfter = Math.Ceiling(wait.TotalSeconds).ToString(CultureInfo.InvariantCulture);
         return AnswerAsync(context, StatusCodes.Status429TooManyRequests, text);
     }
 
-    /// <summary>Whether the address of a request has sent too many wrong tokens or codes. If so, the request was answered.</summary>
+    /// <summary>Refuses and answers a request from an address that has sent too many wrong tokens or codes.</summary>
+    /// <returns>True if the request was refused.</returns>
     public static async Task<bool> RefuseBlockedAsync(HttpContext context, WrongTokens wrong, string text)
     {
         var blocked = wrong.BlockedFor(context.Connection.RemoteIpAddress);
@@ -86,10 +94,10 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return true;
     }
 
-    // Valid tokens are accepted before this, even from an address with many wrong ones.
+    // Called only for invalid tokens: a valid token is accepted even from a blocked address.
     async Task RefuseTokenAsync(HttpContext context)
     {
-        const string Text = "the bearer token is missing or unknown";
+        const string Text = AccessMessages.Token;
         var address = context.Connection.RemoteIpAddress;
         var blocked = wrong.BlockedFor(address);
         var wait = AccessRule.HasBearer(context) ? wrong.Count(address, options.WrongTokenDelay) : TimeSpan.Zero;
@@ -100,16 +108,16 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         }
 
         counters.Count(Closure.Token);
-        log("websocket: refused a connection, too many wrong tokens from its address");
-        // Waits even if the client disconnects: until then, it uses a place of the pending connections.
+        log(AccessMessages.TooManyWrongLog);
+        // Waits even if the client disconnects, so that it occupies a place of the pending connections in the meantime.
         await Task.Delay(wait, options.Time);
-        await RefuseForNowAsync(context, blocked, $"{Text}; too many wrong tokens from this address");
+        await RefuseForNowAsync(context, blocked, AccessMessages.TooManyWrong(Text));
     }
 
     Task RefuseAsync(HttpContext context, int status, Closure why, string text)
     {
         counters.Count(why);
-        log($"websocket: refused a connection, {why}");
+        log(AccessMessages.Refused(why));
         if (status == StatusCodes.Status401Unauthorized)
             context.Response.Headers.WWWAuthenticate = "Bearer";
         return AnswerAsync(context, status, text);

@@ -4,16 +4,16 @@ using Nowpose.Gateway.Operations;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Decides who may open a WebSocket or request a page, and with which role.</summary>
-/// <param name="sessions">Sessions of browsers, which open pages and WebSockets without an Authorization header.</param>
+/// <summary>Decides whether a client may open a WebSocket or request a page, and which role it has.</summary>
+/// <param name="sessions">Sessions of browsers, which cannot send an Authorization header when they open pages and WebSockets.</param>
 sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
 {
     const string TokenScheme = "Bearer ";
 
-    /// <summary>Whether the request comes from one of the gateway's own pages, or not from a browser page.</summary>
+    /// <summary>Whether a request comes from one of the gateway's own pages, or from a client that is not a browser page.</summary>
     /// <remarks>
-    /// The Host header is not used: a page whose name was made to resolve to this address (DNS rebinding) sends its own host there. A page
-    /// of the gateway was loaded from the address of this connection.
+    /// Compares the Origin header with the local address of the connection, from which the gateway's own pages are loaded, and not with the
+    /// Host header: with DNS rebinding, a page of another site sends its own host name in both headers.
     /// </remarks>
     public bool IsOriginAllowed(HttpContext context)
     {
@@ -26,14 +26,14 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
             && OwnHosts.Contain(origin, context.Connection.LocalIpAddress);
     }
 
-    /// <summary>Gets the origins that <see cref="IsOriginAllowed"/> accepts as text: "http://10.0.0.7:47011, http://cell:47011".</summary>
+    /// <summary>Gets the origins that <see cref="IsOriginAllowed"/> accepts as text, such as "http://10.0.0.7:47011, http://cell:47011".</summary>
     public string AllowedOrigins(HttpContext context) => string.Join(
         ", ", OwnHosts.Of(context.Connection.LocalIpAddress).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
 
-    /// <summary>Gets the role of a request, or null if its token is missing or unknown.</summary>
+    /// <summary>Gets the role of a request; null if its token is missing or unknown.</summary>
     /// <remarks>
-    /// The gateway's own adapter sends its token even if no tokens are required, because it may connect from the address that the gateway
-    /// is bound to.
+    /// Checks a token even if the gateway requires none: an adapter that the gateway has started may not connect over loopback, and gets the
+    /// role of a source by its token.
     /// </remarks>
     public Role? RoleOf(HttpContext context)
     {
@@ -46,7 +46,10 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
     /// <summary>Whether the request may control the recorder and pair headsets.</summary>
     public bool IsOperator(HttpContext context) => options.AsksForTokens ? RoleOf(context) == Role.Operator : IsFromHere(context);
 
-    /// <summary>Gets the hash of the token in the request's header or of its browser's login, known or not; null if there is none.</summary>
+    /// <summary>
+    /// Gets the hash of the token in the request's header, or of the token with which its browser logged in; null if there is none. The token
+    /// may be unknown.
+    /// </summary>
     public byte[] TokenHashOf(HttpContext context)
     {
         var values = context.Request.Headers[HeaderNames.Authorization];
@@ -56,15 +59,15 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
         return value.StartsWith(TokenScheme, StringComparison.OrdinalIgnoreCase) ? TokenList.HashOf(value[TokenScheme.Length..].Trim()) : null;
     }
 
-    /// <summary>Whether the request has a token in its header.</summary>
+    /// <summary>Whether the request has an Authorization header.</summary>
     public static bool HasBearer(HttpContext context) => context.Request.Headers[HeaderNames.Authorization].Count > 0;
 
-    /// <summary>Gets a check whether the login of a request is still valid; null for a request without one.</summary>
+    /// <summary>Gets a function that checks whether the login of a request is still valid; null for a request without a login.</summary>
     public Func<bool> LoginOf(HttpContext context) =>
         options.AsksForTokens && context.Request.Headers[HeaderNames.Authorization].Count == 0 && SessionOf(context) is { } id
             ? () => sessions.IsOpen(id) : null;
 
-    /// <summary>Whether the requested host is one of the gateway's own, not a name made to resolve to this address (DNS rebinding).</summary>
+    /// <summary>Whether the requested host is one of the gateway's own, and not another name that resolves to its address (DNS rebinding).</summary>
     public bool IsOwnHost(HttpContext context) =>
         Uri.TryCreate($"{Scheme}://{context.Request.Host.Value}", UriKind.Absolute, out var uri)
         && OwnHosts.Contain(uri, context.Connection.LocalIpAddress);

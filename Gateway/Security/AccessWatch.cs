@@ -1,7 +1,11 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Ends connections whose token is no longer valid. Thread-safe.</summary>
-/// <remarks>The check also updates the lists and the certificate from their files, and reports errors when no clients connect.</remarks>
+/// <summary>Checks the tokens of all connections periodically, and ends a connection whose token is no longer valid. Thread-safe.</summary>
+/// <remarks>
+/// The check also reads changed files of tokens, headsets and certificate, so that errors in them are logged even if no client connects.
+/// </remarks>
 sealed class AccessWatch : IDisposable
 {
     internal static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(500);
@@ -20,7 +24,7 @@ sealed class AccessWatch : IDisposable
         _timer = new Timer(_ => Look());
     }
 
-    /// <summary>Number of connections that end when their token is revoked.</summary>
+    /// <summary>Number of watched connections.</summary>
     public int Count
     {
         get
@@ -29,15 +33,16 @@ sealed class AccessWatch : IDisposable
         }
     }
 
-    /// <summary>Starts the periodic check, with the first one immediately.</summary>
+    /// <summary>Starts the periodic check. The first check is immediate.</summary>
     public void Start() => _timer.Change(TimeSpan.Zero, Timeout.InfiniteTimeSpan);
 
-    /// <param name="tokenHash">Hash of the connection's token; null if none was needed.</param>
+    /// <summary>Watches a connection until the returned object is disposed.</summary>
+    /// <param name="tokenHash">Hash of the connection's token; null if it connected without a token.</param>
     /// <param name="role">Role of the connection.</param>
-    /// <param name="end">
-    /// Called once when the token is no longer valid, unless the returned object was disposed before; must not wait.
+    /// <param name="end">Called once when the token is no longer valid; must not block.</param>
+    /// <param name="lasts">
+    /// Returns whether the browser session is still valid; null for a connection that sent the token itself. Must not block.
     /// </param>
-    /// <param name="lasts">Checks whether the browser session is still valid; null for a connection with the token itself. Must not wait.</param>
     public IDisposable Watch(byte[] tokenHash, Role role, Action end, Func<bool> lasts = null)
     {
         var watched = new Watched(this, tokenHash, role, end, lasts);
@@ -60,8 +65,8 @@ sealed class AccessWatch : IDisposable
         }
         catch (Exception e)
         {
-            // Catches all exceptions: an unhandled one on a timer's thread ends the process with every connection.
-            _log($"security: tokens and certificate could not be checked ({e.GetType().Name}: {e.Message})");
+            // Catches all exceptions, because an unhandled exception on a timer's thread ends the process.
+            _log(AccessMessages.NotChecked(e.GetType().Name, e.Message));
         }
 
         try
@@ -70,7 +75,7 @@ sealed class AccessWatch : IDisposable
         }
         catch (ObjectDisposedException)
         {
-            // Already disposed.
+            // The watch was disposed in the meantime.
         }
     }
 

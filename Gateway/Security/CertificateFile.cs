@@ -1,13 +1,16 @@
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The gateway's certificate, updated from its file: new connections get a renewed one. Thread-safe.</summary>
-/// <remarks>Only a certificate with the same key is used. Headsets pin the key, and would refuse another one without informing the gateway.</remarks>
+/// <summary>The gateway's certificate, which follows changes of its file, so that new connections use a renewed certificate. Thread-safe.</summary>
+/// <remarks>
+/// A certificate with another key is not used, because headsets pin the key and would refuse the certificate without informing the gateway.
+/// </remarks>
 public sealed class CertificateFile
 {
-    // Certificate and key may be two files, which are not written at the same instant.
+    // Time in which a renewal writes both files, if certificate and key are in separate files.
     static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(500);
 
     readonly FollowedFile<X509Certificate2> _file;
@@ -15,10 +18,10 @@ public sealed class CertificateFile
     readonly string _path;
     readonly string _keyPath;
 
-    /// <param name="path">A .pfx or .pem file; a new certificate is created there if the file does not exist.</param>
-    /// <param name="keyPath">The .pem file of the key if it is not in the certificate's file; null otherwise.</param>
-    /// <param name="log">Receives a line when the file becomes invalid; null for none.</param>
-    /// <exception cref="InputException">The file cannot be read, has no private key, or is not valid now.</exception>
+    /// <param name="path">Path of a .pfx or .pem file. If the file does not exist, it is created with a new certificate.</param>
+    /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
+    /// <param name="log">Receives a line when the file becomes invalid; null for no log.</param>
+    /// <exception cref="InputException">The file cannot be read, has no private key, or is outside its period of validity.</exception>
     public CertificateFile(string path, string keyPath, Action<string> log)
     {
         using (var first = CertificateFiles.LoadOrGenerate(path, keyPath))
@@ -42,6 +45,6 @@ public sealed class CertificateFile
         var pin = CertificatePin.Of(certificate);
         if (pin.Equals(_pin)) return certificate;
         certificate.Dispose();
-        throw new InputException($"{path}: has a different key (pin {pin}), which paired headsets refuse; restart the gateway to use it");
+        throw new InputException(KeyFileMessages.OtherKey(path, pin));
     }
 }

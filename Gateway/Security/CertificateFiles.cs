@@ -1,19 +1,20 @@
 using System.Net;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The gateway's TLS certificate: loaded from a file, or generated.</summary>
+/// <summary>Loads, generates and saves the gateway's TLS certificate.</summary>
 public static class CertificateFiles
 {
-    // Headsets pin the key, so the end date only matters to clients that trust the certificate manually. Their limit is 825 days.
+    // Maximum validity that operating systems and browsers accept for a certificate that a user trusts manually.
     static readonly TimeSpan Validity = TimeSpan.FromDays(825);
 
-    /// <summary>Generates a self-signed ECDSA P-256 certificate for this machine, in memory only. Its pin is new each time.</summary>
+    /// <summary>Generates a self-signed ECDSA P-256 certificate for this machine, in memory only. Each certificate has a new key and pin.</summary>
     public static X509Certificate2 Generate() => Generate(DateTimeOffset.UtcNow.AddDays(-1), DateTimeOffset.UtcNow + Validity);
 
-    /// <summary>Generates a certificate with the given dates.</summary>
+    /// <summary>Generates a certificate with the given period of validity.</summary>
     public static X509Certificate2 Generate(DateTimeOffset from, DateTimeOffset to)
     {
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
@@ -26,9 +27,10 @@ public static class CertificateFiles
         return Usable(certificate);
     }
 
-    /// <summary>Loads a .pfx without password or a .pem with its key. If the file does not exist, creates a new one.</summary>
-    /// <param name="keyPath">The .pem file of the key if it is not in the certificate's file; null otherwise.</param>
-    /// <exception cref="InputException">The file cannot be read, has no private key, or is not valid now.</exception>
+    /// <summary>Loads a .pfx file without a password or a .pem file. If the file does not exist, creates it with a new certificate.</summary>
+    /// <param name="path">Path of the certificate's file.</param>
+    /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
+    /// <exception cref="InputException">The file cannot be read, has no private key, or is outside its period of validity.</exception>
     public static X509Certificate2 LoadOrGenerate(string path, string keyPath)
     {
         if (!File.Exists(path) && keyPath == null)
@@ -36,15 +38,14 @@ public static class CertificateFiles
         return LoadValid(path, keyPath);
     }
 
+    /// <summary>Loads a .pfx file without a password or a .pem file.</summary>
     /// <inheritdoc cref="LoadOrGenerate"/>
     internal static X509Certificate2 LoadValid(string path, string keyPath)
     {
         var certificate = Load(path, keyPath);
         var now = DateTime.Now;
         if (now < certificate.NotBefore || now > certificate.NotAfter)
-            throw new InputException(
-                $"{path}: valid from {certificate.NotBefore:yyyy-MM-dd} to {certificate.NotAfter:yyyy-MM-dd}, not today; "
-                + "renew it, or delete it so that the gateway creates a new one");
+            throw new InputException(KeyFileMessages.NotValidToday(path, certificate.NotBefore, certificate.NotAfter));
         return certificate;
     }
 
@@ -59,12 +60,12 @@ public static class CertificateFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or CryptographicException)
         {
-            throw new InputException($"{path}: no usable certificate with private key ({e.Message}); allowed: .pfx without password and .pem", e);
+            throw new InputException(KeyFileMessages.Unusable(path, e.Message), e);
         }
     }
 
     static X509Certificate2 WithKey(X509Certificate2 certificate, string path) => certificate.HasPrivateKey
-        ? certificate : throw new InputException($"{path}: the certificate has no private key; use a certificate with its private key");
+        ? certificate : throw new InputException(KeyFileMessages.NoPrivateKey(path));
 
     static void Save(string path)
     {
@@ -80,7 +81,7 @@ public static class CertificateFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{path}: the new certificate cannot be written ({e.Message}); check the folder's permissions", e);
+            throw new InputException(KeyFileMessages.NotWritten(path, e.Message), e);
         }
     }
 
@@ -93,7 +94,7 @@ public static class CertificateFiles
     static bool IsPfx(string path) =>
         path.EndsWith(".pfx", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".p12", StringComparison.OrdinalIgnoreCase);
 
-    // TLS on Windows cannot use a key that exists in memory only; an import through PKCS #12 creates a usable one.
+    // Exports and imports the certificate, because TLS on Windows cannot use a key that exists in memory only.
     static X509Certificate2 Usable(X509Certificate2 certificate) =>
         X509CertificateLoader.LoadPkcs12(certificate.Export(X509ContentType.Pfx), null, X509KeyStorageFlags.Exportable);
 

@@ -1,27 +1,29 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Logs three events, each once: a certificate will expire soon, has expired, or was renewed.</summary>
+/// <summary>Logs once when a certificate will expire soon, when it has expired, and when it was renewed.</summary>
 sealed class ExpiryNotice(Action<string> log)
 {
     static readonly TimeSpan Ahead = TimeSpan.FromDays(30);
 
     bool _isClose, _isOver;
 
-    /// <param name="expires">Expiry of the certificate; null if there is none.</param>
+    /// <summary>Checks the certificate. Called periodically.</summary>
+    /// <param name="expires">Expiry of the certificate, local time; null without a certificate.</param>
+    /// <param name="now">The local time.</param>
     public void Look(DateTime? expires, DateTime now)
     {
         if (expires is not { } end) return;
         var (isClose, isOver) = (end - now < Ahead, end < now);
         var day = end.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture);
         if (isOver && !_isOver)
-            log($"certificate: expired on {day}, headsets refuse it; renew the file with the same key, no restart is needed");
+            log(KeyFileMessages.Expired(day));
         else if (isClose && !_isClose)
-            log(string.Create(CultureInfo.InvariantCulture,
-                $"certificate: expires on {day}, in {(end - now).TotalDays:0.0} days; renew the file with the same key, no restart is needed"));
+            log(KeyFileMessages.Expires(day, (end - now).TotalDays));
         else if (!isClose && _isClose)
-            log($"certificate: renewed, valid to {day}");
+            log(KeyFileMessages.Renewed(day));
         (_isClose, _isOver) = (isClose, isOver);
     }
 }

@@ -2,17 +2,17 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Gets the owner of a file, for which .NET has no function.</summary>
+/// <summary>Compares the owner of a file with this process. .NET has no function that gets the owner.</summary>
 static class FileOwner
 {
-    // Constants of linux/stat.h, the same on every processor: the requested fields and their offsets.
+    // Constants from linux/stat.h, equal on all processors: the requested fields and their offsets.
     const int AtCurrentFolder = -100;
     const uint UidAndGid = 0x8 | 0x10;
     const int UidAt = 20;
     const int GidAt = 24;
     const int Size = 256;
 
-    /// <summary>Whether another user owns the file, and its group is this process's own. False if this cannot be determined.</summary>
+    /// <summary>Whether a file belongs to another user and to the group of this process. Returns false if this is unknown.</summary>
     public static bool IsOthersForOwnGroup(string path)
     {
         if (!OperatingSystem.IsLinux()) return false;
@@ -24,7 +24,7 @@ static class FileOwner
         }
         catch (EntryPointNotFoundException)
         {
-            // System libraries from before 2018 do not have the function.
+            // C libraries from before 2018 do not have the function statx.
             return false;
         }
     }

@@ -1,9 +1,12 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The content of a file. It is read again on access after the file has changed. Thread-safe.</summary>
+/// <summary>The content of a file. After a change of the file, the next access reads it again. Thread-safe.</summary>
 sealed class FollowedFile<T>
 {
-    /// <param name="fault">The reason why a part of the file is invalid; null if all of it is valid.</param>
+    /// <summary>Reads the file.</summary>
+    /// <param name="fault">Message about an invalid part of the file; null if the file is valid.</param>
     /// <exception cref="InputException">The whole file is invalid.</exception>
     public delegate T Reader(out string fault);
 
@@ -16,9 +19,10 @@ sealed class FollowedFile<T>
     Stamp[] _stamps;
     string _fault;
 
-    /// <param name="paths">Path of the file, or of all files that are read together.</param>
-    /// <param name="settles">Minimum age of a change before the file is read again, because it may still be being written.</param>
-    /// <param name="log">Receives one line per fault; null for none.</param>
+    /// <param name="paths">Path of the file, or paths of all files that are read together.</param>
+    /// <param name="read">Reads the file.</param>
+    /// <param name="settles">Minimum age of a change before the file is read again, so that a program can finish writing it.</param>
+    /// <param name="log">Receives one line per fault; null for no log.</param>
     /// <exception cref="InputException">The file is invalid.</exception>
     public FollowedFile(IEnumerable<string> paths, Reader read, TimeSpan settles, Action<string> log)
     {
@@ -26,7 +30,7 @@ sealed class FollowedFile<T>
         _read = read;
         _settles = settles;
         _log = log ?? (_ => { });
-        // Taken before reading, so that a change during the reading is detected later.
+        // Gets the stamps before reading, so that a change during the reading is detected later.
         _stamps = Stamps();
         _value = read(out var fault);
         if (fault != null) throw new InputException(fault);
@@ -53,20 +57,20 @@ sealed class FollowedFile<T>
             if (IsChangedSince(stamps)) return;
             _value = value;
             _stamps = stamps;
-            Tell(fault, "; its other lines are used");
+            LogFault(fault, AccessMessages.OtherLinesUsed);
         }
         catch (InputException fault)
         {
             if (IsChangedSince(stamps)) return;
-            // Read again on the next access, because it may only have been locked.
-            Tell(fault.Message, "; its former content stays in use, including removed lines");
+            // Keeps the old stamps, so that the next access tries again: the file may only have been locked.
+            LogFault(fault.Message, AccessMessages.FormerContentUsed);
         }
     }
 
-    // A file that changed while it was read may have been read empty or in part. It is read again when it has settled.
+    // Whether a file changed while it was read. Its content may then be incomplete, and a later access reads it again.
     bool IsChangedSince(Stamp[] stamps) => !Stamps().AsSpan().SequenceEqual(stamps);
 
-    void Tell(string fault, string consequence)
+    void LogFault(string fault, string consequence)
     {
         if (fault != null && fault != _fault) _log(fault + consequence);
         _fault = fault;
@@ -76,14 +80,14 @@ sealed class FollowedFile<T>
 
     readonly record struct Stamp(DateTime Written, long Length)
     {
-        // Constant for a missing file.
+        // Returns a constant stamp for a missing file.
         public static Stamp Of(FileInfo file)
         {
             file.Refresh();
             return new Stamp(file.LastWriteTimeUtc, file.Exists ? file.Length : -1);
         }
 
-        // Handles times in the future, too: clocks of file servers differ.
+        // Uses the magnitude, because the clock of a file server may be ahead of this machine's.
         public bool IsOlderThan(TimeSpan age) => (DateTime.UtcNow - Written).Duration() >= age;
     }
 }

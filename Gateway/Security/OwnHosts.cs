@@ -4,11 +4,12 @@ using System.Net.Sockets;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The hosts from which the gateway's own pages can be loaded: addresses and names of this machine.</summary>
+/// <summary>The hosts of the gateway's own pages: addresses and names of this machine.</summary>
 static class OwnHosts
 {
-    /// <param name="origin">Origin of the requesting page; only its host is used.</param>
-    /// <param name="local">This machine's address on the page's connection.</param>
+    /// <summary>Whether a page comes from this machine.</summary>
+    /// <param name="origin">Origin of the page. Only its host is compared.</param>
+    /// <param name="local">Local address of the connection on which the page sends its request.</param>
     public static bool Contain(Uri origin, IPAddress local)
     {
         if (IPAddress.TryParse(origin.IdnHost, out var address))
@@ -16,24 +17,24 @@ static class OwnHosts
         return NamesOf(local).Contains(origin.Host, StringComparer.OrdinalIgnoreCase);
     }
 
-    /// <summary>Gets all hosts that <see cref="Contain"/> accepts on connections to an address, in URL form.</summary>
+    /// <summary>Gets all hosts that <see cref="Contain"/> accepts on connections to a local address, as written in URLs.</summary>
     public static IEnumerable<string> Of(IPAddress local) => NamesOf(local).Prepend(UrlTextOf(local));
 
-    /// <summary>Gets the hosts of a gateway that listens on an address, as accepted by <see cref="Contain"/> and usable in a browser.</summary>
+    /// <summary>Gets the hosts under which browsers can open the pages of a gateway that listens on an address.</summary>
     public static IEnumerable<string> Reachable(IPAddress bind)
     {
         if (!bind.Equals(IPAddress.Any) && !bind.Equals(IPAddress.IPv6Any)) return [UrlTextOf(bind)];
-        // Listening on all IPv6 addresses includes all IPv4 addresses.
+        // A gateway that listens on all IPv6 addresses also listens on all IPv4 addresses.
         var addresses = AddressesOfThisMachine()
             .Where(address => address.AddressFamily == AddressFamily.InterNetwork || bind.Equals(IPAddress.IPv6Any));
-        // The name comes last, because not every network resolves it.
+        // Returns the machine's name last, because some networks do not resolve it.
         return addresses.Select(UrlTextOf).Append(Environment.MachineName);
     }
 
     static IEnumerable<string> NamesOf(IPAddress local) =>
         IPAddress.IsLoopback(local) ? ["localhost", Environment.MachineName] : [Environment.MachineName];
 
-    // Omits link-local IPv6 addresses, because they need the name of an interface, which browsers do not accept.
+    // Omits link-local IPv6 addresses, because they need the name of a network interface, and browsers do not accept such addresses.
     static IEnumerable<IPAddress> AddressesOfThisMachine() =>
         from network in NetworkInterface.GetAllNetworkInterfaces()
         where network.OperationalStatus == OperationalStatus.Up && network.NetworkInterfaceType != NetworkInterfaceType.Loopback

@@ -22,7 +22,7 @@ sealed class PendingConnection : IDisposable
     public LinkedListNode<PendingConnection> OfAll { get; }
     public bool IsKnown { get; set; }
 
-    /// <summary>Records that the connection has completed its TLS handshake, or sent a whole request.</summary>
+    /// <summary>Records that the connection has completed its TLS handshake or sent a complete request.</summary>
     public void CompleteHandshake() => _all.MarkKnown(this);
 
     public void Dispose() => _all.Leave(this);

@@ -3,14 +3,15 @@ using System.Net;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Limits the connections that have not been authenticated yet, for each address and in total. Thread-safe.
+/// Limits the number of connections that are not authenticated yet, for each address and in total. Thread-safe.
 /// </summary>
 /// <remarks>
-/// A full address loses its oldest connection, not the new one: behind one NAT address, there may be a headset next to many half-open
-/// clients. Connections that have completed a handshake have separate places, so that silent ones cannot take theirs.
+/// At the limit of an address, the oldest connection is closed instead of the new one, because the same address (NAT) may belong to a headset
+/// and to many clients that never complete their connection. Connections after the handshake are counted separately, so that silent
+/// connections cannot replace them.
 /// </remarks>
-/// <param name="maxOfAddress">Maximum number of connections of one address, separately before and after the handshake.</param>
-/// <param name="maxInAll">Maximum number of connections of all addresses.</param>
+/// <param name="maxOfAddress">Maximum number of connections of one address; applies separately before and after the handshake.</param>
+/// <param name="maxInAll">Maximum number of connections of all addresses together.</param>
 sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
 {
     readonly Lock _lock = new();
@@ -26,13 +27,15 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         }
     }
 
+    /// <summary>Adds a connection.</summary>
+    /// <param name="remote">Endpoint of the client.</param>
     /// <param name="evict">
-    /// Ends the connection when a newer one takes its place. Called at most once, on the newer one's thread.
+    /// Ends the connection when a newer connection replaces it. Called at most once, on the thread of the newer connection.
     /// </param>
-    /// <returns>Dispose it when the connection was authenticated or has ended.</returns>
+    /// <returns>An object to dispose when the connection is authenticated or has ended.</returns>
     public PendingConnection Enter(EndPoint remote, Action evict)
     {
-        // Connections with unknown addresses count as one address.
+        // Connections with unknown addresses are counted as one address.
         var connection = new PendingConnection(this, (remote as IPEndPoint)?.Address ?? IPAddress.None, evict);
         PendingConnection evicted;
         lock (_lock)
@@ -40,7 +43,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
             if (!_addresses.TryGetValue(connection.Address, out var own)) _addresses.Add(connection.Address, own = ([], []));
             evicted = own.Silent.Count >= maxOfAddress ? own.Silent.First.Value : _all.Count >= maxInAll ? OldestOfAll() : null;
             Remove(evicted);
-            // The removal may have removed the address with its last connection.
+            // Adds the address again if Remove has removed it with its last connection.
             _addresses.TryAdd(connection.Address, own);
             own.Silent.AddLast(connection.OfAddress);
             _all.AddLast(connection.OfAll);
@@ -60,7 +63,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         return evicted != null;
     }
 
-    // Prefers a silent connection.
+    // Prefers the oldest connection before its handshake.
     PendingConnection OldestOfAll() => _all.FirstOrDefault(one => !one.IsKnown) ?? _all.First?.Value;
 
     internal void MarkKnown(PendingConnection connection)

@@ -1,19 +1,20 @@
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Connections.Features;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Reserves a place of the pending connections for each TCP connection of the web server, before TLS, and releases it after authentication.
+/// Counts each TCP connection to the web server as pending, from before TLS until it is authenticated.
 /// </summary>
 sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counters, Action<string> log)
 {
     static readonly object Key = new();
 
-    /// <summary>Releases the place of an admitted request.</summary>
+    /// <summary>Records that a connection is authenticated, because its request was admitted.</summary>
     public static void Release(HttpContext context) => Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.Dispose();
 
-    /// <summary>Records that a connection has sent a whole request.</summary>
+    /// <summary>Records that a connection has sent a complete request.</summary>
     public static Task CompleteHandshakeAsync(HttpContext context, RequestDelegate next)
     {
         Of(context.Features.Get<IConnectionItemsFeature>()?.Items)?.CompleteHandshake();
@@ -37,7 +38,7 @@ sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counte
     void Evict(ConnectionContext connection)
     {
         counters.Count(Closure.ConnectionLimit);
-        log("websocket: closed a connection without authentication in favour of a newer one");
+        log(AccessMessages.ClosedForNewer);
         connection.Abort();
     }
 

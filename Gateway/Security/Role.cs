@@ -6,9 +6,9 @@ public enum Role
     /// <summary>May subscribe, and publish its own diagnostics and displayed pose.</summary>
     Observer,
 
-    /// <summary>May also publish joint states, trajectories and the robot description.</summary>
+    /// <summary>May do the same as an observer, and publish joint states, trajectories, robot descriptions, frames and signals.</summary>
     Source,
 
-    /// <summary>An observer that may also control the recorder, and see the pairing code from another machine.</summary>
+    /// <summary>May do the same as an observer, control the recorder, and see the pairing code from another machine.</summary>
     Operator,
 }

@@ -1,20 +1,21 @@
 using System.Security.Cryptography;
 using System.Text;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>The tokens that a gateway accepts, with their roles. Stores their hashes only. Thread-safe.</summary>
+/// <summary>The tokens that a gateway accepts, with their roles. Stores only hashes of the tokens. Thread-safe.</summary>
 public sealed class TokenList
 {
     public static readonly TokenList None = new([]);
 
-    const string Lines = "\"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"";
+    const string Lines = TokenFileMessages.Lines;
 
     static readonly Dictionary<string, Role> Roles =
         new() { ["observer"] = Role.Observer, ["source"] = Role.Source, ["operator"] = Role.Operator };
 
-    // Sufficient for an editor that truncates the file and then writes it.
+    // Sufficient for an editor that truncates the file before it writes the new content.
     internal static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(250);
 
     readonly Func<(byte[] Hash, Role Role)[]> _current;
@@ -34,19 +35,26 @@ public sealed class TokenList
         Path = path;
     }
 
-    /// <summary>The places of tokens in the file that are too easy to guess, with their strength in bits.</summary>
+    /// <summary>File and line of each token that is too easy to guess, with its strength in bits.</summary>
     internal IReadOnlyList<(string Where, double Bits)> Weak => _weak;
 
-    /// <summary>Path of the file; null for a list without one.</summary>
+    /// <summary>Path of the file; null for a list that was not read from a file.</summary>
     internal string Path { get; }
 
-    /// <summary>Whether all clients are accepted. This is never true for a file: after its last token is removed, it accepts no client.</summary>
+    /// <summary>
+    /// Whether the gateway requires no token. False for any file: if its last token is removed later, no client is accepted.
+    /// </summary>
     public bool IsEmpty { get; }
 
-    /// <summary>Reads lines "observer TOKEN", "source TOKEN" or "operator TOKEN"; empty lines and lines that start with # are skipped.</summary>
-    /// <remarks>Reads the file again after changes. While it is invalid, its last valid content is used.</remarks>
-    /// <param name="log">Receives a line when the file becomes invalid; null for none.</param>
-    /// <exception cref="InputException">A line is invalid, or there is no token. The message names file and line, never the token.</exception>
+    /// <summary>
+    /// Reads a file of lines "observer TOKEN", "source TOKEN" or "operator TOKEN". Skips empty lines and lines that start with #.
+    /// </summary>
+    /// <remarks>The list follows changes of the file. While the file is invalid, its last valid content is used.</remarks>
+    /// <param name="path">Path of the file.</param>
+    /// <param name="log">Receives a line when the file becomes invalid; null for no log.</param>
+    /// <exception cref="InputException">
+    /// A line is invalid, or the file has no token. The message names file and line, but does not contain the token.
+    /// </exception>
     public static TokenList Read(string path, Action<string> log = null)
     {
         var tokens = new FollowedFile<(byte[] Hash, Role Role)[]>([path], (out string fault) =>
@@ -55,21 +63,21 @@ public sealed class TokenList
             return Hashed(Entries(path));
         }, Settles, log);
         if (tokens.Current.Length == 0)
-            throw new InputException($"{path}: contains no token; allowed: lines {Lines}");
+            throw new InputException(TokenFileMessages.NoToken(path, Lines));
         return new TokenList(tokens, path) { _weak = [.. WeakEntries(path)] };
     }
 
     /// <inheritdoc cref="RoleOf(byte[])"/>
     public Role? RoleOf(string token) => RoleOf(HashOf(token ?? ""));
 
-    /// <summary>Gets the role of a token, or null if it is unknown. Takes the same time for all tokens.</summary>
+    /// <summary>Gets the role of a token; null if the token is unknown. The duration is the same for all tokens.</summary>
     /// <param name="hash">Hash from <see cref="HashOf"/>.</param>
     public Role? RoleOf(byte[] hash)
     {
         var role = default(Role?);
         foreach (var known in _current())
         {
-            // Every token is compared completely, so that the time reveals neither which one matches nor how much of it.
+            // Compares every token completely, so that the duration does not reveal which token matches, or how many of its characters.
             if (CryptographicOperations.FixedTimeEquals(known.Hash, hash))
                 role = known.Role;
         }
@@ -77,7 +85,7 @@ public sealed class TokenList
         return role;
     }
 
-    /// <summary>Gets the hash of a token that is stored and compared: SHA-256 of its UTF-8.</summary>
+    /// <summary>Gets the hash of a token, SHA-256 of its UTF-8 bytes. Only this hash is stored and compared.</summary>
     public static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
 
     /// <summary>Reads the file again if it has changed.</summary>
@@ -113,9 +121,9 @@ public sealed class TokenList
     {
         var words = line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (words.Length != 2 || !Roles.TryGetValue(words[0], out var role))
-            throw new InputException($"{where}: the line must be {Lines}, the token without spaces");
+            throw new InputException(TokenFileMessages.NotALine(where, Lines));
         if (Encoding.UTF8.GetByteCount(words[1]) > ProtocolLimits.TokenBytes)
-            throw new InputException($"{where}: the token is longer than {ProtocolLimits.TokenBytes} bytes");
+            throw new InputException(TokenFileMessages.TooLong(where, ProtocolLimits.TokenBytes));
         return (words[1], role);
     }
 }

@@ -1,25 +1,25 @@
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Estimates how hard a token is to guess: its length times the bits per character of its alphabet.</summary>
+/// <summary>Estimates the strength of a token in bits: its length times the bits per character of its alphabet.</summary>
 /// <remarks>
-/// The alphabet is the smallest common one that contains all of the token's characters: digits, hexadecimal digits, or the sum of those
-/// groups that occur: digits, lower-case letters, upper-case letters and other characters. Repeated characters count less.
+/// The alphabet is digits or hexadecimal digits, if the token contains no other characters. Otherwise it consists of the groups that occur in
+/// the token: digits, lower-case letters, upper-case letters, other characters. A token with many repetitions has a smaller alphabet.
 /// </remarks>
 static class TokenStrength
 {
-    /// <summary>Minimum strength, bits. A weaker token can be guessed.</summary>
+    /// <summary>Minimum strength in bits. A weaker token can be guessed.</summary>
     public const double MinBits = 128;
 
     const int Digits = 10, HexadecimalDigits = 16, MixedHexadecimalDigits = 22, Letters = 26, OtherCharacters = 32;
 
-    /// <summary>Divisor of the expected minimum: a random token has at least half as many different characters as it can have.</summary>
+    /// <summary>A random token has at least 1 / this value of the different characters that are possible for its length and alphabet.</summary>
     const int RepetitionShare = 2;
 
     public static double BitsOf(string token)
     {
         var alphabet = AlphabetOf(token);
         var distinct = token.Distinct().Count();
-        // "aaaa…" is not a random choice among 26 letters.
+        // With too few different characters, as in "aaaa…", counts only these characters as the alphabet.
         var possible = Math.Min(alphabet, token.Length);
         return token.Length * Math.Log2(distinct * RepetitionShare < possible ? distinct : alphabet);
     }

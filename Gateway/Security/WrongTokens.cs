@@ -5,30 +5,31 @@ using Nowpose.Pairing;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Counts the wrong tokens and codes of each IPv4 address and each IPv6 network (/64), and blocks an address with too many until the minute
-/// is over. Thread-safe.
+/// Counts the wrong tokens and codes from each IPv4 address and each IPv6 network (/64) per minute, and blocks an address with too many until
+/// the minute is over. Thread-safe.
 /// </summary>
 /// <remarks>
-/// 128 bits cannot be guessed at any rate. Log-in and pairing refuse a blocked address, which limits the rate of guesses. Bearer and sync tokens
-/// are always compared, because clients with valid tokens may have the same address: only the answers to wrong ones are delayed. A client that
-/// closes the delayed connections and opens new ones is not limited in its guesses. The delay reduces log output and load.
+/// Login and pairing refuse a blocked address, which limits the rate of guesses. Bearer and sync tokens are compared even from a blocked
+/// address, because clients with valid tokens may have the same address; only the answers to wrong tokens are delayed. The delay reduces log
+/// output and load. It does not limit the guesses of a client that opens new connections without waiting for the answers, but a token of
+/// 128 bits cannot be guessed at any rate.
 /// </remarks>
 sealed class WrongTokens(TimeProvider time)
 {
-    /// <summary>Maximum number of addresses. Beyond it, the one without an attempt for the longest time is removed.</summary>
+    /// <summary>Maximum number of addresses. At the limit, a new address replaces the one whose last attempt is the oldest.</summary>
     internal const int MaxAddresses = 1000;
 
-    /// <summary>Maximum number of delayed answers of one address that wait one after the other.</summary>
+    /// <summary>Maximum delay of an answer, as a multiple of the delay between two answers.</summary>
     internal const int MaxTurns = 10;
 
     static readonly TimeSpan Span = TimeSpan.FromMinutes(1);
 
     readonly Lock _lock = new();
     readonly Dictionary<IPAddress, LinkedListNode<Address>> _addresses = [];
-    // Sorted by their last attempt, the oldest first.
+    // Sorted by the time of the last attempt, the oldest first.
     readonly LinkedList<Address> _order = [];
 
-    /// <summary>Gets the remaining time for which an address is blocked; zero if it is not.</summary>
+    /// <summary>Gets the remaining time for which an address is blocked; zero if it is not blocked.</summary>
     public TimeSpan BlockedFor(IPAddress address)
     {
         lock (_lock) return Find(address) is { } known ? BlockedFor(known) : TimeSpan.Zero;
@@ -37,11 +38,12 @@ sealed class WrongTokens(TimeProvider time)
     public void Count(IPAddress address) => Count(address, TimeSpan.Zero);
 
     /// <summary>
-    /// Counts a wrong token. Returns the delay of its answer: answers to an address that was blocked are sent one by one, a delay apart.
+    /// Counts a wrong token. Returns the time to wait before the answer: the answers to a blocked address are sent one by one, one per delay, for
+    /// any number of connections.
     /// </summary>
-    /// <remarks>
-    /// An address gets one refusal per delay, for any number of connections. Answers beyond <see cref="MaxTurns"/> wait with the last one.
-    /// </remarks>
+    /// <remarks>Answers beyond the first <see cref="MaxTurns"/> are sent together with the last of these.</remarks>
+    /// <param name="address">Address of the client.</param>
+    /// <param name="delay">Time between two answers to a blocked address.</param>
     public TimeSpan Count(IPAddress address, TimeSpan delay)
     {
         lock (_lock)
@@ -66,7 +68,7 @@ sealed class WrongTokens(TimeProvider time)
         return left > TimeSpan.Zero ? left : TimeSpan.Zero;
     }
 
-    // Moves the address to the end, because it has just made an attempt. Null for an address without wrong tokens.
+    // Finds an address and moves it to the end of the order of attempts. Returns null for an address without wrong tokens.
     Address Find(IPAddress address)
     {
         if (!_addresses.TryGetValue(Key(address), out var node)) return null;
@@ -86,7 +88,7 @@ sealed class WrongTokens(TimeProvider time)
         return (_addresses[key] = _order.AddLast(new Address(key))).Value;
     }
 
-    // A machine can have any number of IPv6 addresses, but only one /64 network.
+    // Uses the /64 network of an IPv6 address, because a machine can have any number of addresses in its network.
     static IPAddress Key(IPAddress address)
     {
         if (address == null) return IPAddress.None;
@@ -102,7 +104,7 @@ sealed class WrongTokens(TimeProvider time)
         public int Count;
         public long Since;
 
-        // Delay of the last delayed answer, and the time from which it counts.
+        // Delay of the last delayed answer, and the time at which this delay began.
         public TimeSpan Waiting;
         public long WaitingAt;
     }

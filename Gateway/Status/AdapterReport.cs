@@ -3,9 +3,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>State of one joint, frame or signal as its adapter reports it: the value STATE SINCE REASON of the key KIND/NAME.</summary>
+/// <summary>
+/// State of one joint, frame or signal, from the diagnostics of its adapter. The diagnostics have the key KIND/NAME with the value
+/// "STATE SINCE REASON", and for a joint that may not be at rest, the key uncertain/NAME with the reason.
+/// </summary>
 /// <param name="Since">Start of the state, on the wall clock of the adapter's machine.</param>
-/// <param name="Uncertainty">The reason why it is uncertain that the joint rests, the value of the key uncertain/NAME; empty for none.</param>
+/// <param name="Uncertainty">The reason why a joint reported at rest may not be at rest; empty for none.</param>
 readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "")
 {
     public const string JointPrefix = "joint/";
@@ -14,12 +17,12 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
     public const string UncertainPrefix = "uncertain/";
     const int MaxReasonLength = 300;
 
-    // The year 9999, the last one of DateTimeOffset.
+    // End of the year 9999, the maximum of DateTimeOffset.
     const double MaxUnixSeconds = 253_402_300_799;
 
     static readonly string[] Prefixes = [JointPrefix, FramePrefix, SignalPrefix, UncertainPrefix];
 
-    /// <summary>Validity of a report. Adapters report once per second.</summary>
+    /// <summary>Time for which a report is valid. Adapters report once per second.</summary>
     public static readonly TimeSpan Validity = TimeSpan.FromSeconds(2.5);
 
     public static bool IsKey(string key) => Array.Exists(Prefixes, prefix => key.StartsWith(prefix, StringComparison.Ordinal));
@@ -29,7 +32,7 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
         report = default;
         var words = value.Split(' ', 3);
         if (words.Length < 2 || !JointDataStates.TryRead(words[0], out var state)) return false;
-        // Stale is determined by the gateway only, not by an adapter.
+        // Refuses the state stale, which only the gateway determines.
         if (state == JointDataState.Stale) return false;
         var isNumber = double.TryParse(words[1], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var seconds);
         if (!isNumber || seconds is not (>= 0 and <= MaxUnixSeconds)) return false;

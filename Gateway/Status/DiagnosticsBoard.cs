@@ -6,20 +6,23 @@ namespace Nowpose.Gateway.Status;
 /// <summary>The latest diagnostics of each headset and adapter. Thread-safe; the number of names is limited.</summary>
 sealed class DiagnosticsBoard(TimeProvider time)
 {
-    /// <summary>Maximum number of names. More do not report within the timeout, unless a client invents names.</summary>
+    /// <summary>Maximum number of names. Only a client that invents names can exceed it.</summary>
     internal const int MaxClients = 512;
 
     internal const int MaxValues = 256;
 
     /// <summary>
-    /// Maximum length of a value, equal to that of an adapter's log line. The reason for a refused certificate needs half of it.
+    /// Maximum length of a value in characters, equal to the maximum length of an adapter's log line. The reason for a refused certificate needs
+    /// half of it.
     /// </summary>
     internal const int MaxValueLength = 1000;
 
     /// <summary>Maximum number of characters of all names and values together.</summary>
     internal const int MaxLength = 16 * 1024;
 
-    /// <summary>Timeout for headsets only: a lost adapter is a fault until the gateway is restarted.</summary>
+    /// <summary>
+    /// Time after which a silent headset is removed. A silent adapter is not removed: it is a fault until the gateway is restarted.
+    /// </summary>
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(30);
 
     readonly Lock _lock = new();
@@ -35,7 +38,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
         }
     }
 
-    /// <summary>Removes a headset that has disconnected. A lost adapter stays a fault.</summary>
+    /// <summary>Removes a headset that has disconnected normally. Does not remove an adapter, whose absence is a fault.</summary>
     public void Remove(string name)
     {
         if (StatusObjects.IsAdapter(name)) return;
@@ -57,7 +60,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
         }
     }
 
-    // A compact copy: the messages themselves, 64 KiB each, would use too much memory for hundreds of names.
+    // Returns a compact copy, because messages of up to 64 KiB would use too much memory for hundreds of names.
     static KeyValuePair<string, string>[] Kept(IEnumerable<KeyValuePair<string, string>> values)
     {
         var room = MaxLength;
@@ -68,6 +71,6 @@ sealed class DiagnosticsBoard(TimeProvider time)
         ];
     }
 
-    // Connected clients report once a second, so the one that has been silent longest is removed.
+    // Removes the headset that has been silent for the longest time; an adapter only if there is no headset.
     void MakeRoom() => _reports.Remove(_reports.OrderBy(report => StatusObjects.IsAdapter(report.Key)).ThenBy(report => report.Value.At).First().Key);
 }

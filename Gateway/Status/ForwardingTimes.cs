@@ -2,13 +2,16 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Times from a joint state's receipt until a subscriber's socket accepts it: in total, and over the last half minute to minute.</summary>
-/// <remarks>Thread-safe. Messages that a client throttles are not counted, because their wait is intended.</remarks>
+/// <summary>
+/// Times from the receipt of a joint state until a subscriber's socket accepts it: counts since the start, and percentiles over a window of 30
+/// to 60 s.
+/// </summary>
+/// <remarks>Thread-safe. Does not include throttled subscriptions, whose messages wait on purpose.</remarks>
 public sealed class ForwardingTimes(TimeProvider time = null)
 {
     static readonly TimeSpan Window = TimeSpan.FromSeconds(30);
 
-    /// <summary>Upper bounds of the classes counted since the start, s; the last class has none.</summary>
+    /// <summary>Upper bounds of the histogram classes since the start, s. The last class has no upper bound.</summary>
     internal static readonly double[] Limits = [0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1];
 
     readonly TimeProvider _time = time ?? TimeProvider.System;
@@ -22,10 +25,11 @@ public sealed class ForwardingTimes(TimeProvider time = null)
     /// <summary>Sum of all times since the start, s.</summary>
     internal double Sum => Interlocked.Read(ref _ticks) / (double)TimeSpan.TicksPerSecond;
 
-    /// <summary>Gets the count of each class; one more than <see cref="Limits"/>.</summary>
+    /// <summary>Gets the count of each class. The array has one element more than <see cref="Limits"/>.</summary>
     internal long[] Counts() => [.. Enumerable.Range(0, _counts.Length).Select(i => Interlocked.Read(ref _counts[i]))];
 
-    /// <param name="receivedAt">A count of <see cref="Stopwatch"/>.</param>
+    /// <summary>Adds a message that was just sent.</summary>
+    /// <param name="receivedAt">Time at which the message was received, a count of <see cref="Stopwatch"/>.</param>
     public void Add(long receivedAt) => Add(Stopwatch.GetElapsedTime(receivedAt));
 
     internal void Add(TimeSpan length)
@@ -39,7 +43,8 @@ public sealed class ForwardingTimes(TimeProvider time = null)
         Volatile.Read(ref _now).Add(length);
     }
 
-    /// <summary>Gets a percentile over the last half minute to minute; null if nothing was forwarded.</summary>
+    /// <summary>Gets a percentile over the last 30 to 60 s; null if no joint state was forwarded.</summary>
+    /// <param name="fraction">0 to 1; 0.5 is the median.</param>
     public TimeSpan? Percentile(double fraction)
     {
         Turn();
@@ -53,7 +58,7 @@ public sealed class ForwardingTimes(TimeProvider time = null)
         {
             var elapsed = _time.GetElapsedTime(_turned);
             if (elapsed < Window) return;
-            // A time that is being added concurrently may be lost or counted late: one in millions.
+            // Accepts that a time added at the same instant may be lost or counted late, which is rare.
             var old = _before;
             _before = _now;
             old.Clear();

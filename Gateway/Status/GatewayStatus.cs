@@ -12,10 +12,10 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Monitors the hub and reports the state of the gateway. Thread-safe; publishers never wait.</summary>
+/// <summary>Monitors the hub and reports the state of the gateway. Thread-safe; does not block publishers.</summary>
 sealed class GatewayStatus : IDisposable
 {
-    // Each page reads the state once per second; /operations/events has all events.
+    // Maximum number of events in the state, which each open page reads once per second. /operations/events returns all events.
     const int EventsInState = 100;
 
     static readonly string[] Topics =
@@ -24,7 +24,7 @@ sealed class GatewayStatus : IDisposable
         RosTopics.Signals,
     ];
 
-    // Counts the topics of all robots in namespaces together.
+    // Replaces the namespace in the counts of messages, which are summed over all robots with a namespace.
     const string AnyRobot = "/*";
     static readonly string[] Counted = [.. Topics, .. RobotTopic.OfRobots.Select(kind => AnyRobot + kind)];
 
@@ -202,7 +202,7 @@ sealed class GatewayStatus : IDisposable
         Measured(clock.Resolution)?.TotalMicroseconds, clock.Exchanges, clock.Failures, clock.LastFailure,
         clock.EstimatedError is { } error ? Rounded(error.TotalMicroseconds) : null);
 
-    // Zero means that nothing has been measured yet.
+    // Returns null for zero, which means that the value has not been measured yet.
     static TimeSpan? Measured(TimeSpan? length) => length > TimeSpan.Zero ? length : null;
 
     static double Rounded(double value) => Math.Round(value, 3);

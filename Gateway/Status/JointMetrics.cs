@@ -6,15 +6,19 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// Writes the metrics for alerts: a state per joint and source, refusals by reason, clocks and poses of headsets, and active events.
+/// Writes the metrics on which alerts are based: the state of each joint per source, refusals by reason, the clock and the pose of each headset,
+/// and active events.
 /// </summary>
-/// <remarks>Labels are bounded: states are a fixed set, and joints, adapters, reasons and headsets are limited where they are received.</remarks>
+/// <remarks>
+/// The number of label values is bounded: states are a fixed set, and the numbers of joints, adapters, reasons and headsets are limited where
+/// they are received.
+/// </remarks>
 static class JointMetrics
 {
     const string Gauge = "gauge", Counter = "counter", RefusedPrefix = "refused/", Other = "other";
     const int MaxReasons = 32;
 
-    // The protocol's pose states; every other state counts as other.
+    // The pose states in the protocol. Any other state counts as "other".
     static readonly string[] PoseStates = ["current", "coarse", "held", "unsynchronised", "incomplete", "outside", Other];
 
     static readonly string[] ClockStates = [.. Enum.GetValues<ClockState>().Select(state => state.Word()), Other];

@@ -3,14 +3,14 @@ using System.Numerics;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// A histogram of durations with classes that are 6 % wide. It uses constant memory. Thread-safe; adding never waits.
+/// A histogram of durations with classes that are 6 % wide. Uses constant memory. Thread-safe; adding a duration does not block.
 /// </summary>
 sealed class LatencyHistogram
 {
     const int ClassesPerOctaveBits = 4;
     const int ClassesPerOctave = 1 << ClassesPerOctaveBits;
 
-    // Below 2^4 ticks, classes are one tick wide. The last class ends at 2^30 ticks, 107 s.
+    // Below 2^4 ticks, classes are one tick wide. The last class starts below 2^31 ticks and contains all longer durations.
     const int Classes = (31 - ClassesPerOctaveBits) * ClassesPerOctave;
 
     readonly long[] _counts = new long[Classes];
@@ -23,7 +23,7 @@ sealed class LatencyHistogram
     }
 
     /// <summary>
-    /// Gets the duration that a fraction of all durations of two histograms do not exceed, at most one class too long; null if there are none.
+    /// Gets a percentile of the durations in two histograms, at most one class width too long; null if both histograms are empty.
     /// </summary>
     public static TimeSpan? Percentile(LatencyHistogram a, LatencyHistogram b, double fraction)
     {
@@ -47,7 +47,7 @@ sealed class LatencyHistogram
         return Math.Min(Classes - 1, octave * ClassesPerOctave + (int)(ticks >> octave));
     }
 
-    // Exclusive upper bound of a class.
+    // Returns the exclusive upper bound of a class.
     static long EndOf(int index)
     {
         if (index < ClassesPerOctave) return index + 1;

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// Logs once per joint that its published position is beyond the limits of the described robot. Thread-safe; publishers never wait.
+/// Logs, once per joint, that a published position is beyond the joint's limits in the robot description. Thread-safe; does not block publishers.
 /// </summary>
 sealed class LimitAlarm : IDisposable
 {
@@ -16,7 +16,7 @@ sealed class LimitAlarm : IDisposable
     DescribedRobot _described = DescribedRobot.None;
     LimitWatch _watch;
     RobotModel _robot;
-    int _said;
+    int _logged;
 
     public LimitAlarm(MessageHub hub, Action<string> log)
     {
@@ -24,7 +24,7 @@ sealed class LimitAlarm : IDisposable
         _subscriptions = [hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take)];
     }
 
-    /// <summary>The described robot; null while none is described, or its description is still being read.</summary>
+    /// <summary>The described robot; null without a valid description, or while the description is still being parsed.</summary>
     public RobotModel Robot
     {
         get
@@ -33,7 +33,7 @@ sealed class LimitAlarm : IDisposable
         }
     }
 
-    /// <summary>Joints that are beyond their limits at present.</summary>
+    /// <summary>Joints whose current position is beyond their limits.</summary>
     public IReadOnlyList<JointBeyondLimits> Beyond
     {
         get
@@ -42,7 +42,7 @@ sealed class LimitAlarm : IDisposable
         }
     }
 
-    /// <summary>Names of the joints that are beyond their limits at present.</summary>
+    /// <summary>Names of the joints whose current position is beyond their limits.</summary>
     public IReadOnlyList<string> Joints => [.. Beyond.Select(found => found.Joint.Name)];
 
     public void Dispose()
@@ -55,7 +55,7 @@ sealed class LimitAlarm : IDisposable
         var described = new DescribedRobot((string)message.Content);
         lock (_lock)
         {
-            // The source sends the same description after each reconnection. Joints that were already logged are not logged again.
+            // Ignores an equal description, which a source sends after each reconnection, so that no joint is logged twice.
             if (described.Urdf == _described.Urdf) return;
             _described = described;
         }
@@ -63,14 +63,14 @@ sealed class LimitAlarm : IDisposable
         _ = Task.Run(() => Follow(described));
     }
 
-    // Reads the description, which is slow.
+    // Parses the description, which is slow.
     void Follow(DescribedRobot described)
     {
         var robot = described.Model;
         lock (_lock)
         {
             if (described != _described) return;
-            (_robot, _said) = (robot, 0);
+            (_robot, _logged) = (robot, 0);
             _watch = robot == null ? null : new LimitWatch(robot);
         }
     }
@@ -88,7 +88,7 @@ sealed class LimitAlarm : IDisposable
                 if (joint >= 0) _watch.Add(joint, state.Positions[i]);
             }
 
-            for (; _said < _watch.Found.Count; _said++) (words ??= []).Add(_watch.Found[_said].Words);
+            for (; _logged < _watch.Found.Count; _logged++) (words ??= []).Add(_watch.Found[_logged].Words);
         }
 
         words?.ForEach(_log);

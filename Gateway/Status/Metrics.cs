@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The gateway's metrics, in seconds, bytes and ratios, with names nowpose_….</summary>
+/// <summary>Writes the gateway's metrics for Prometheus, in seconds, bytes and ratios. Their names start with nowpose_.</summary>
 static class Metrics
 {
     const string Gauge = "gauge", Counter = "counter";
@@ -72,7 +72,7 @@ static class Metrics
         void Add(string name, string type, string help, Func<JsonObject, double?> value) =>
             AddEach(text, name, type, help, adapters, adapter => ("adapter", NameOf(adapter)), value);
 
-        Add("nowpose_adapter_connected", Gauge, "1 while the adapter is connected to its plant.", adapter => Says(adapter, "state", "connected"));
+        Add("nowpose_adapter_connected", Gauge, "1 while the adapter is connected to its plant.", adapter => OneIf(adapter, "state", "connected"));
         Add("nowpose_adapter_samples_total", Counter, "Samples that the adapter published.", adapter => StatusObjects.Number(adapter, "samples"));
         Add("nowpose_adapter_refused_total", Counter, "Refused values: bad status, no finite number, invalid time stamp, or deleted node.", adapter => StatusObjects.Number(adapter, "refused"));
         Add("nowpose_adapter_reconnects_total", Counter, "Number of reconnections.", adapter => StatusObjects.Number(adapter, "reconnects"));
@@ -115,7 +115,7 @@ static class Metrics
 
         AddEach(
             text, "nowpose_headset_synchronised", Gauge, "1 while the headset's clock is synchronised, 0 in all other states.", headsets, headset => ("headset", NameOf(headset)),
-            headset => Says(headset, "state", "synchronised"));
+            headset => OneIf(headset, "state", "synchronised"));
         Add("nowpose_headset_seen_seconds", "Time since the headset's last report.", "seen_s_ago", 1);
         Add("nowpose_headset_clock_error_bound_seconds", "Error bound of the headset's clock.", "error_bound_us", Micro);
         Add("nowpose_headset_round_trip_seconds", "Round-trip time of the headset's clock synchronisation.", "rtt_ms", Milli);
@@ -164,7 +164,7 @@ static class Metrics
         foreach (var one in all) text.Add(value(one), label(one));
     }
 
-    // Commas in names are escaped. Sorted, so that the label does not depend on which joint was published first.
+    // Escapes commas in names, and sorts the names, so that the label does not depend on the order in which joints were first published.
     static (string, string) LabelOf(SourceStatus source) => (
         "joints", string.Join(',', source.Joints.Order(StringComparer.Ordinal).Select(Escaped)));
 
@@ -172,5 +172,5 @@ static class Metrics
 
     static string NameOf(JsonObject words) => (string)words["name"];
 
-    static double? Says(JsonObject words, string key, string yes) => StatusObjects.Word(words, key) is { } word ? (word == yes ? 1 : 0) : null;
+    static double? OneIf(JsonObject words, string key, string yes) => StatusObjects.Word(words, key) is { } word ? (word == yes ? 1 : 0) : null;
 }

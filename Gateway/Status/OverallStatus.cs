@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
@@ -6,12 +7,16 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The state of the gateway and its plants in one line.</summary>
+/// <summary>The state of the gateway and its plants as one line.</summary>
 /// <param name="Level">ok, warning or error.</param>
 sealed record OverallStatus(string Level, string Text)
 {
-    /// <param name="conditions">Present conditions, the worst first.</param>
-    /// <param name="hasRobot">Whether a robot is described, whose joints must arrive.</param>
+    /// <summary>Summarises the state.</summary>
+    /// <param name="conditions">Current conditions, the worst first.</param>
+    /// <param name="joints">States of all joints.</param>
+    /// <param name="frames">States of all frames.</param>
+    /// <param name="signals">States of all signals.</param>
+    /// <param name="hasRobot">Whether a robot is described, so that joint positions must arrive.</param>
     /// <param name="headsets">Number of headsets that report.</param>
     public static OverallStatus Of(
         IReadOnlyList<Condition> conditions, IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals,
@@ -22,14 +27,14 @@ sealed record OverallStatus(string Level, string Text)
         return new(conditions[0].Level.ToString().ToLowerInvariant(), conditions[0].TextWithSince + more);
     }
 
-    // A cell without a robot has objects or signals instead. Stationary objects show nothing of the plant's state.
+    // Uses objects and signals for a cell without a robot. Stationary objects do not count, because they do not show that the plant sends data.
     static OverallStatus WithoutConditions(
         IReadOnlyList<JointStatus> joints, IReadOnlyList<FrameView> frames, IReadOnlyList<SignalView> signals, bool hasRobot, string headsets)
     {
         if (joints.Count > 0) return new("ok", Summary(joints) + headsets);
         var states = frames.Select(frame => frame.State).Where(state => state != CellBoard.Stationary).ToArray();
         var all = states.Length + signals.Count;
-        if (hasRobot || all == 0) return new("warning", "no source publishes joint positions yet");
+        if (hasRobot || all == 0) return new("warning", JointReasons.NoSource);
         var others = states.Concat(signals.Select(signal => signal.State)).Count(state => state != CellBoard.Live);
         return others > 0 ? new("warning", $"{others} of {Count(all, "object or signal", "objects and signals")} {(others == 1 ? "is" : "are")} not current")
             : new("ok", $"{Count(states.Length, "object")}, {Count(signals.Count, "signal")}{headsets}");
@@ -38,7 +43,7 @@ sealed record OverallStatus(string Level, string Text)
     static string Summary(IReadOnlyList<JointStatus> joints)
     {
         var resting = joints.Count(joint => joint.State == JointDataState.Rest);
-        return resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} assumed at rest";
+        return resting == 0 ? $"{Count(joints.Count, "joint")} live" : JointReasons.Summary(Count(joints.Count - resting, "joint"), resting);
     }
 
     static string Count(int number, string noun, string plural = null) =>

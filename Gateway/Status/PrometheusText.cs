@@ -3,17 +3,17 @@ using System.Text;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Writes metrics in the text format of Prometheus, version 0.0.4: each with its help and type, then its samples.</summary>
+/// <summary>Writes metrics in the text format of Prometheus, version 0.0.4: help and type of each metric, then its samples.</summary>
 sealed class PrometheusText
 {
     public const string ContentType = "text/plain; version=0.0.4; charset=utf-8";
 
     readonly StringBuilder _text = new();
-    // The written samples of the current metric. A duplicate would make the whole text invalid for Prometheus.
+    // The samples of the current metric that are already written, because a duplicate makes the whole text invalid for Prometheus.
     readonly HashSet<string> _written = [];
     string _name;
 
-    /// <summary>Starts a metric; its samples follow.</summary>
+    /// <summary>Starts a metric. Samples added afterwards belong to this metric.</summary>
     public PrometheusText Begin(string name, string type, string help)
     {
         _name = name;
@@ -23,9 +23,10 @@ sealed class PrometheusText
         return this;
     }
 
-    /// <summary>Adds a sample. A value that is unknown or not finite is skipped, and so is a second one with the same labels.</summary>
+    /// <summary>Adds a sample. Skips a value that is unknown or not finite, and a second sample with the same labels.</summary>
     public PrometheusText Add(double? value, params ReadOnlySpan<(string Name, string Value)> labels) => Add("", value, labels);
 
+    /// <inheritdoc cref="Add(double?, ReadOnlySpan{ValueTuple{string, string}})"/>
     /// <param name="suffix">Suffix of the metric's name, for example "_bucket".</param>
     public PrometheusText Add(string suffix, double? value, params ReadOnlySpan<(string Name, string Value)> labels)
     {
@@ -35,7 +36,7 @@ sealed class PrometheusText
         return this;
     }
 
-    /// <summary>Adds a metric with one sample without labels.</summary>
+    /// <summary>Adds a metric that has one sample without labels. Skips a metric whose value is unknown.</summary>
     public PrometheusText One(string name, string type, string help, double? value) => value == null ? this : Begin(name, type, help).Add(value);
 
     public override string ToString() => _text.ToString();
@@ -53,7 +54,7 @@ sealed class PrometheusText
         return labels.Length > 0 ? text.Append('}').ToString() : text.ToString();
     }
 
-    // A lone surrogate is not valid UTF-8. It is replaced here, so that duplicates are detected before the encoder replaces it.
+    // Also replaces unpaired surrogates, as the UTF-8 encoder would do later, so that duplicates are detected.
     static void Escape(StringBuilder text, string value)
     {
         foreach (var rune in value.EnumerateRunes()) _ = rune.Value switch

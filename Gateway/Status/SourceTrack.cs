@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The newest messages of one source, with the times of their receipt and their ages.</summary>
+/// <summary>The receipt times and ages of the newest messages of one source.</summary>
 sealed class SourceTrack
 {
     const int Remembered = 512;
@@ -11,7 +11,7 @@ sealed class SourceTrack
     readonly (long At, TimeSpan Age)[] _ring = new (long, TimeSpan)[Remembered];
     int _count, _next;
 
-    /// <summary>The joints in the order of their first receipt.</summary>
+    /// <summary>The joints, in the order in which they were first received.</summary>
     public List<string> Joints { get; } = [];
 
     public long Newest { get; private set; }

@@ -3,14 +3,14 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The rate of each source's samples and their ages. Thread-safe; bounded.</summary>
+/// <summary>Measures the sample rate of each source and the ages of its samples. Thread-safe; bounded.</summary>
 /// <remarks>
-/// A source is a set of messages that share joints: a publisher that sends only changes uses varying sets of one robot's joints. An arm and
-/// a gripper that are never published together are two sources.
+/// Messages with a common joint belong to the same source, because a publisher that sends only changes names other joints of its robot in each
+/// message. An arm and a gripper that are never published together are two sources.
 /// </remarks>
 sealed class SourceWatch
 {
-    /// <summary>Maximum number of sources; further ones are ignored until one is removed.</summary>
+    /// <summary>Maximum number of sources. Further sources are ignored until one is removed.</summary>
     internal const int MaxSources = 64;
 
     /// <summary>Maximum number of joints of all sources together.</summary>
@@ -24,7 +24,9 @@ sealed class SourceWatch
 
     bool IsFull => _tracks.Count >= MaxSources || _byJoint.Count >= MaxJoints;
 
-    /// <param name="receivedAt">A count of <see cref="Stopwatch"/>.</param>
+    /// <summary>Adds a sample.</summary>
+    /// <param name="names">Joints of the sample.</param>
+    /// <param name="receivedAt">Time of the receipt, a count of <see cref="Stopwatch"/>.</param>
     /// <param name="age">C1 at the receipt minus t_k.</param>
     public void Add(string[] names, long receivedAt, TimeSpan age)
     {
@@ -46,7 +48,7 @@ sealed class SourceWatch
     internal IReadOnlyList<(string[] Names, double RateHz, TimeSpan[] SortedAges)> Read(long now)
     {
         (string[] Names, (long At, TimeSpan Age)[] Samples)[] copies;
-        // Publishers wait for the copies, not for the sorting.
+        // Copies the samples under the lock and sorts them outside, so that publishers do not wait for the sorting.
         lock (_lock)
         {
             Forget(now);
@@ -56,7 +58,7 @@ sealed class SourceWatch
         return [.. copies.Select(copy => (copy.Names, RateHz(copy.Samples, now), copy.Samples.Select(sample => sample.Age).Order().ToArray()))];
     }
 
-    // Merges sources that turn out to be the same.
+    // Finds the source of these joints. Merges sources if the message has joints of several.
     SourceTrack Known(string[] names)
     {
         SourceTrack known = null;
@@ -89,7 +91,7 @@ sealed class SourceWatch
     static double RateHz((long At, TimeSpan Age)[] samples, long now)
     {
         if (samples.Length < 2) return 0;
-        // Counts up to now instead of the newest sample, so that the rate of a stopped source decreases until the source is removed.
+        // Divides by the time until now, so that the rate of a source that has stopped decreases until the source is removed.
         var (first, last) = (samples.Min(sample => sample.At), samples.Max(sample => sample.At));
         return (samples.Length - 1) / Math.Max(1e-6, Stopwatch.GetElapsedTime(first, Math.Max(now, last)).TotalSeconds);
     }

@@ -3,31 +3,31 @@ using System.Text.Json.Nodes;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>The parts of a sample's latency that the gateway itself measures, ms; null if unknown.</summary>
+/// <summary>The parts of a sample's latency that the gateway measures, in ms; null if unknown.</summary>
 /// <param name="PlantMs">C1 at the gateway minus t_k.</param>
-/// <param name="GatewayMs">Time from the receipt to the sockets.</param>
+/// <param name="GatewayMs">Time from the receipt at the gateway until the sample is written to the subscribers' sockets.</param>
 readonly record struct HopTimes(double? PlantMs, double? GatewayMs);
 
-/// <summary>The diagnostics of headsets and adapters as JSON, with values that the gateway derives from them.</summary>
+/// <summary>Converts the diagnostics of headsets and adapters to JSON, and adds values that the gateway derives.</summary>
 static class StatusObjects
 {
-    // Two prefixes: adapters of an earlier release use plant/.
+    // Adapters of earlier releases use the prefix plant/.
     static readonly string[] AdapterPrefixes = ["plant/", "adapter/"];
 
-    // Keys of the gateway, which diagnostics of clients must not replace.
+    // Keys that the gateway sets. A client's diagnostics must not replace them.
     static readonly string[] Own = ["name", "seen_s_ago", "budget_ms"];
 
-    /// <summary>Whether a hardware_id is that of an adapter.</summary>
+    /// <summary>Whether a hardware_id belongs to an adapter.</summary>
     public static bool IsAdapter(string hardwareId) => Array.Exists(AdapterPrefixes, prefix => hardwareId.StartsWith(prefix, StringComparison.Ordinal));
 
     public static string AdapterName(string hardwareId) => hardwareId[(hardwareId.IndexOf('/', StringComparison.Ordinal) + 1)..];
 
-    public static JsonObject Adapter((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) said) =>
-        Words(AdapterName(said.Name), said.Ago, said.Values);
+    public static JsonObject Adapter((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) report) =>
+        Words(AdapterName(report.Name), report.Ago, report.Values);
 
-    public static JsonObject Headset((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) said, HopTimes hops)
+    public static JsonObject Headset((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) report, HopTimes hops)
     {
-        var headset = Words(said.Name, said.Ago, said.Values);
+        var headset = Words(report.Name, report.Ago, report.Values);
         headset["budget_ms"] = Budget(headset, hops);
         return headset;
     }
@@ -53,7 +53,7 @@ static class StatusObjects
         return words;
     }
 
-    // L_app ends at the headset's socket. L_app minus the first three hops is the waiting time.
+    // L_app ends when the headset receives the sample. L_app minus the times of plant, gateway and network is the time in queues.
     static JsonObject Budget(JsonObject headset, HopTimes hops)
     {
         var network = Number(headset, "rtt_ms") / 2;
@@ -70,7 +70,7 @@ static class StatusObjects
         };
     }
 
-    // Reported numbers may be so large that results overflow to infinity or NaN.
+    // Returns null for a result that is not finite, because reported numbers may be arbitrarily large.
     static JsonNode Rounded(double? milliseconds) =>
         milliseconds is { } known && double.IsFinite(known) ? Math.Round(Math.Max(0, known), 3) : null;
 }

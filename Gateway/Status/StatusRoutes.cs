@@ -1,12 +1,13 @@
 using System.Text;
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Serves the status to the operations page, to Prometheus and to service managers.</summary>
+/// <summary>Serves the status of the gateway to the operations page, to Prometheus and to service managers.</summary>
 sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
 {
     const string StatePath = "/operations/state", MetricsPath = "/metrics", LivePath = "/healthz", ReadyPath = "/readyz",
@@ -22,18 +23,18 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         Converters = { new FiniteNumbers() },
     };
 
-    /// <summary>Answers its own requests and passes on all others, including WebSockets on any path.</summary>
+    /// <summary>Answers requests for the status. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         if (context.Request.Headers.Upgrade.Count > 0) return next(context);
         return context.Request.Path.Value switch
         {
-            StatePath => AnswerAsync(context, TellStateAsync),
-            MetricsPath => AnswerAsync(context, TellMetricsAsync),
-            EventsPath => AnswerAsync(context, TellEventsAsync),
-            // Requires no token: the answers contain only names of joints and reasons.
+            StatePath => AnswerAsync(context, AnswerStateAsync),
+            MetricsPath => AnswerAsync(context, AnswerMetricsAsync),
+            EventsPath => AnswerAsync(context, AnswerEventsAsync),
+            // /healthz and /readyz require no token, because their answers contain only reasons with names, for example of joints.
             LivePath => AnswerAsync(context, _ => SendAsync(context, "text/plain", "live\n"u8.ToArray())),
-            ReadyPath => AnswerAsync(context, TellReadyAsync),
+            ReadyPath => AnswerAsync(context, AnswerReadyAsync),
             _ => next(context),
         };
     }
@@ -41,29 +42,29 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
     static Task AnswerAsync(HttpContext context, Func<HttpContext, Task> answer) =>
         HttpMethods.IsGet(context.Request.Method) || HttpMethods.IsHead(context.Request.Method) ? answer(context) : AccessControl.RefuseMethodAsync(context, "GET");
 
-    async Task TellStateAsync(HttpContext context)
+    async Task AnswerStateAsync(HttpContext context)
     {
         if (await AdmitAsync(context) is not { } role) return;
-        // On the gateway's own machine, without required tokens, every client is an operator.
+        // If no token is required, every client on the gateway's machine is an operator.
         var effective = accessControl.IsOperator(context) ? Role.Operator : role;
         var state = status.Read() with { Role = effective.ToString().ToLowerInvariant() };
         await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(state, Snake));
     }
 
-    async Task TellMetricsAsync(HttpContext context)
+    async Task AnswerMetricsAsync(HttpContext context)
     {
         if (await AdmitAsync(context) == null) return;
         await SendAsync(context, PrometheusText.ContentType, Encoding.UTF8.GetBytes(Metrics.Of(status.Read(), status.Forwarding)));
     }
 
-    async Task TellEventsAsync(HttpContext context)
+    async Task AnswerEventsAsync(HttpContext context)
     {
         if (await AdmitAsync(context) == null) return;
         var events = status.Events.Read().Select(one => one.View).ToList();
         var format = context.Request.Query["format"].ToString();
         if (format is not ("" or "json" or "csv"))
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "format: json or csv is allowed");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, OperationsMessages.Format);
             return;
         }
 
@@ -72,7 +73,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         else await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(events, Snake));
     }
 
-    Task TellReadyAsync(HttpContext context)
+    Task AnswerReadyAsync(HttpContext context)
     {
         var reasons = status.NotReadyReasons();
         context.Response.StatusCode = reasons.Count == 0 ? StatusCodes.Status200OK : StatusCodes.Status503ServiceUnavailable;
@@ -83,9 +84,9 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
 
     async Task<Role?> AdmitAsync(HttpContext context)
     {
-        // Browsers send no Origin header when a page requests from its own host.
+        // Checks the host name, because browsers send no Origin header with a GET request of a page to its own host.
         if (accessControl.IsNoRebinding(context)) return await accessControl.AdmitAsync(context);
-        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
+        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, OperationsMessages.UseOwnAddress);
         return null;
     }
 
@@ -95,7 +96,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         response.ContentType = type;
         response.ContentLength = content.Length;
         response.Headers.CacheControl = "no-store";
-        // Closed, because it must not use one of the places of connected clients.
+        // Closes the connection, so that it does not occupy the place of a connected client.
         response.Headers.Connection = "close";
         return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(content).AsTask();
     }

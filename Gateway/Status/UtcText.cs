@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Status;
 
-/// <summary>Times for users and programs: UTC to the millisecond.</summary>
+/// <summary>Formats and parses times for users and programs: UTC to the millisecond.</summary>
 static class UtcText
 {
     public static string Of(DateTimeOffset time) => time.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.fff'Z'", CultureInfo.InvariantCulture);

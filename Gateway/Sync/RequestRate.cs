@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Nowpose.Gateway.Sync;
 
-/// <summary>Detects more requests than allowed within any one second.</summary>
+/// <summary>Limits the number of requests within any interval of one second.</summary>
 sealed class RequestRate(int perSecond)
 {
     readonly long[] _counts = new long[perSecond];
@@ -10,7 +10,9 @@ sealed class RequestRate(int perSecond)
 
     public bool TryTake() => TryTake(Stopwatch.GetTimestamp());
 
-    /// <param name="count">Time of the request, a count of <see cref="Stopwatch"/>; never decreasing.</param>
+    /// <summary>Counts a request if it is within the limit.</summary>
+    /// <param name="count">Time of the request, a count of <see cref="Stopwatch"/>; must not decrease.</param>
+    /// <returns>False for a request beyond the limit.</returns>
     public bool TryTake(long count)
     {
         var slot = _taken % perSecond;

@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Sync;
 
-/// <summary>One headset's sync connection, served by its own thread.</summary>
+/// <summary>The sync connection of one headset, served by its own thread.</summary>
 sealed class SyncConnection
 {
     const int NotStopped = -1;
@@ -30,11 +30,15 @@ sealed class SyncConnection
     int _stopped = NotStopped;
     volatile bool _isOverdue;
 
-    // The reason if the deadline ends the connection.
+    // The reason to report if the deadline passes.
     Closure _awaited;
 
-    /// <param name="pending">Its pending place, released once it was authenticated and has sent a request, or has ended.</param>
-    /// <param name="ended">Receives the reason why it ended, and the exception or null; called on the connection's thread.</param>
+    /// <param name="pending">
+    /// Entry among the pending connections. It is disposed after the first frame of an authenticated client, or at the end.
+    /// </param>
+    /// <param name="ended">
+    /// Called at the end on the connection's thread, with the reason and the exception; the exception is null for a normal end.
+    /// </param>
     public SyncConnection(
         Socket socket, GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, PendingConnection pending,
         Action<SyncConnection, Closure, Exception> ended)
@@ -79,7 +83,7 @@ sealed class SyncConnection
         }
         catch (Exception e)
         {
-            // Catches all exceptions: an unhandled one on a thread ends the process with every other connection.
+            // Catches all exceptions, because an unhandled exception on a thread ends the process.
             why = Explain(e);
             cause = e;
         }
@@ -87,7 +91,7 @@ sealed class SyncConnection
         _watched?.Dispose();
         _pending.Dispose();
         var stopped = Volatile.Read(ref _stopped);
-        // Counted before the peer can see the end.
+        // Reports the end before the client can detect it.
         _ended(this, stopped == NotStopped ? why : (Closure)stopped, cause);
         _socket.Dispose();
     }
@@ -112,7 +116,7 @@ sealed class SyncConnection
 
     Closure Exchange(Stream stream, Timer deadline)
     {
-        // A client that has to send a token has one deadline for everything before it.
+        // Before a required token, a single deadline applies to all frames.
         _awaited = Closure.Token;
         if (_isAccepted)
             AwaitNext(deadline);
@@ -120,7 +124,7 @@ sealed class SyncConnection
         {
             if (!TryReadFrame(stream, deadline))
                 return Closure.ByPeer;
-            // Reads the time first, because any work before it would count as network time.
+            // Reads the time first, because any work before it would count as network latency.
             var t2 = _clock.Now;
             if (!_rate.TryTake())
                 return Closure.TooManyRequests;
@@ -139,7 +143,7 @@ sealed class SyncConnection
         deadline.Change(_options.SyncSilence, Timeout.InfiniteTimeSpan);
     }
 
-    // A frame that has begun has its own deadline: a peer that sends a byte now and then would never time out.
+    // Reads a frame. A frame that has begun must end within a deadline, so that a client that sends single bytes cannot keep the connection open.
     bool TryReadFrame(Stream stream, Timer deadline)
     {
         var begun = stream.Read(_frame);
@@ -159,14 +163,14 @@ sealed class SyncConnection
         var synchronised = _clock.IsSynchronised;
         var bound = _clock.ErrorBound;
         var resolution = (uint)Math.Min(uint.MaxValue, _clock.Resolution.Ticks * 100);
-        // A clock that follows another one goes back by microseconds when its estimate is updated.
+        // Prevents t3 < t2: the control time steps back by microseconds when the estimate of the plant's clock is updated.
         var t3 = Math.Max(t2.Nanoseconds, _clock.Now.Nanoseconds);
         SyncFrame.Reply(frame, t2.Nanoseconds, t3, synchronised, bound, resolution).Write(_frame);
         stream.Write(_frame);
         return true;
     }
 
-    // A server without tokens accepts any token, so that a headset with a token can connect, too.
+    // Answers a token. A gateway without tokens accepts any token, so that a headset with a token can connect.
     bool AnswerToken(Stream stream)
     {
         var length = new byte[SyncToken.LengthSize];
@@ -193,7 +197,7 @@ sealed class SyncConnection
         return true;
     }
 
-    // A valid token is answered immediately, even from an address with many wrong ones.
+    // Delays the answer to a wrong token. The answer to a valid token is not delayed, even if its address has sent many wrong tokens.
     void SlowDown()
     {
         var wait = _wrong.Count(_address, _options.WrongTokenDelay);
@@ -204,7 +208,7 @@ sealed class SyncConnection
     void Overdue()
     {
         _isOverdue = true;
-        // Wakes the thread that is delaying an answer: the deadline has passed, and the connection is closed.
+        // Wakes the connection's thread if it is delaying an answer, because the connection ends now.
         lock (_delay) Monitor.PulseAll(_delay);
         _socket.Dispose();
     }

@@ -1,14 +1,15 @@
 using System.Net;
 using System.Net.Sockets;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Sync;
 
-/// <summary>Answers sync exchanges over TCP, each connection on its own thread.</summary>
+/// <summary>Answers sync exchanges over TCP. Each connection has its own thread.</summary>
 /// <remarks>
-/// The system itself wakes a thread that blocks in receive. A busy thread pool would stamp t2 late, and the headset could not distinguish
-/// that from a slow network.
+/// The operating system wakes a thread that blocks in receive at once. A busy thread pool would read t2 late, which a headset cannot
+/// distinguish from a slow network.
 /// </remarks>
 sealed class SyncServer : IDisposable
 {
@@ -27,7 +28,7 @@ sealed class SyncServer : IDisposable
     readonly Task _accepting;
     bool _isStopped;
 
-    /// <param name="startConnection">Starts a connection's thread; null for the default.</param>
+    /// <param name="startConnection">Starts the thread of a connection; null for the default.</param>
     /// <param name="accept">Accepts the next connection; null for the default.</param>
     public SyncServer(
         GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string> log,
@@ -48,7 +49,7 @@ sealed class SyncServer : IDisposable
     public IPEndPoint EndPoint => (IPEndPoint)_listener.LocalEndpoint;
     public ConnectionCounters Counters { get; } = new();
 
-    /// <summary>Number of connections before authentication.</summary>
+    /// <summary>Number of connections that are not authenticated yet.</summary>
     public int PendingCount => _pending.Count;
 
     public void Dispose()
@@ -80,11 +81,11 @@ sealed class SyncServer : IDisposable
             }
             catch (Exception e)
             {
-                // Catches all exceptions: one that ended this loop would close the port permanently.
+                // Catches all exceptions, because the end of this loop would close the port permanently.
                 if (Volatile.Read(ref _isStopped))
                     return;
-                _log($"sync: a connection could not be accepted ({e.GetType().Name}: {e.Message})");
-                // Without free file descriptors, for example, accepting fails until one is free.
+                _log(SyncServerMessages.NotAccepted(e.GetType().Name, e.Message));
+                // Pauses, because accepting may fail repeatedly, for example until a file descriptor is free.
                 await Task.Delay(PauseAfterAFailedAccept);
             }
         }
@@ -94,7 +95,7 @@ sealed class SyncServer : IDisposable
     {
         if (!HasPlace())
         {
-            _log($"sync: refused a connection beyond {_options.MaxConnections}");
+            _log(SyncServerMessages.Refused(_options.MaxConnections));
             socket.Dispose();
             return;
         }
@@ -116,21 +117,22 @@ sealed class SyncServer : IDisposable
         }
         catch (Exception e) when (e is OutOfMemoryException or ThreadStartException)
         {
-            // The system has no thread left; it may have one for the next connection.
+            // The system cannot start another thread. It may be able to for a later connection.
             place.Dispose();
             Ended(connection, Closure.Failure, e);
             connection.Stop(Closure.Failure);
         }
     }
 
-    // A connection before authentication makes room for a new one, which may be a headset with a token.
+    // Whether there is a place for a new connection. At the limit, closes a connection that is not authenticated, because the new client may be
+    // a headset with a token.
     bool HasPlace() => Counters.TryEnter(_options.MaxConnections, isFinal: false)
         || (_pending.TryEvictOldest() && Counters.TryEnter(_options.MaxConnections, isFinal: false))
         || Counters.TryEnter(_options.MaxConnections);
 
     void Evict(SyncConnection connection)
     {
-        // Reports the end immediately, because the place is needed for the next connection.
+        // Reports the end before the thread does, because the next connection needs the place.
         Ended(connection, Closure.ConnectionLimit, null);
         connection.Stop(Closure.ConnectionLimit);
     }
@@ -143,7 +145,7 @@ sealed class SyncServer : IDisposable
         }
         catch (SocketException)
         {
-            // The connection is already closed.
+            // The client has already closed the connection.
             return null;
         }
     }
@@ -154,6 +156,6 @@ sealed class SyncServer : IDisposable
             if (!_connections.Remove(connection)) return;
         Counters.Leave(why);
         if (why is not (Closure.ByPeer or Closure.Stopped))
-            _log($"sync: closed a connection, {why}{(cause != null && why == Closure.Failure ? $": {cause.GetType().Name}: {cause.Message}" : "")}");
+            _log(SyncServerMessages.Closed(why, why == Closure.Failure ? cause : null));
     }
 }

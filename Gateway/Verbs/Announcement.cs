@@ -4,12 +4,16 @@ using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The startup output of a gateway: lines "key value" for other programs; the last is "state serving".</summary>
+/// <summary>Writes the output at the start of a gateway: lines "key value" for other programs, the last of which is "state serving".</summary>
 static class Announcement
 {
+    /// <summary>Writes the lines to the standard output, and warnings to stderr.</summary>
+    /// <param name="gateway">The running gateway.</param>
     /// <param name="clock">The gateway's own clock.</param>
+    /// <param name="skewPpm">Skew of the gateway's own clock.</param>
+    /// <param name="robot">Name or path of the robot; null for none.</param>
     /// <param name="cell">
-    /// The simulated plant, whose clock is a <see cref="StopwatchControlClock"/>; null for a real plant, whose motion and clock the gateway cannot
+    /// The simulated cell, whose clock is a <see cref="StopwatchControlClock"/>; null for real plants, whose motion and clock the gateway cannot
     /// announce.
     /// </param>
     public static void Write(GatewayServer gateway, IControlClock clock, double skewPpm, string robot, SimulatedCell cell)

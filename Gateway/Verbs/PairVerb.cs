@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Net;
 using System.Text.Json;
 using Nowpose.Gateway.Codes;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Network;
 using Nowpose.Pairing;
@@ -10,7 +11,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>pair: shows the current pairing code of a gateway on this machine on a terminal.</summary>
+/// <summary>The verb "pair", which shows the pairing code of a gateway on this machine in the terminal.</summary>
 static class PairVerb
 {
     static readonly TimeSpan RequestTimeout = TimeSpan.FromSeconds(10);
@@ -38,7 +39,7 @@ static class PairVerb
             using var drawn = new QrCode(code.Text);
             Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
             Console.Out.WriteLine("code " + code.Text);
-            // In the same form as in the headset's prompt.
+            // Prints the key as the headset shows it.
             if (code.Pin != null) Console.Out.WriteLine("key " + code.Pin.Beginning);
             Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"valid_s {left:0}"));
         });
@@ -49,7 +50,7 @@ static class PairVerb
     {
         string refusal = null;
         var trust = new ServerTrust(pin);
-#pragma warning disable CA5399, CA5400 // The pin is the trust; there is no list a self-signed certificate could be revoked on.
+#pragma warning disable CA5399, CA5400 // The pin replaces the check for revocation, which does not exist for a self-signed certificate.
         using var http = new HttpClient(new SocketsHttpHandler
         {
             UseProxy = false,
@@ -67,15 +68,14 @@ static class PairVerb
             using var response = await http.PostAsync(uri, body, stop);
             var text = await response.Content.ReadAsStringAsync(stop);
             if (!response.IsSuccessStatusCode)
-                throw new InputException($"{uri}: {(int)response.StatusCode} {text.Trim()}; check that the gateway was started with --pairing");
+                throw new InputException(VerbMessages.PairingRefused(uri, (int)response.StatusCode, text.Trim()));
             using var json = JsonDocument.Parse(text);
             return (TokenCode.Parse(json.RootElement.GetProperty("text").GetString()), json.RootElement.GetProperty("left_s").GetDouble());
         }
         catch (Exception e) when (e is HttpRequestException or JsonException or KeyNotFoundException or InvalidOperationException
             || (e is TaskCanceledException && !stop.IsCancellationRequested))
         {
-            throw new InputException(
-                $"{uri}: {refusal ?? (e.InnerException ?? e).Message}; check that the gateway runs; if it uses TLS, add --certificate or --pin", e);
+            throw new InputException(VerbMessages.NoGateway(uri, refusal ?? (e.InnerException ?? e).Message), e);
         }
     }
 }

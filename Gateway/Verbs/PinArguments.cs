@@ -1,10 +1,11 @@
 using System.CommandLine;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>Options that identify a gateway's key: by its certificate, or by the pin that it prints.</summary>
+/// <summary>The options that identify a gateway's key, either by the certificate or by the pin that the gateway prints.</summary>
 sealed class PinArguments
 {
     readonly Option<string> _certificate = new("--certificate") { Description = "Certificate with which the gateway was started", HelpName = "FILE" };
@@ -25,14 +26,14 @@ sealed class PinArguments
         var path = parsed.GetValue(_certificate);
         var pin = parsed.GetValue(_pin);
         if (path != null && pin != null)
-            throw new InputException("--pin: the certificate already determines the pin; use one of the two");
+            throw new InputException(VerbMessages.PinAndCertificate);
         if (pin != null)
             return CertificatePin.Parse(pin);
         if (path == null)
             return null;
-        // A marker is used for years. A missing file is therefore an error here, not a request for a new key.
+        // Does not create a missing certificate, because the printed marker is used for years and must contain the pin of the gateway's actual key.
         if (!File.Exists(path))
-            throw new InputException($"--certificate {path}: file not found; the gateway creates it at its first start");
+            throw new InputException(VerbMessages.NoCertificate(path));
         using var certificate = CertificateFiles.LoadOrGenerate(path, parsed.GetValue(_key));
         return CertificatePin.Of(certificate);
     }

@@ -5,7 +5,7 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The options of the verbs that include a robot.</summary>
+/// <summary>The options of the verbs "simulate" and "replay" about the robot and its samples.</summary>
 sealed class PlantArguments
 {
     readonly Option<string> _robot = new("--robot")
@@ -30,7 +30,9 @@ sealed class PlantArguments
     readonly Option<int> _robots = NumberOption.Create(
         "--robots", "Number of robots: 2 stand at the same conveyor, in the namespaces arm1 and arm2", 1, 1, CellWork.MaxRobots, "");
 
-    /// <param name="mayHaveSeveral">Whether the verb can serve several robots.</param>
+    /// <summary>Adds the options to a command.</summary>
+    /// <param name="command">The command.</param>
+    /// <param name="mayHaveSeveral">Whether the command can serve several robots.</param>
     public void AddTo(Command command, bool mayHaveSeveral)
     {
         if (mayHaveSeveral) command.Options.Add(_robots);

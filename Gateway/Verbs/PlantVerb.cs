@@ -9,7 +9,7 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>simulate and replay: gateways with their own robot cell.</summary>
+/// <summary>The verbs "simulate" and "replay", which start a gateway with its own robot cell.</summary>
 static class PlantVerb
 {
     public static Command Simulate() =>
@@ -58,6 +58,6 @@ static class PlantVerb
         return command;
     }
 
-    // A recorded motion does not show when it grips.
+    // Returns null for a recorded motion, which does not contain when the gripper grips.
     static CellWork WorkOf(RobotModel robot, IMotion motion, int robots) => motion is IGrippingMotion gripping ? new CellWork(robot, gripping, robots) : null;
 }

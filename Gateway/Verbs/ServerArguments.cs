@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
@@ -12,7 +13,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The options of all verbs: addresses and ports, access, and the control clock.</summary>
+/// <summary>The options of all verbs that start a gateway: addresses and ports, access, recordings, and the control clock.</summary>
 sealed class ServerArguments
 {
     readonly Option<IPAddress> _bind = new("--bind")
@@ -106,7 +107,7 @@ sealed class ServerArguments
     /// <summary>Whether to check the configuration only, without serving.</summary>
     public bool IsCheck(ParseResult parsed) => parsed.GetValue(_check);
 
-    /// <summary>Gets the options like <see cref="Options"/>, but without creating or writing a file.</summary>
+    /// <summary>Checks the arguments and gets the options like <see cref="Options"/>, but without creating or writing a file.</summary>
     public GatewayOptions Check(ParseResult parsed, Findings findings)
     {
         var (tokens, certificate) = (parsed.GetValue(_tokens), parsed.GetValue(_certificate));
@@ -126,12 +127,13 @@ sealed class ServerArguments
         if (pairing != null) findings.Try(() => DryRun.Pairing(pairing, findings));
         if (recordings != null) findings.Try(() => DryRun.Recordings(recordings, findings));
         else if (Records(parsed)) findings.Try(() => Recordings(parsed));
-        // An invalid certificate has already been reported; it must not be reported as missing, too.
+        // Skips the check if the certificate is invalid, because it would report the certificate as missing in addition.
         if (certificate == null || options.Certificate != null) findings.Try(() => options.Check(pairsHeadsets: pairing != null));
         DryRun.Ports(options, findings);
         return options;
     }
 
+    /// <summary>Gets the options of the gateway. Reads the files, and creates missing files and folders.</summary>
     /// <exception cref="InputException">A file is invalid.</exception>
     public GatewayOptions Options(ParseResult parsed)
     {
@@ -161,26 +163,26 @@ sealed class ServerArguments
     void CheckPairing(ParseResult parsed)
     {
         var path = parsed.GetValue(_pairing);
-        // Headsets paired with the key of one run would take the next run for another gateway.
+        // A new key at each start would make paired headsets refuse the gateway after a restart.
         if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
-            throw new InputException("--pairing with --tls: headsets accept one key only, and each start would create a new one; add --certificate FILE");
+            throw new InputException(AddressOptionMessages.PairingWithTls);
     }
 
-    /// <summary>Whether to enable the recorder once the robot is described.</summary>
+    /// <summary>Whether to enable the recorder at the start.</summary>
     public bool Records(ParseResult parsed) => parsed.GetValue(_record);
 
     string Recordings(ParseResult parsed)
     {
         var folder = parsed.GetValue(_recordings);
         if (folder == null && Records(parsed))
-            throw new InputException("--record: needs --recordings with a folder");
+            throw new InputException(RecorderMessages.RecordWithoutFolder);
         try
         {
             return folder == null ? null : Directory.CreateDirectory(folder).FullName;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new InputException($"--recordings {folder}: the folder cannot be created ({e.Message})", e);
+            throw new InputException(RecorderMessages.FolderNotCreated(folder, e.Message), e);
         }
     }
 
@@ -191,14 +193,17 @@ sealed class ServerArguments
             ? new StopwatchControlClock(ControlTime.FromSeconds(start), skew) : StopwatchControlClock.FromUnixTime(skew);
     }
 
-    /// <exception cref="InputException">The system clock was chosen together with options that it does not support.</exception>
+    /// <summary>Gets the gateway's own clock.</summary>
+    /// <param name="parsed">The arguments.</param>
+    /// <param name="isSystem">Whether to use the system clock.</param>
+    /// <exception cref="InputException">The system clock was chosen together with an option that it does not support.</exception>
     public IControlClock Clock(ParseResult parsed, bool isSystem)
     {
         if (!isSystem) return Clock(parsed);
         if (parsed.GetValue(_clockStart) != null)
-            throw new InputException("--clock-start-s: needs --own-clock monotonic, because the system clock shows Unix time. Remove one of the two options");
+            throw new InputException(AddressOptionMessages.ClockStart);
         if (SkewPpm(parsed) != 0)
-            throw new InputException("--skew-ppm: needs --own-clock monotonic, because the system clock has its own rate. Remove one of the two options");
+            throw new InputException(AddressOptionMessages.Skew);
         return new SystemControlClock();
     }
 
@@ -223,17 +228,17 @@ sealed class ServerArguments
         if (text == "any")
             return IPAddress.Any;
         if (!IPAddress.TryParse(text, out var address))
-            result.AddError($"--bind: '{text}' is not an address; allowed: an IP address, localhost and any.");
+            result.AddError(AddressOptionMessages.NotAnAddress(text));
         return address;
     }
 
     static double? ParseSeconds(ArgumentResult result)
     {
-        const double Last = 4294967295; // the maximum of a time stamp in ROS
+        const double Last = 4294967295; // The maximum of a time stamp in ROS.
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= Last)
             return value;
-        result.AddError($"--clock-start-s: '{text}' is out of range; allowed: 0 to {Last} s.");
+        result.AddError(AddressOptionMessages.SecondsOutOfRange(text, Last));
         return null;
     }
 }

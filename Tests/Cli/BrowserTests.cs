@@ -18,7 +18,7 @@ public sealed class BrowserTests
     [TestCase(true, "DISPLAY")]
     [TestCase(true, "WAYLAND_DISPLAY")]
     [TestCase(false)]
-    public void Open_Desktop_StartsItsOpenerWithThePage(bool needsDisplay, params string[] variables)
+    public void Open_DesktopAvailable_StartsTheDesktopsOpener(bool needsDisplay, params string[] variables)
     {
         var reason = Desktop(needsDisplay, variables).Open("/run/report.html");
 
@@ -28,7 +28,7 @@ public sealed class BrowserTests
     }
 
     [Test]
-    public void Open_NoDisplay_StartsNothingAndReturnsTheReason()
+    public void Open_NoDisplay_ReturnsTheReasonWithoutStartingAProgram()
     {
         var reason = Desktop(needsDisplay: true).Open("/run/report.html");
 
@@ -37,7 +37,7 @@ public sealed class BrowserTests
     }
 
     [Test]
-    public void Open_NoOpener_ReturnsTheReason()
+    public void Open_OpenerMissing_ReturnsTheReason()
     {
         var desktop = new Browser(false, _ => null, _ => throw new Win32Exception("no such file"));
 

@@ -11,7 +11,7 @@ public class CommandLineTests
     [TestCase("frobnicate")]
     [TestCase("--seconds", "5", "demo")]
     [TestCase("demo", "--seed", "1.5")]
-    public async Task Run_InvalidArguments_IsOneLineAndExit2(params string[] args)
+    public async Task Run_InvalidArguments_PrintsOneLineAndExits2(params string[] args)
     {
         var run = await CliRun.OfAsync(args);
 
@@ -22,7 +22,7 @@ public class CommandLineTests
     }
 
     [Test]
-    public async Task Run_MissingFile_NamesIt()
+    public async Task Run_FileMissing_NamesTheFile()
     {
         var run = await CliRun.OfAsync("sync", "no-such-file.csv");
 
@@ -32,7 +32,7 @@ public class CommandLineTests
 
     [TestCase("--help")]
     [TestCase("sync", "--help")]
-    public async Task Run_Help_IsPrinted(params string[] args)
+    public async Task Run_HelpOption_PrintsTheHelp(params string[] args)
     {
         var run = await CliRun.OfAsync(args);
 

@@ -36,7 +36,7 @@ public class HeadsetVerbTests
         Assert.That(result.GetProperty("samples").GetInt64(), Is.GreaterThan(36));
         Assert.That(result.GetProperty("clock").GetProperty("state").GetString(), Is.EqualTo("synchronised").Or.EqualTo("coarse"), "on a busy machine");
         Assert.That(result.GetProperty("clock").GetProperty("error_bound_us").GetDouble(), Is.InRange(1, 50_000));
-        // The cell's clock uses the same counter as the headset's, so the true offset is known.
+        // The cell's clock uses the same hardware counter as the headset's clock, so the true offset is known.
         var clock = result.GetProperty("clock");
         var at = clock.GetProperty("at_ns").GetInt64();
         var trueOffset = at - control.AtCount((long)((Int128)at * Stopwatch.Frequency / 1_000_000_000)).Nanoseconds;
@@ -58,7 +58,7 @@ public class HeadsetVerbTests
         Assert.That(within, Is.GreaterThan(0.5 * current.Count), "nearly all of them, on a machine that has time; virtual time holds the limits");
     }
 
-    // Whether the display time that a frame was computed for is correct within its stated error and the rounding of the record.
+    // Gets whether the error of a frame's display time is within the stated error and the rounding of the recording.
     static bool IsWithin(JsonElement frame, double visuNs, StopwatchControlClock control)
     {
         var light = frame.GetProperty("start_ns").GetInt64() + (long)visuNs;
@@ -83,7 +83,7 @@ public class HeadsetVerbTests
     }
 
     [Test]
-    public async Task Headset_SilentPlant_FailsWithTheReason()
+    public async Task Headset_PlantSendsNothing_FailsWithTheReason()
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -98,13 +98,13 @@ public class HeadsetVerbTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var cell = Simulate(gateway);
-        // The same robot, but the name of one joint differs from the one that the cell publishes.
+        // The robot is the same, but the name of one joint differs from the name that the cell publishes.
         using var urdf = new TemporaryFile(RobotFiles.LoadText("youbot").Replace("\"arm_joint_3\"", "\"arm_joint_x\""), ".urdf");
 
         var run = await RunAsync(gateway, "--seconds", "6", "--json", "--robot", urdf.Path);
 
         Assert.That(run.ExitStatus, Is.EqualTo(1));
-        // On a busy machine, the newest samples of the other joints may be old at the end.
+        // On a busy machine, the newest samples of the other joints can be old at the end.
         Assert.That(run.Errors, Does.Contain("nowpose: the pose was never current; joint").And.Contain("arm_joint_x: no value"));
         var result = JsonDocument.Parse(run.Output).RootElement;
         Assert.That(result.GetProperty("missing_joints").EnumerateArray().Select(joint => joint.GetString()), Does.Contain("arm_joint_x"));
@@ -130,7 +130,7 @@ public class HeadsetVerbTests
 
     [TestCase("headset", "--visu-ms")]
     [TestCase("demo", "--visu-error-ms")]
-    public async Task Profile_BesideAnotherDisplayLatency_IsRefused(string verb, string option)
+    public async Task Profile_WithAnotherOptionForTheLatency_Fails(string verb, string option)
     {
         using var profile = Profile(63.5);
 
@@ -142,7 +142,7 @@ public class HeadsetVerbTests
 
     [TestCase("headset")]
     [TestCase("demo")]
-    public async Task Estimator_Unknown_IsRefused(string verb)
+    public async Task Estimator_UnknownName_Fails(string verb)
     {
         var run = await CliRun.OfAsync(verb, "--estimator", "kalman");
 
@@ -169,7 +169,7 @@ public class HeadsetVerbTests
     }
 
     [Test]
-    public async Task Headset_TokenFileMissing_IsRefused()
+    public async Task Headset_TokenFileMissing_Fails()
     {
         var run = await CliRun.OfAsync("headset", "--token-file", "/nowhere/token");
 

@@ -22,7 +22,7 @@ public class KinematicsVerbTests
         JsonDocument.Parse(run.Output).RootElement.GetProperty("links").GetProperty(link)[3].GetDouble();
 
     [Test]
-    public async Task Kinematics_Json_HasRootAndRowMajorMatrices()
+    public async Task Kinematics_JsonOption_PrintsRootAndRowMajorMatrices()
     {
         var run = await RunAsync("--joints", "lead=0.1", "--json");
 
@@ -40,7 +40,7 @@ public class KinematicsVerbTests
     [TestCase("lead=0.25", 0.25, 0.6)]
     [TestCase(" lead = 0.3 , follow = -1e-3 ", 0.3, -0.001)]
     [TestCase("follow=0.30000000000000004", 0, 0.30000000000000004)]
-    public async Task Kinematics_Mimic_FollowsUnlessGiven(string joints, double a, double b)
+    public async Task Kinematics_MimicJoint_FollowsUnlessGiven(string joints, double a, double b)
     {
         var run = await RunAsync("--json", "--joints=" + joints);
 
@@ -48,7 +48,7 @@ public class KinematicsVerbTests
     }
 
     [Test]
-    public async Task Kinematics_NoJoints_UsesZeroAndMimicsFollow()
+    public async Task Kinematics_NoJointValues_UsesZero()
     {
         var run = await RunAsync("--json");
 
@@ -56,7 +56,7 @@ public class KinematicsVerbTests
     }
 
     [Test]
-    public async Task Kinematics_OutsideLimits_IsComputedWithANote()
+    public async Task Kinematics_ValueOutsideLimits_ComputesAndWarns()
     {
         var run = await RunAsync("--joints", "lead=-0.25", "--json");
 
@@ -66,7 +66,7 @@ public class KinematicsVerbTests
     }
 
     [Test]
-    public async Task Kinematics_WithoutJson_PrintsAMatrixPerLink()
+    public async Task Kinematics_NoJsonOption_PrintsAMatrixPerLink()
     {
         var run = await RunAsync("--joints", "lead=0.125");
 
@@ -78,7 +78,7 @@ public class KinematicsVerbTests
     [TestCase("youbot", "tool_centre_point")]
     [TestCase("ur5", "tool0")]
     [TestCase("ur5e", "tool0")]
-    public async Task Kinematics_IncludedRobot_IsFoundByName(string robot, string tool)
+    public async Task Kinematics_NameOfIncludedRobot_LoadsTheRobot(string robot, string tool)
     {
         var run = await CliRun.OfAsync("kinematics", robot, "--json");
 
@@ -95,7 +95,7 @@ public class KinematicsVerbTests
     [TestCase("lead", "'lead' is not of the form name=value")]
     [TestCase("lead=1,", "'' is not of the form name=value")]
     [TestCase("lead=1.5e308", "too large")]
-    public async Task Kinematics_InvalidJoints_IsOneLineAndExit2(string joints, string message)
+    public async Task Kinematics_InvalidJoints_PrintsOneLineAndExits2(string joints, string message)
     {
         var run = await RunAsync("--joints", joints, "--json");
 

@@ -10,7 +10,7 @@ public class SyncVerbTests
     const long ControlEpoch = 1_700_000_000_000_000_000;
     const string Header = "t1_ns,t2_ns,t3_ns,t4_ns\n";
 
-    /// <summary>A symmetric path of 2 ms each way; the headset clock is 50 ppm fast. t4 deliberately ends in odd nanoseconds.</summary>
+    /// <summary>A log over a symmetric path of 2 ms in each direction. The headset clock is 50 ppm fast. t4 is not a multiple of 100 ns.</summary>
     static string Log(int exchanges)
     {
         var log = new StringBuilder(Header);
@@ -46,7 +46,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_At_UsesOnlyEarlierExchanges()
+    public async Task Sync_AtOption_UsesOnlyEarlierExchanges()
     {
         using var file = new TemporaryFile(Log(100));
         using var instants = new TemporaryFile("t_ns\n1\n4000007\n10000000000\n60000000000\n");
@@ -61,7 +61,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_Json_HasTheSameFields()
+    public async Task Sync_JsonOption_HasTheSameFieldsAsCsv()
     {
         using var file = new TemporaryFile(Log(5));
 
@@ -74,7 +74,7 @@ public class SyncVerbTests
         Assert.That(first.GetProperty("offset_ns").GetInt64(), Is.EqualTo(-ControlEpoch).Within(1000));
     }
 
-    /// <summary>Exchanges over a quiet network at uneven times; the control clock stamps only whole cycles.</summary>
+    /// <summary>A log over a network without load, at irregular times. The control clock stamps only whole cycles.</summary>
     static string LogOfCycles(long cycleNs)
     {
         var random = new Random(5);
@@ -91,7 +91,7 @@ public class SyncVerbTests
 
     [TestCase(1_000_000)]
     [TestCase(4_000_000)]
-    public async Task Sync_LogOfWholeCycles_HasNoBiasOfHalfACycle(long cycleNs)
+    public async Task Sync_ControlClockStampsWholeCycles_HasNoBias(long cycleNs)
     {
         using var file = new TemporaryFile(LogOfCycles(cycleNs));
 
@@ -102,7 +102,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_Estimators_AreAvailableAndDiffer()
+    public async Task Sync_EstimatorOption_ChangesTheEstimates()
     {
         using var file = new TemporaryFile(LogOfCycles(1));
 
@@ -115,7 +115,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_InvalidExchanges_AreCountedAndSkipped()
+    public async Task Sync_InvalidExchanges_SkipsAndCountsThem()
     {
         using var file = new TemporaryFile(Log(30) + "6000000007,5000,4000,6004000007\n6200000007,5,6,6100000000\n");
 
@@ -159,7 +159,7 @@ public class SyncVerbTests
 
     [TestCase("ransac", "RANSAC, as in the paper")]
     [TestCase("default", "default")]
-    public async Task Sync_Page_ShowsFig8OfTheLogWithItsData(string estimator, string name)
+    public async Task Sync_PageOption_WritesFigure8AndItsData(string estimator, string name)
     {
         using var file = new TemporaryFile(Log(200), ".csv");
         using var folder = new TemporaryFolder();
@@ -177,9 +177,9 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_PageOfALogWithInvalidExchanges_LeavesThemOutAndCountsThem()
+    public async Task Sync_PageWithInvalidExchanges_SkipsAndCountsThem()
     {
-        // Four exchanges whose reply comes before the request, and four that are logged twice.
+        // Adds four exchanges whose reply precedes the request, and four that are logged twice.
         IEnumerable<string> Rows(string line, int i) => i == 0 || i % 25 != 0 ? [line] : i % 50 == 0 ? [line, line] : [line, Reversed(line)];
         using var file = new TemporaryFile(string.Join('\n', Log(200).TrimEnd().Split('\n').SelectMany(Rows)) + "\n", ".csv");
         using var folder = new TemporaryFolder();
@@ -193,7 +193,7 @@ public class SyncVerbTests
         Assert.That(File.ReadAllLines(Path.Combine(folder.Path, "clock.csv")), Has.Length.EqualTo(201));
     }
 
-    // Between an exchange and the next one.
+    // An instant between two exchanges.
     static string Reversed(string line)
     {
         var t4 = long.Parse(line.Split(',')[3], CultureInfo.InvariantCulture);
@@ -203,7 +203,7 @@ public class SyncVerbTests
     [TestCase("log.html", "would overwrite the log")]
     [TestCase("log.csv", "would overwrite the log")]
     [TestCase("other.csv", "use a name that ends in .html")]
-    public async Task Sync_PageThatWouldOverwriteAFile_IsRefused(string page, string reason)
+    public async Task Sync_PageOverwritesAnInputFile_Fails(string page, string reason)
     {
         using var folder = new TemporaryFolder();
         var log = Path.Combine(folder.Path, "log.csv");
@@ -218,7 +218,7 @@ public class SyncVerbTests
     }
 
     [Test]
-    public async Task Sync_PageInAMissingFolder_IsRefused()
+    public async Task Sync_PageInAMissingFolder_Fails()
     {
         using var file = new TemporaryFile(Log(20), ".csv");
 

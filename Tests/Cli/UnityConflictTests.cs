@@ -3,11 +3,11 @@ using static Nowpose.Headless.Tests.Cli.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>Entries of the manifest that differ from those the package needs.</summary>
+/// <summary>Tests entries of the manifest that conflict with those the package needs.</summary>
 public class UnityConflictTests
 {
     [Test]
-    public async Task Unity_OlderDependency_IsNamedAndHandledAsChosen()
+    public async Task Unity_OlderDependency_AppliesTheConflictRule()
     {
         const string manifest = "{\n  \"dependencies\": {\n    \"org.nuget.mathnet.numerics\": \"4.15.0\"\n  }\n}\n";
         using var project = new UnityProjectFolder(manifest);
@@ -28,7 +28,7 @@ public class UnityConflictTests
     }
 
     [Test]
-    public async Task Unity_NewerDependency_IsKept()
+    public async Task Unity_NewerDependency_KeepsIt()
     {
         using var project = new UnityProjectFolder("""{ "dependencies": { "org.nuget.mathnet.numerics": "6.1.0" } }""");
 
@@ -39,7 +39,7 @@ public class UnityConflictTests
     }
 
     [Test]
-    public async Task Unity_MovedRegistry_IsNamed()
+    public async Task Unity_RegistryWithAnotherUrl_NamesIt()
     {
         using var project = new UnityProjectFolder(
             """{ "scopedRegistries": [{ "name": "x", "url": "https://unitynuget-registry.azurewebsites.net", "scopes": ["org.nuget"] }] }""");
@@ -57,7 +57,7 @@ public class UnityConflictTests
     [TestCase(
         """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "its url is kept. Change it there, or use --on-conflict keep.")]
     [TestCase(""" "scopes": ["org.nuget"] """, "replace", "comes from a registry without url; ")]
-    public async Task Unity_OtherRegistry_OffersTheApplicableRules(string registry, string rule, string offer)
+    public async Task Unity_ConflictingRegistry_SuggestsTheApplicableRules(string registry, string rule, string offer)
     {
         using var project = new UnityProjectFolder($$"""{ "scopedRegistries": [{ "name": "x", {{registry}} }] }""");
 
@@ -66,7 +66,7 @@ public class UnityConflictTests
     }
 
     [Test]
-    public async Task Unity_OlderPackage_IsNamed()
+    public async Task Unity_OlderPackage_NamesIt()
     {
         using var project = new UnityProjectFolder(
             """{ "dependencies": { "com.nowpose.mril": "https://git.example/nowpose.git?path=/Packages/com.nowpose.mril#v0.0.9" } }""");

@@ -3,13 +3,13 @@ using static Nowpose.Headless.Tests.Cli.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>Reading and writing the file of the manifest.</summary>
+/// <summary>Tests how the manifest file is read and written.</summary>
 public class UnityManifestTests
 {
     [TestCase("{\n  \"dependencies\": {\n    \"a\": \"1.0.0\",\n  }\n}", ":4: not a JSON object: a name in double quotes is expected")]
     [TestCase("{\n  // packages\n  \"dependencies\": {}\n}", ":2: not a JSON object: a name in double quotes is expected (JSON has no comments)")]
     [TestCase("", ":1: not a JSON object: { is expected")]
-    public async Task Unity_InvalidManifest_IsNamedWithItsLineAndUnchanged(string manifest, string reason)
+    public async Task Unity_InvalidManifest_NamesTheLineAndKeepsTheFile(string manifest, string reason)
     {
         using var project = new UnityProjectFolder(manifest);
 
@@ -21,7 +21,7 @@ public class UnityManifestTests
     }
 
     [Test]
-    public async Task Unity_ManifestNotUtf8_IsRefused()
+    public async Task Unity_ManifestNotUtf8_Fails()
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("Packages/manifest.json", System.Text.Encoding.Unicode.GetPreamble());
@@ -30,7 +30,7 @@ public class UnityManifestTests
     }
 
     [Test]
-    public async Task Unity_ReadOnlyManifest_IsNamedAndUnchanged()
+    public async Task Unity_ReadOnlyManifest_NamesItAndKeepsIt()
     {
         using var project = new UnityProjectFolder(Empty);
         var manifest = project.At("Packages/manifest.json");
@@ -50,7 +50,7 @@ public class UnityManifestTests
     }
 
     [Test]
-    public async Task Unity_ManifestIsALink_WritesItsTarget()
+    public async Task Unity_ManifestIsASymbolicLink_WritesItsTarget()
     {
         using var project = new UnityProjectFolder(Empty);
         var link = project.At("Packages/manifest.json");
@@ -74,7 +74,7 @@ public class UnityManifestTests
     }
 
     [Test]
-    public async Task Unity_NewFileCannotBeWritten_KeepsTheManifest()
+    public async Task Unity_TemporaryFileCannotBeWritten_KeepsTheManifest()
     {
         using var project = new UnityProjectFolder(Empty);
         Directory.CreateDirectory(project.At("Packages/manifest.json.nowpose-new"));
@@ -86,7 +86,7 @@ public class UnityManifestTests
     }
 
     [Test]
-    public async Task Unity_NewFileOfAnInterruptedRun_IsReplaced()
+    public async Task Unity_TemporaryFileOfAnInterruptedRun_ReplacesIt()
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("Packages/manifest.json.nowpose-new", new string('x', 10000));
@@ -99,7 +99,7 @@ public class UnityManifestTests
     }
 
     [Test]
-    public async Task Unity_BackupOfAnotherContent_IsKept()
+    public async Task Unity_BackupWithOtherContent_KeepsIt()
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("Packages/manifest.json.backup", "precious");
@@ -114,7 +114,7 @@ public class UnityManifestTests
     [TestCase("\r\n", "\t", true)]
     [TestCase("\r\n", "    ", false)]
     [TestCase("\n", "\t", true)]
-    public async Task Unity_LineEndsIndentAndMark_AreKept(string newLine, string indent, bool hasMark)
+    public async Task Unity_LineEndsIndentAndByteOrderMark_AreKept(string newLine, string indent, bool hasMark)
     {
         byte[] mark = hasMark ? [0xEF, 0xBB, 0xBF] : [];
         var text = Empty.ReplaceLineEndings("\n").TrimEnd()

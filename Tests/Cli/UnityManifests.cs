@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>Manifests of Unity projects before the verb runs, and the common checks after it.</summary>
+/// <summary>Manifests of Unity projects for tests, and common assertions.</summary>
 static class UnityManifests
 {
     /// <summary>The manifest that Unity 2022.3 writes for an empty project, shortened.</summary>
@@ -19,7 +19,7 @@ static class UnityManifests
 
         """;
 
-    /// <summary>A manifest with some packages of MRTK3 from local archives.</summary>
+    /// <summary>A manifest with some of MRTK3's packages from local archives.</summary>
     public const string WithMrtk3 = """
         {
           "dependencies": {
@@ -34,16 +34,16 @@ static class UnityManifests
         }
         """;
 
-    /// <summary>Gets the folder of this repository's package, with slashes.</summary>
+    /// <summary>Gets the folder of this repository's package, with forward slashes.</summary>
     public static string OwnPackage => Path.Combine(RepositoryFiles.Root, RepositoryFiles.Package).Replace('\\', '/');
 
     public static JsonElement Json(string text) => JsonDocument.Parse(text).RootElement;
 
-    /// <summary>Returns the version or address of each package that the manifest requires.</summary>
+    /// <summary>Gets the version or address of each package in a manifest's dependencies.</summary>
     public static Dictionary<string, string> Dependencies(UnityProjectFolder project) =>
         Json(project.Manifest).GetProperty("dependencies").EnumerateObject().ToDictionary(d => d.Name, d => d.Value.GetString());
 
-    /// <summary>Asserts that the run ended with status 2 and one line that contains the reason.</summary>
+    /// <summary>Asserts that a run exited with status 2 and printed one line that contains the reason.</summary>
     public static void AssertRefused(CliRun run, string reason)
     {
         Assert.That(run.ExitStatus, Is.EqualTo(2), run.Output);

@@ -4,7 +4,7 @@ using static Nowpose.Headless.Tests.Cli.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>The package that the manifest names, and what it needs.</summary>
+/// <summary>Tests the address of the package in the manifest, and the package's dependencies.</summary>
 public class UnityPackageTests
 {
     [TestCase("https://git.example/me/nowpose.git", "https://git.example/me/nowpose.git?path=/Packages/com.nowpose.mril#v0.2.0")]
@@ -12,7 +12,7 @@ public class UnityPackageTests
     [TestCase(
         "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main",
         "git@git.example:me/nowpose.git?path=/Packages/com.nowpose.mril#main")]
-    public async Task Unity_PackageByGit_IsWrittenAndKept(string given, string written)
+    public async Task Unity_PackageFromGit_WritesTheAddress(string given, string written)
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -24,7 +24,7 @@ public class UnityPackageTests
     }
 
     [Test]
-    public async Task Unity_PackageByFolder_IsWrittenAbsoluteOrAsGiven()
+    public async Task Unity_PackageFromFolder_WritesAnAbsoluteOrTheGivenPath()
     {
         using var project = new UnityProjectFolder(Empty);
         var relative = "file:" + Path.GetRelativePath(project.At("Packages"), OwnPackage).Replace('\\', '/');
@@ -40,7 +40,7 @@ public class UnityPackageTests
     [TestCase("https://github.com/OWNER/nowpose.git", "replace OWNER")]
     [TestCase("no-such-folder", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
     [TestCase("file:../nowhere", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
-    public async Task Unity_MissingPackage_IsRefused(string given, string reason)
+    public async Task Unity_PackageMissing_Fails(string given, string reason)
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -58,7 +58,7 @@ public class UnityPackageTests
     [TestCase(
         "{ 'name': 'com.nowpose.mril', 'displayName': 'x', 'version': '1.0.0', 'samples': [{ 'displayName': 'a', 'description': 'b' }] }",
         ": samples[0].path must be a string")]
-    public async Task Unity_InvalidPackageJson_IsNamedWithFileAndField(string json, string reason)
+    public async Task Unity_InvalidPackageJson_NamesFileAndField(string json, string reason)
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("package/package.json", json.Replace('\'', '"'));
@@ -68,7 +68,7 @@ public class UnityPackageTests
     }
 
     [Test]
-    public async Task Unity_PackageWithoutSamples_IsAccepted()
+    public async Task Unity_PackageWithoutSamples_Succeeds()
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("package/package.json", """{ "name": "com.nowpose.mril", "displayName": "Nowpose", "version": "0.2.0" }""");
@@ -79,7 +79,7 @@ public class UnityPackageTests
     }
 
     [Test]
-    public void Needs_Package_MatchThePackageJson()
+    public void ProjectNeeds_Dependencies_MatchThePackageJson()
     {
         var declared = Json(RepositoryFiles.Read(RepositoryFiles.Package + "/package.json")).GetProperty("dependencies").EnumerateObject()
             .Where(d => !d.Name.StartsWith("com.unity.modules.", StringComparison.Ordinal)).Select(d => d.Name + " " + d.Value.GetString());
@@ -90,7 +90,7 @@ public class UnityPackageTests
     }
 
     [Test]
-    public void Needs_ByGit_ArePinned()
+    public void ProjectNeeds_GitDependencies_ArePinned()
     {
         var addresses = ProjectNeeds.HoloLensWithMrtk3.Append(ProjectNeeds.NativeWebSocket).Select(p => p.Reference)
             .Where(reference => reference.StartsWith("https://", StringComparison.Ordinal)).ToList();

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>A temporary Unity project with version and manifest, deleted with the test.</summary>
+/// <summary>A temporary Unity project with a version and a manifest. Deleted after the test.</summary>
 sealed class UnityProjectFolder : IDisposable
 {
     readonly TemporaryFolder _folder = new();
@@ -32,7 +32,7 @@ sealed class UnityProjectFolder : IDisposable
         File.WriteAllBytes(At(path), content);
     }
 
-    /// <summary>Runs the verb on this project.</summary>
+    /// <summary>Runs the verb <c>unity</c> on this project.</summary>
     public Task<CliRun> RunAsync(params string[] options) => CliRun.OfAsync(["unity", Root, .. options]);
 
     public void Dispose() => _folder.Dispose();

@@ -4,12 +4,12 @@ using static Nowpose.Headless.Tests.Cli.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>Copies of samples in the project.</summary>
+/// <summary>Tests copying the package's samples to a project.</summary>
 public class UnitySampleTests
 {
     [TestCase("Virtual Robot Cell")]
     [TestCase("hololens 2 (mrtk3)")]
-    public async Task Sample_NewOrPartlyCopied_IsCopiedCompletely(string name)
+    public async Task Unity_SampleMissingOrIncomplete_CopiesMissingFiles(string name)
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -27,7 +27,7 @@ public class UnitySampleTests
     }
 
     [Test]
-    public async Task Sample_ChangedByTheUser_IsNeverOverwritten()
+    public async Task Unity_SampleChangedByTheUser_IsNotOverwritten()
     {
         using var project = new UnityProjectFolder(Empty);
         await project.RunAsync("--sample", "Virtual Robot Cell");
@@ -43,7 +43,7 @@ public class UnitySampleTests
     [TestCase("Assets/Samples", "--check")]
     [TestCase("Assets/Samples")]
     [TestCase("Assets/Samples/Nowpose/0.2.0/Virtual Robot Cell")]
-    public async Task Sample_FileInsteadOfAFolder_IsReportedWithoutChanges(string path, params string[] options)
+    public async Task Unity_FileInsteadOfSampleFolder_FailsWithoutChanges(string path, params string[] options)
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write(path, "mine");
@@ -56,10 +56,10 @@ public class UnitySampleTests
     }
 
     [Test]
-    public async Task Sample_CannotBeCopied_LeavesTheManifestUnchanged()
+    public async Task Unity_SampleCannotBeCopied_KeepsTheManifest()
     {
         using var project = new UnityProjectFolder(Empty);
-        // A file with the name of the folder into which the sample is first copied.
+        // This file has the name of the folder to which the sample is copied first.
         project.Write("Assets/Samples/Nowpose/0.2.0/.Virtual Robot Cell", "mine");
 
         var run = await project.RunAsync("--sample", "Virtual Robot Cell");
@@ -71,7 +71,7 @@ public class UnitySampleTests
     }
 
     [Test]
-    public async Task Sample_Unknown_ListsTheSamplesWithoutChanges()
+    public async Task Unity_UnknownSample_ListsTheSamplesWithoutChanges()
     {
         using var project = new UnityProjectFolder(Empty);
 

@@ -61,7 +61,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Check_ListsChangesWithoutWriting()
+    public async Task Unity_CheckOption_ListsChangesWithoutWriting()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -78,7 +78,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Mrtk3_AddsAllPackagesOfTheSample()
+    public async Task Unity_Mrtk3Option_AddsAllPackagesOfTheSample()
     {
         using var project = new UnityProjectFolder(Empty);
 
@@ -99,7 +99,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_Mrtk3FromTarballs_IsKeptAndCompleted()
+    public async Task Unity_Mrtk3FromTarballs_AddsOnlyTheMissingPackages()
     {
         using var project = new UnityProjectFolder(WithMrtk3);
         var before = Dependencies(project);
@@ -114,7 +114,7 @@ public class UnityVerbTests
     }
 
     [Test]
-    public async Task Unity_ProjectOfThisRepository_IsComplete()
+    public async Task Unity_ProjectOfThisRepository_NeedsNoChanges()
     {
         var run = await CliRun.OfAsync("unity", RepositoryFiles.Root, "--check");
 

@@ -3,13 +3,13 @@ using static Nowpose.Headless.Tests.Cli.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>The versions and folders that the verb accepts.</summary>
+/// <summary>Tests which Unity versions and folders the verb accepts.</summary>
 public class UnityVersionTests
 {
     [TestCase("2020.3.48f1", "is older than 2021.3", "--check")]
     [TestCase("2021.3.21f1", "is older than 2021.3.26, the oldest that MRTK3 accepts", "--mrtk3")]
     [TestCase("6000.3.2f1", "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3", "--mrtk3")]
-    public async Task Unity_VersionOutOfBounds_IsRefused(string version, string reason, string option)
+    public async Task Unity_UnsupportedVersion_Fails(string version, string reason, string option)
     {
         using var project = new UnityProjectFolder(Empty, version);
 
@@ -21,7 +21,7 @@ public class UnityVersionTests
     }
 
     [Test]
-    public async Task Unity_InstalledPlugInDoesNotCompileInUnity63_IsRefused()
+    public async Task Unity_PlugInIncompatibleWithUnity63_Fails()
     {
         using var project = new UnityProjectFolder(WithMrtk3, "6000.3.0f1");
 
@@ -30,7 +30,7 @@ public class UnityVersionTests
 
     [TestCase("6000.3.2f1", "not compiled against this release")]
     [TestCase("6000.0.78f1", "not tested on a device")]
-    public async Task Unity_UntestedVersion_IsNoted(string version, string note)
+    public async Task Unity_UntestedVersion_PrintsANote(string version, string note)
     {
         using var project = new UnityProjectFolder(Empty, version);
 
@@ -41,7 +41,7 @@ public class UnityVersionTests
     }
 
     [Test]
-    public async Task Unity_Mrtk4_IsNotedAndRefusedWithTheOption()
+    public async Task Unity_Mrtk4_PrintsANoteAndRejectsTheMrtk3Option()
     {
         const string manifest =
             """{ "dependencies": { "org.mixedrealitytoolkit.core": "4.0.0-pre.2", "com.unity.xr.interaction.toolkit": "3.0.4" } }""";
@@ -57,7 +57,7 @@ public class UnityVersionTests
 
     [TestCase(null, "Packages/manifest.json", "Packages/manifest.json is missing")]
     [TestCase(Empty, "ProjectSettings/ProjectVersion.txt", "ProjectSettings/ProjectVersion.txt is missing")]
-    public async Task Unity_NotAProject_IsRefused(string manifest, string without, string reason)
+    public async Task Unity_FolderIsNotAProject_Fails(string manifest, string without, string reason)
     {
         using var project = new UnityProjectFolder(manifest);
         File.Delete(project.At(without).Replace("Packages/manifest.json", "Packages", StringComparison.Ordinal));
@@ -66,7 +66,7 @@ public class UnityVersionTests
     }
 
     [Test]
-    public async Task Unity_InvalidPath_IsRefused()
+    public async Task Unity_InvalidPath_Fails()
     {
         using var project = new UnityProjectFolder(Empty);
         Directory.CreateDirectory(project.At("Assets"));
@@ -81,7 +81,7 @@ public class UnityVersionTests
 
     [TestCase("m_EditorVersion: soon")]
     [TestCase("")]
-    public async Task Unity_NoVersion_IsRefused(string text)
+    public async Task Unity_ProjectVersionMissing_Fails(string text)
     {
         using var project = new UnityProjectFolder(Empty);
         project.Write("ProjectSettings/ProjectVersion.txt", text);

@@ -4,7 +4,7 @@ namespace Nowpose.Tests.Common;
 
 static partial class CSharpCode
 {
-    /// <summary>Returns the source without comments and contents of strings, which leaves the names that it uses.</summary>
+    /// <summary>Returns the source without comments and without the contents of strings. Only the names that it uses remain.</summary>
     public static string Of(string source) => CommentsAndStrings().Replace(source, " ");
 
     [GeneratedRegex(""""

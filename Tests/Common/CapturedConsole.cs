@@ -16,7 +16,7 @@ static class CapturedConsole
     public static async Task<(int Status, string Output, string Errors)> OfAsync(Func<Task<int>> run)
     {
         using StringWriter output = new(), errors = new();
-        // Threads of a run write concurrently.
+        // The threads of a run may write concurrently.
         Captured.Value = (TextWriter.Synchronized(output), TextWriter.Synchronized(errors));
         var status = await run();
         return (status, output.ToString(), errors.ToString());

@@ -3,7 +3,7 @@ using Nowpose.Cli;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>One run of the command line in this process, with its output.</summary>
+/// <summary>Runs the command line in this process and captures its exit status and output.</summary>
 sealed record CliRun(int ExitStatus, string Output, string Errors)
 {
     public static async Task<CliRun> OfAsync(params string[] args)
@@ -14,6 +14,6 @@ sealed record CliRun(int ExitStatus, string Output, string Errors)
 
     public string[] Lines => CapturedConsole.Lines(Output);
 
-    /// <summary>Lines on stderr except progress lines, which appear only on a slow machine.</summary>
+    /// <summary>Gets the lines on stderr without progress lines, which appear only on a slow machine.</summary>
     public string[] Complaints => [.. CapturedConsole.Lines(Errors).Where(line => !Regex.IsMatch(line, @"^\d+ (of \d+ )?pictures$"))];
 }

@@ -8,7 +8,7 @@ using System.Text;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A WebSocket server on loopback that gives a test control of every byte.</summary>
+/// <summary>A WebSocket server on loopback whose output a test can control byte by byte.</summary>
 sealed class FakeWebSocketServer : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -25,10 +25,10 @@ sealed class FakeWebSocketServer : IDisposable
         return WebSocket.CreateFromStream(stream, new WebSocketCreationOptions { IsServer = true });
     }
 
-    /// <summary>Accepts one client and returns the stream, for frames that no library would send.</summary>
+    /// <summary>Accepts one client and returns its stream, on which a test can send frames that no library would send.</summary>
     public async Task<NetworkStream> AcceptStreamAsync() => (NetworkStream)await AcceptStreamAsync(null);
 
-    /// <param name="certificate">For TLS; null for a plain connection.</param>
+    /// <param name="certificate">Certificate for TLS; null for an unencrypted connection.</param>
     public async Task<Stream> AcceptStreamAsync(X509Certificate2 certificate)
     {
         var client = await _listener.AcceptTcpClientAsync().Bounded();

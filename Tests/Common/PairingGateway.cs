@@ -10,7 +10,7 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A gateway on loopback that pairs headsets, with its file in a temporary folder.</summary>
+/// <summary>Runs a gateway on loopback that pairs headsets. Its list of headsets is in a temporary folder.</summary>
 sealed class PairingGateway : IAsyncDisposable
 {
     readonly HttpClient _http;
@@ -49,11 +49,11 @@ sealed class PairingGateway : IAsyncDisposable
         await StartServerAsync(null);
     }
 
-    /// <summary>The cell code that a headset reads from the robot's marker.</summary>
+    /// <summary>Returns the cell code that a headset reads from the robot's marker.</summary>
     public CellCode CellCode() => new(
         "press", "127.0.0.1", Server.Pin, new MarkerOffset(0.5, 0, 0), 0.1, Server.SyncEndPoint.Port, Server.WebSocketEndPoint.Port);
 
-    /// <summary>Gets the token code that the page shows.</summary>
+    /// <summary>Requests the token code that the gateway's page shows.</summary>
     public async Task<TokenCode> ShownAsync(bool isRenewed = false)
     {
         var (status, text) = await PostAsync("/pair/code", isRenewed ? "{\"renew\":\"\"}" : "{}");
@@ -64,7 +64,7 @@ sealed class PairingGateway : IAsyncDisposable
     public Task<PairingAnswer> ExchangeAsync(string token, string name = "headset 7", ConnectionSettings connection = null) =>
         PairingRequest.SendAsync(connection ?? CellCode().ToConnection(null, name), token, CancellationToken.None).Bounded();
 
-    /// <summary>Sends a request like a browser on this machine.</summary>
+    /// <summary>Sends a request as a browser on this machine does.</summary>
     public async Task<(HttpStatusCode Status, string Text)> PostAsync(string path, string body, params (string Name, string Value)[] headers)
     {
         using var content = new StringContent(body, Encoding.UTF8, "application/json");
@@ -82,7 +82,7 @@ sealed class PairingGateway : IAsyncDisposable
         return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded());
     }
 
-    /// <summary>Returns the cookie that a request receives.</summary>
+    /// <summary>Sends a request and returns the cookie in the response.</summary>
     public async Task<string> CookieOfAsync(string path, HttpContent content)
     {
         var uri = new Uri($"{(Server.Pin == null ? "http" : "https")}://127.0.0.1:{Server.WebSocketEndPoint.Port}{path}");

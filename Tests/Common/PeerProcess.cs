@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A second process that acts as another machine, with its output lines. It is always ended with the test.</summary>
+/// <summary>Starts a second process that acts as another machine, and collects its output lines. Disposal kills the process.</summary>
 sealed class PeerProcess : IDisposable
 {
     readonly Process _process;
@@ -48,7 +48,7 @@ sealed class PeerProcess : IDisposable
     /// <summary>Waits until the process has printed the given words.</summary>
     public Task PrintsAsync(string words) => Soon.BecomesAsync(() => Printed(words) || _process.HasExited && !Printed(words) && Fail(words), words);
 
-    /// <summary>The lines printed so far, on either stream.</summary>
+    /// <summary>Gets the lines that the process has printed so far on both streams.</summary>
     public IReadOnlyCollection<string> Lines => _lines;
 
     public string All => string.Join('\n', _lines);
@@ -72,13 +72,13 @@ sealed class PeerProcess : IDisposable
 
     public void Dispose()
     {
-        // Kills the process, as if a headset lost its power.
+        // For the other side, killing the process is like a headset that loses power.
         _process.Kill(entireProcessTree: true);
         _process.WaitForExit();
         _process.Dispose();
     }
 
-    bool Fail(string words) => throw new InvalidOperationException($"ended with status {_process.ExitCode} before it said '{words}':\n{All}");
+    bool Fail(string words) => throw new InvalidOperationException($"ended with status {_process.ExitCode} before it printed '{words}':\n{All}");
 
     void Add(string line)
     {

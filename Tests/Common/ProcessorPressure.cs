@@ -2,12 +2,15 @@ using System.Globalization;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>Time in which at least one task of this machine waited for a processor, as the Linux kernel counts it.</summary>
+/// <summary>Reads how long tasks of this machine have waited for a processor, as the Linux kernel counts it.</summary>
 static class ProcessorPressure
 {
     const string File = "/proc/pressure/cpu";
 
-    /// <summary>Gets that time since the start of the machine; null where the kernel does not count it.</summary>
+    /// <summary>
+    /// Returns the time since the start of the machine in which at least one task waited for a processor; null if the kernel does not
+    /// count it.
+    /// </summary>
     public static TimeSpan? Waited()
     {
         if (!System.IO.File.Exists(File)) return null;

@@ -6,14 +6,16 @@ namespace Nowpose.Tests.Common;
 /// <summary>Waits with a time limit for another thread or process.</summary>
 static class Soon
 {
-    /// <summary>Much longer than a busy machine needs, so only an event that never comes reaches this limit.</summary>
+    /// <summary>
+    /// Time limit of each wait. It is much longer than a busy machine needs, so a wait reaches the limit only if the event does not occur.
+    /// </summary>
     public static readonly TimeSpan Limit = TimeSpan.FromSeconds(60);
 
     public static Task<T> Bounded<T>(this Task<T> task) => task.WaitAsync(Limit);
     public static Task Bounded(this Task task) => task.WaitAsync(Limit);
 
-    /// <summary>Polls a state or a counter of the other side that has no signal.</summary>
-    /// <returns>The time that it took.</returns>
+    /// <summary>Polls a condition until it is true, for changes that have no signal to wait for.</summary>
+    /// <returns>Time until the condition was true.</returns>
     public static Task<TimeSpan> BecomesAsync(Func<bool> condition, string what) => BecomesAsync(condition, () => what);
 
     /// <param name="what">Describes the condition and the current state in the message of a failure.</param>

@@ -1,16 +1,16 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>A headset clock that a test sets. Each reading advances it a little, like some work.</summary>
+/// <summary>A headset clock that a test sets. Each reading advances the clock by <see cref="Step"/>.</summary>
 sealed class SteppedClock : IPerformanceCounterClock
 {
     long _ticks;
 
-    /// <summary>Duration of one reading.</summary>
+    /// <summary>Duration that a reading takes.</summary>
     public TimeSpan Step { get; set; } = TimeSpan.FromMicroseconds(1);
 
     public HeadsetTime Now => new(new TimeSpan(Interlocked.Add(ref _ticks, Step.Ticks)));
 
-    /// <summary>The time of the last reading.</summary>
+    /// <summary>Gets the time of the last reading without advancing the clock.</summary>
     public HeadsetTime Read => new(new TimeSpan(Interlocked.Read(ref _ticks)));
 
     /// <summary>Frequency of the simulated counter in counts per second.</summary>

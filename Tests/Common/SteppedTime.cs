@@ -13,6 +13,6 @@ sealed class SteppedTime : TimeProvider
 
     public void Advance(TimeSpan by) => _now += by;
 
-    /// <summary>Corrects the system clock; the counter does not follow.</summary>
+    /// <summary>Corrects the system clock. The timestamp counter does not change.</summary>
     public void Correct(TimeSpan by) => _correction += by;
 }

@@ -2,7 +2,10 @@ using System.Globalization;
 
 namespace Nowpose.Headless.Tests.ControlSystem;
 
-/// <summary>led-matrix/timestamp-codes.csv: reference codes from another program for the package, the gateway's page and the PLC's code.</summary>
+/// <summary>
+/// Reads led-matrix/timestamp-codes.csv. It contains codes from another program, with which the package, the gateway's page and the
+/// PLC's code must agree.
+/// </summary>
 static class CodeVectors
 {
     public sealed record Row(int ValueMs, string Kind, byte[] Rows);

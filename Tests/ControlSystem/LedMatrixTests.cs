@@ -56,11 +56,11 @@ public class LedMatrixTests
         }
     }
 
-    [TestCase("wValue XOR SHR(wValue, 1)", "wValue", TestName = "Block_WithoutGrayCode_IsFound")]
-    [TestCase("bOdd := NOT bOdd", "bEven := NOT bEven", TestName = "Block_WithOneParity_IsFound")]
-    [TestCase("MOD 65536", "MOD 32768", TestName = "Block_FewerBits_IsFound")]
-    [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_MarksOnTheWrongSide_IsFound")]
-    public void Block_WrongCode_IsFound(string right, string wrong)
+    [TestCase("wValue XOR SHR(wValue, 1)", "wValue", TestName = "Block_WithoutGrayCode_IsDetected")]
+    [TestCase("bOdd := NOT bOdd", "bEven := NOT bEven", TestName = "Block_WithOneParity_IsDetected")]
+    [TestCase("MOD 65536", "MOD 32768", TestName = "Block_FewerBits_IsDetected")]
+    [TestCase("aRows[0] := BYTE#16#9F", "aRows[0] := BYTE#16#F9", TestName = "Block_MarksOnTheWrongSide_IsDetected")]
+    public void Block_WrongCode_IsDetected(string right, string wrong)
     {
         var block = new StructuredText(Text("FB_NowposeLedCode.st").Replace(right, wrong));
 

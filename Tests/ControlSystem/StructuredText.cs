@@ -35,7 +35,7 @@ sealed partial class StructuredText
 
     string Next => _tokens[_at];
 
-    /// <summary>Value of a variable that is not an array.</summary>
+    /// <summary>Gets or sets the value of a variable that is not an array.</summary>
     public ulong this[string name]
     {
         get => _variables[name].Values[0];
@@ -254,10 +254,10 @@ sealed partial class StructuredText
 
     void Expect(string token)
     {
-        if (!TryTake(token)) throw new FormatException($"'{token}' expected, there is '{Next}' behind '{_tokens[_at - 1]}'");
+        if (!TryTake(token)) throw new FormatException($"'{token}' expected, but found '{Next}' after '{_tokens[_at - 1]}'");
     }
 
-    FormatException Unknown() => new($"'{_tokens[_at - 1]} {Next}': not of the Structured Text that is run here");
+    FormatException Unknown() => new($"'{_tokens[_at - 1]} {Next}': this Structured Text is not supported");
 
     static ulong Mask(int bits) => ulong.MaxValue >> (64 - bits);
 

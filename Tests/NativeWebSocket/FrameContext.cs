@@ -1,6 +1,6 @@
 namespace Nowpose.Headless.Tests;
 
-/// <summary>A frame's synchronisation context that is never pumped: work posted to it never runs.</summary>
+/// <summary>Synchronisation context of a frame loop that is stopped. Work that is posted to it never runs.</summary>
 sealed class FrameContext : SynchronizationContext
 {
     int _posts;

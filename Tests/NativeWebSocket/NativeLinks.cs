@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>Links over NativeWebSocket, what they receive, and how they fail.</summary>
+/// <summary>Opens links over NativeWebSocket, and returns their messages and failures.</summary>
 static class NativeLinks
 {
     public static readonly StopwatchHeadsetClock Clock = new();

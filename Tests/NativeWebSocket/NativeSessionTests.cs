@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>A whole session over NativeWebSocket with the real gateway.</summary>
+/// <summary>Tests a whole session over NativeWebSocket with the real gateway.</summary>
 public class NativeSessionTests
 {
     readonly StopwatchHeadsetClock _headset = new();

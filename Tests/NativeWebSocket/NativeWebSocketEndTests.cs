@@ -5,7 +5,7 @@ using static Nowpose.Headless.Tests.NativeLinks;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>The end of a link: cancelled, closed by the server, lost or disposed.</summary>
+/// <summary>Tests the end of a link that is cancelled, closed by the server, lost or disposed.</summary>
 public class NativeWebSocketEndTests
 {
     [Test]
@@ -34,7 +34,7 @@ public class NativeWebSocketEndTests
     }
 
     [Test]
-    public async Task Receive_Cancelled_Ends()
+    public async Task Receive_Cancelled_ThrowsAndKeepsTheLinkOpen()
     {
         using var server = new FakeWebSocketServer();
         var (link, socket) = await OpenAsync(server);
@@ -63,12 +63,12 @@ public class NativeWebSocketEndTests
 
             Assert.That((await NextAsync(link)).Text, Is.EqualTo("last"));
             Assert.That(await NextAsync(link), Is.Null);
-            Assert.That(await NextAsync(link), Is.Null, "and stays so");
+            Assert.That(await NextAsync(link), Is.Null, "the link stays closed");
         }
     }
 
     [Test]
-    public async Task Receive_ConnectionLost_FailsLikeSending()
+    public async Task Receive_ConnectionLost_ThrowsAsSendingDoes()
     {
         using var server = new FakeWebSocketServer();
         var link = Link(server.Port);
@@ -99,7 +99,7 @@ public class NativeWebSocketEndTests
     }
 
     [Test]
-    public async Task Dispose_ServerDoesNotAnswerTheClose_Ends()
+    public async Task Dispose_ServerDoesNotAnswerTheCloseFrame_ClosesTheConnection()
     {
         using var server = new FakeWebSocketServer();
         var link = Link(server.Port);
@@ -148,7 +148,7 @@ public class NativeWebSocketEndTests
 
         await Cycle(100);
 
-        Assert.That(Threads(), Is.LessThan(before + 10), "the pool may have grown, a thread for each may not");
+        Assert.That(Threads(), Is.LessThan(before + 10), "the thread pool may grow, but links must not keep threads");
     }
 
     static int Threads()

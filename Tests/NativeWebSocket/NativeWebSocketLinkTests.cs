@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.NativeLinks;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>Opening a link, and the messages that it receives.</summary>
+/// <summary>Tests the opening of a link and the messages that the link receives.</summary>
 public class NativeWebSocketLinkTests
 {
     [Test]
@@ -66,7 +66,7 @@ public class NativeWebSocketLinkTests
 
     [TestCase(0, DropReason.None)]
     [TestCase(1, DropReason.TooLarge)]
-    public async Task Message_LongerThanAMebibyte_IsRefusedAndTheNextAccepted(int over, object expected)
+    public async Task Message_LongerThanAMebibyte_IsRefusedAndTheNextIsAccepted(int over, object expected)
     {
         using var server = new FakeWebSocketServer();
         var (link, socket) = await OpenAsync(server);
@@ -102,7 +102,7 @@ public class NativeWebSocketLinkTests
             var kept = received.Where(message => message.Text != null).Select(message => message.Text).ToList();
             Assert.That(received.Take(Sent - kept.Count).Select(message => message.Dropped), Is.All.EqualTo(DropReason.SlowReader));
             Assert.That(kept, Is.EqualTo(Enumerable.Range(Sent - kept.Count, kept.Count).Select(i => "message " + i)));
-            Assert.That(kept, Has.Count.InRange(10, 90), "a queue, but a bounded one");
+            Assert.That(kept, Has.Count.InRange(10, 90), "the queue is not empty, but its length is limited");
         }
     }
 

@@ -24,10 +24,10 @@ sealed class SilentServer : IDisposable
     /// <summary>Waits until the client has closed the connection.</summary>
     public async Task EndAsync()
     {
-        var said = new byte[1000];
+        var received = new byte[1000];
         try
         {
-            while (await _client.GetStream().ReadAsync(said).AsTask().Bounded() > 0) { }
+            while (await _client.GetStream().ReadAsync(received).AsTask().Bounded() > 0) { }
         }
         catch (IOException)
         {

@@ -5,7 +5,10 @@ using Socket = NativeWebSocket.WebSocket;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>The stand-in behaves like the package that it replaces, including its defects, because the link's tests depend on them.</summary>
+/// <summary>
+/// Checks that the stand-in behaves like the package that it replaces, including its defects, because the tests of the link depend on
+/// them.
+/// </summary>
 public class StandInTests
 {
     [Test]
@@ -75,7 +78,7 @@ public class StandInTests
         Assert.That(events[0], Does.StartWith("error ").And.Contain("'401'"));
         Assert.That(events[1], Is.EqualTo("close Abnormal"));
         Assert.That(socket.State, Is.EqualTo(WebSocketState.Closed));
-        await socket.SendText("lost without a word");
+        await socket.SendText("discarded");
     }
 
     static void Listen(Socket socket, List<string> events)

@@ -6,7 +6,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Peer;
 
-/// <summary>The headset runtime in a process of its own. Prints a line for each change of its state until its input ends.</summary>
+/// <summary>Runs a headset session in a separate process. Prints a line at each change of state until the input ends.</summary>
 static class HeadsetPeer
 {
     static readonly TimeSpan FrameTime = TimeSpan.FromMilliseconds(16);

@@ -26,12 +26,13 @@ public sealed class AssemblyDefinitionTests
 
         var unresolved = Strings(definition, "references").Except(ours).Except(TestRunners);
 
-        // An assembly for an optional package is compiled only where that package is.
+        // An assembly for an optional package is compiled only if that package is installed.
         if (Strings(definition, "defineConstraints").Any(c => IsVersionDefine(definition, c))) return;
         Assert.That(unresolved.Where(name => !IsOptional(path, definition, name)), Is.Empty);
     }
 
-    // An assembly that exists only with its package: Unity ignores the name without it, and the sources use it under a version define.
+    // Returns whether a referenced assembly exists only with its package. Unity ignores the reference without the package, and the
+    // sources use the assembly only under a version define.
     static bool IsOptional(string path, JsonElement definition, string assembly)
     {
         if (assembly != "Unity.InputSystem") return false;
@@ -63,7 +64,7 @@ public sealed class AssemblyDefinitionTests
     }
 
     [Test]
-    public void Core_Sources_UseNoEngine()
+    public void Core_Sources_DoNotUseTheEngine()
     {
         var sources = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime/Core", ".cs").ToList();
 

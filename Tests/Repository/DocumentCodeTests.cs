@@ -2,7 +2,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Code in the package's documents compiles: each of its lines is in a file of examples among the package's tests.</summary>
+/// <summary>
+/// Checks that the code in the package's documents compiles: each line of the code must be in an example file of the package's tests.
+/// </summary>
 public sealed class DocumentCodeTests
 {
     const string Tests = RepositoryFiles.Package + "/Tests/Editor";

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>No file of the repository depends on the machine that it was written on.</summary>
+/// <summary>Checks that no file of the repository depends on the machine on which it was written.</summary>
 public sealed partial class MachineTraceTests
 {
     static readonly string[] Registries =
@@ -30,9 +30,9 @@ public sealed partial class MachineTraceTests
     [TestCase("https://example.org~home~page", false)]
     [TestCase("a~work~b", false)]
     [TestCase("~usr~bin/env", false)]
-    public void MachinePath_Sample_IsRecognised(string text, bool isOne)
+    public void MachinePath_Sample_IsRecognised(string text, bool isMachinePath)
     {
-        Assert.That(MachinePaths().IsMatch(text.Replace('~', '/')), Is.EqualTo(isOne));
+        Assert.That(MachinePaths().IsMatch(text.Replace('~', '/')), Is.EqualTo(isMachinePath));
     }
 
     [Test]

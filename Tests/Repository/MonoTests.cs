@@ -3,10 +3,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Finds calls that behave differently under Unity's Mono, where tests under .NET cannot detect the difference.</summary>
+/// <summary>Finds calls that behave differently under Unity's Mono. Tests under .NET cannot detect these differences.</summary>
 /// <remarks>
-/// Mono rounds the arguments of TimeSpan.FromSeconds and FromMilliseconds to whole milliseconds. A TcpClient created without an address
-/// family supports only IPv4 there.
+/// Mono rounds the arguments of TimeSpan.FromSeconds and FromMilliseconds to whole milliseconds. Under Mono, a TcpClient that is
+/// created without an address family supports only IPv4.
 /// </remarks>
 public sealed partial class MonoTests
 {
@@ -14,7 +14,7 @@ public sealed partial class MonoTests
     public void Calls_InThePackage_BehaveTheSameUnderMono()
     {
         var different = RepositoryFiles.Under(RepositoryFiles.Package, ".cs")
-            .SelectMany(file => Different(RepositoryFiles.Read(file)).Select(call => file + ": " + call));
+            .SelectMany(file => DifferingCalls(RepositoryFiles.Read(file)).Select(call => file + ": " + call));
 
         Assert.That(different, Is.Empty);
     }
@@ -25,7 +25,7 @@ public sealed partial class MonoTests
     [TestCase("TimeSpan.FromSeconds(\n    2 + x)")]
     [TestCase("new TcpClient()")]
     [TestCase("new TcpClient { NoDelay = true }")]
-    public void Different_FractionVariableOrUnknownFamily_IsReported(string code) => Assert.That(Different(code), Is.Not.Empty);
+    public void DifferingCalls_FractionVariableOrNoAddressFamily_AreReported(string code) => Assert.That(DifferingCalls(code), Is.Not.Empty);
 
     [TestCase("TimeSpan.FromMilliseconds(250)")]
     [TestCase("TimeSpan.FromSeconds(-2_000)")]
@@ -33,10 +33,10 @@ public sealed partial class MonoTests
     [TestCase("TimeSpan.FromTicks(ticks)")]
     [TestCase("new TcpClient(address.AddressFamily) { NoDelay = true }")]
     [TestCase("// TimeSpan.FromSeconds(x) rounds")]
-    public void Different_WholeNumberOrTicksOrFamily_IsNotReported(string code) => Assert.That(Different(code), Is.Empty);
+    public void DifferingCalls_WholeNumberTicksOrAddressFamily_AreNotReported(string code) => Assert.That(DifferingCalls(code), Is.Empty);
 
-    static IEnumerable<string> Different(string source) => OtherThanUnderNet().Matches(CSharpCode.Of(source)).Select(m => m.Value);
+    static IEnumerable<string> DifferingCalls(string source) => DifferingCall().Matches(CSharpCode.Of(source)).Select(m => m.Value);
 
     [GeneratedRegex(@"TimeSpan\.From(Milliseconds|Seconds)\((?!-?[0-9_]+\))[^\n]*|new\s+TcpClient\s*(\(\s*\)|\{)")]
-    private static partial Regex OtherThanUnderNet();
+    private static partial Regex DifferingCall();
 }

@@ -6,12 +6,12 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Repository;
 
 /// <summary>
-/// With any set of optional packages, each assembly that Unity compiles finds the assemblies that it references. The projects of Headless
-/// check that each of them compiles with exactly those references.
+/// Checks, for any set of optional packages, that each assembly that Unity compiles finds the assemblies that it references. The projects
+/// in Headless check that each assembly compiles with exactly these references.
 /// </summary>
 public sealed class OptionalAssembliesTests
 {
-    /// <summary>The assemblies of each package that an assembly of ours references.</summary>
+    /// <summary>Assemblies of each optional package that the package's assemblies reference.</summary>
     static readonly Dictionary<string, string[]> Packages = new()
     {
         ["com.endel.nativewebsocket"] = ["colyseus.nativewebsocket"],
@@ -25,7 +25,7 @@ public sealed class OptionalAssembliesTests
         ["org.mixedrealitytoolkit.spatialmanipulation"] = ["MixedReality.Toolkit.SpatialManipulation"],
     };
 
-    /// <summary>Dependencies of the packages according to their package.json. Apart from these, any package may exist without any other.</summary>
+    /// <summary>Dependencies of the packages according to their package.json. Apart from these, each package is independent of the others.</summary>
     static readonly (string Package, string Dependency)[] Dependencies =
     [
         ("com.unity.xr.arfoundation", "com.unity.xr.core-utils"),
@@ -33,9 +33,9 @@ public sealed class OptionalAssembliesTests
         ("com.unity.xr.interaction.toolkit", "com.unity.xr.core-utils"),
     ];
 
-    static readonly string[] ByTheEditor = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];
+    static readonly string[] EditorAssemblies = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];
 
-    static readonly string[] OfThePlugin = ["Android", "Editor", "WSA", "WindowsStandalone64"];
+    static readonly string[] PluginPlatforms = ["Android", "Editor", "WSA", "WindowsStandalone64"];
 
     static IReadOnlyList<Definition> Definitions { get; } = RepositoryFiles.Under(RepositoryFiles.Package, ".asmdef")
         .Where(p => !p.Contains("/Samples~/")).Select(p => new Definition(p)).ToList();
@@ -49,7 +49,7 @@ public sealed class OptionalAssembliesTests
         foreach (var installed in Sets())
         {
             var ours = Definitions.Where(d => d.IsCompiledWith(installed)).ToList();
-            var there = installed.SelectMany(p => Packages[p]).Concat(ours.Select(d => d.Name)).Concat(ByTheEditor).ToHashSet();
+            var there = installed.SelectMany(p => Packages[p]).Concat(ours.Select(d => d.Name)).Concat(EditorAssemblies).ToHashSet();
             foreach (var definition in ours)
                 foreach (var reference in definition.References.Where(r => !there.Contains(r) && !definition.MayDoWithout(r)))
                     missing.Add(definition.Name + " without " + reference + ", with " + string.Join(" ", installed.Order()));
@@ -92,7 +92,7 @@ public sealed class OptionalAssembliesTests
         var onIt = Definitions.Where(d => d.References.Contains("Microsoft.MixedReality.OpenXR")).ToList();
 
         Assert.That(onIt, Has.Count.EqualTo(2));
-        Assert.That(onIt.Select(d => d.Platforms), Is.All.EqualTo(OfThePlugin));
+        Assert.That(onIt.Select(d => d.Platforms), Is.All.EqualTo(PluginPlatforms));
     }
 
     // Without conditional code, sources that compile here also compile in the Editor, on UWP and on all other platforms.
@@ -160,7 +160,10 @@ public sealed class OptionalAssembliesTests
 
         public bool IsCompiledWith(HashSet<string> installed) => Packages.IsSubsetOf(installed);
 
-        /// <summary>Whether this assembly uses another assembly of ours only between #if and #endif of a define that this one has too.</summary>
+        /// <summary>
+        /// Returns whether this assembly uses another optional assembly of the package only between #if and #endif, under defines that both
+        /// assemblies have.
+        /// </summary>
         public bool MayDoWithout(string reference)
         {
             var other = Definitions.SingleOrDefault(d => d.Name == reference);

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>The examples of codes in the manual are valid codes of the stated size.</summary>
+/// <summary>Checks that the example codes in the manual are valid and have the stated size.</summary>
 public sealed class PairingDocumentTests
 {
     const string Page = RepositoryFiles.Package + "/Documentation~/pairing.md";

@@ -3,12 +3,14 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Control systems can only be read: code that could write is in two files, which allow only read requests.</summary>
+/// <summary>
+/// Checks that adapters can only read from control systems: only two files use the client libraries, and they allow only read requests.
+/// </summary>
 public sealed partial class ReadOnlyPlantTests
 {
     const string Sources = "Gateway/Adapters/src";
 
-    static readonly Dictionary<string, string> Keepers = new()
+    static readonly Dictionary<string, string> ReadOnlyFiles = new()
     {
         [Sources + "/opcua/readOnlySession.ts"] = "ALLOWED", [Sources + "/ads/readOnlyClient.ts"] = "READING",
     };
@@ -46,9 +48,9 @@ public sealed partial class ReadOnlyPlantTests
         var reaching = RepositoryFiles.Under(Sources, ".ts")
             .Where(file => LibraryImport().Matches(RepositoryFiles.Read(file)).Any(import => ClientAsValue().IsMatch(import.Value)));
 
-        Assert.That(reaching, Is.EquivalentTo(Keepers.Keys));
-        foreach (var (file, list) in Keepers)
-            Assert.That(RepositoryFiles.Read(file).Split(list).Length, Is.GreaterThan(2), $"{file} has a list of what is allowed, and asks it");
+        Assert.That(reaching, Is.EquivalentTo(ReadOnlyFiles.Keys));
+        foreach (var (file, list) in ReadOnlyFiles)
+            Assert.That(RepositoryFiles.Read(file).Split(list).Length, Is.GreaterThan(2), $"{file} has a list of allowed requests and checks it");
     }
 
     [Test]

@@ -4,7 +4,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>A namespace is the assembly's root namespace plus the folder path below it; each folder holds at least three files.</summary>
+/// <summary>
+/// Checks that each namespace is the assembly's root namespace plus the folder path below it, and that each folder holds at least three
+/// files.
+/// </summary>
 public sealed partial class RoomTests
 {
     const int MinFiles = 3;
@@ -15,7 +18,9 @@ public sealed partial class RoomTests
     /// <summary>A folder that all test projects compile.</summary>
     const string Common = "Tests/Common";
 
-    /// <summary>Folders that GitHub, Unity, MSBuild or an include of a shader demands, and three with contents of their own kind.</summary>
+    /// <summary>
+    /// Folders that GitHub, Unity, MSBuild or the include of a shader requires, and three folders whose files fit into no other folder.
+    /// </summary>
     static readonly string[] Small =
     [
         ".config", ".github", "Assets", "Cli/Properties", "Gateway/Adapters/licences", "Gateway/Adapters/src/clock", "Gateway/Properties",
@@ -64,7 +69,7 @@ public sealed partial class RoomTests
             .Where(folder => !Roots.ContainsKey(folder) && !Small.Any(name => IsBelow(folder + "/", name)))
             .Where(folder => files.Count(file => IsBelow(file, folder)) < MinFiles);
 
-        Assert.That(small, Is.Empty, "move their files to a folder that is about the same");
+        Assert.That(small, Is.Empty, "move their files to a folder with the same subject");
     }
 
     static IEnumerable<string> FoldersOf(string path)

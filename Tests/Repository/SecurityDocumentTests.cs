@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Each test that the table of threats names must exist.</summary>
+/// <summary>Checks that all tests that the table of threats names exist.</summary>
 public sealed partial class SecurityDocumentTests
 {
     const string Page = "SECURITY.md";
@@ -33,7 +33,7 @@ public sealed partial class SecurityDocumentTests
         {
             var named = TestName().Matches(row.Split('|')[^2]).Select(match => match.Groups[1].Value).ToArray();
             Assert.That(named, Is.Not.Empty, row);
-            Assert.That(named.Where(name => !known.Contains(name)), Is.Empty, "these tests are nowhere");
+            Assert.That(named.Where(name => !known.Contains(name)), Is.Empty, "these tests do not exist");
         }
     }
 

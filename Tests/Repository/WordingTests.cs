@@ -3,15 +3,15 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Texts and names use the field's terms and not the private words that CONTRIBUTING.md lists.</summary>
-/// <remarks>A wrong word is easy to find; an unclear sentence is not. The check does not replace a reader.</remarks>
+/// <summary>Checks that texts and names use the field's terms instead of the private words that CONTRIBUTING.md lists.</summary>
+/// <remarks>The check finds wrong words but not unclear sentences, so it does not replace a reader.</remarks>
 public sealed partial class WordingTests
 {
     const string Contributing = "CONTRIBUTING.md";
 
     static readonly string[] Exempt =
     [
-        // They quote former names.
+        // These files quote former names.
         "CHANGELOG.md", "Packages/com.nowpose.mril/CHANGELOG.md", "THIRD-PARTY-NOTICES.md", Contributing, "Tests/Repository/WordingTests.cs",
     ];
 
@@ -81,7 +81,7 @@ public sealed partial class WordingTests
     static IEnumerable<Line> Lines(IEnumerable<string> files) =>
         files.SelectMany(file => RepositoryFiles.Read(file).Split('\n').Select((text, i) => new Line(file, i + 1, text)));
 
-    // Comments and string literals of code; the whole line of a page.
+    // Returns the comment and the string literals of a line of code, or the whole line of a Markdown page.
     static string Prose(Line line)
     {
         if (line.File.EndsWith(".md", StringComparison.Ordinal)) return line.Text;

@@ -4,13 +4,13 @@ using Nowpose.Motion;
 
 namespace Nowpose.RtdeServer;
 
-/// <summary>The robot behind the server: its clock, its motion and its state.</summary>
+/// <summary>Simulates the robot of the server: its clock, its motion and its state.</summary>
 sealed class Controller
 {
-    /// <summary>Length of the difference quotients for velocities and accelerations, s.</summary>
+    /// <summary>Step of the difference quotients for velocities and accelerations, in s.</summary>
     const double Step = 1e-4;
 
-    /// <summary>Time by which the arm is behind the commanded positions, s.</summary>
+    /// <summary>Delay of the arm behind the commanded positions, in s.</summary>
     const double Lag = 0.006;
 
     readonly RobotModel _robot;
@@ -22,7 +22,7 @@ sealed class Controller
     long _started;
     double _uptimeSeconds;
     double? _stoppedAt;
-    double _standingSeconds;
+    double _stoppedSeconds;
 
     /// <param name="ppm">Rate of the controller's clock minus that of this machine's counter, ppm.</param>
     /// <param name="uptimeSeconds">Time of the clock at the start.</param>
@@ -43,7 +43,7 @@ sealed class Controller
     /// <summary>Returns the time on this machine until the clock shows a time.</summary>
     public TimeSpan Until(double timestamp) => TimeSpan.FromSeconds((timestamp - Now) / _rate);
 
-    /// <summary>Zero of the clock and its rate, relative to this machine's monotonic counter, in ns.</summary>
+    /// <summary>Gets the zero of the clock in ns and its rate, both relative to this machine's monotonic counter.</summary>
     public (double ZeroNs, double Rate) ClockLine =>
         (_uptimeSeconds * 1e9 - _started * (1e9 / Stopwatch.Frequency) * _rate, _rate);
 
@@ -57,7 +57,7 @@ sealed class Controller
         _uptimeSeconds = 0;
         _started = Stopwatch.GetTimestamp();
         _stoppedAt = null;
-        _standingSeconds = 0;
+        _stoppedSeconds = 0;
         (Safety, Runtime) = (SafetyMode.Normal, RuntimeState.Playing);
     }
 
@@ -71,15 +71,15 @@ sealed class Controller
     /// <summary>Continues the motion from where it was stopped.</summary>
     public void Resume()
     {
-        if (_stoppedAt is { } since) _standingSeconds += Now - since;
+        if (_stoppedAt is { } since) _stoppedSeconds += Now - since;
         _stoppedAt = null;
         (Safety, Runtime) = (SafetyMode.Normal, RuntimeState.Playing);
     }
 
-    /// <summary>Fills in the state that the robot has at a time of its clock.</summary>
+    /// <summary>Writes the state that the robot has at a given time of its clock.</summary>
     public void Read(double timestamp, RobotState state)
     {
-        var seconds = Math.Max((_stoppedAt ?? timestamp) - _standingSeconds, 0);
+        var seconds = Math.Max((_stoppedAt ?? timestamp) - _stoppedSeconds, 0);
         state.Timestamp = timestamp;
         state.Safety = Safety;
         state.Runtime = Runtime;

@@ -3,7 +3,7 @@ namespace Nowpose.RtdeServer;
 /// <summary>The fields that a client may write. The server accepts them but ignores their values.</summary>
 static class InputFields
 {
-    /// <summary>Stands for the type of an input that another client writes.</summary>
+    /// <summary>Reported instead of the type of an input if another client writes the input.</summary>
     public const string InUse = "IN_USE";
 
     static readonly Dictionary<string, string> Known = new()

@@ -61,21 +61,23 @@ static partial class OutputFields
     [GeneratedRegex(@"^(?:in|out)put_(bit|int|double)_register_(\d{1,3})$")]
     private static partial Regex Register();
 
-    /// <summary>Name of the type in the answer to a recipe.</summary>
+    /// <summary>Returns the name of a field's type for the answer to a recipe.</summary>
     public static string TypeOf(string name)
     {
         if (Known.TryGetValue(name, out var known)) return known.Type;
         return ZeroTypes.TryGetValue(name, out var zero) ? zero : RegisterType(name);
     }
 
-    /// <summary>Writes the field's value of one cycle.</summary>
+    /// <summary>Writes the value of a field in one control cycle.</summary>
     public static void Write(string name, PackageWriter to, RobotState state)
     {
         if (Known.TryGetValue(name, out var known)) known.Write(to, state);
         else Repeat(SizeOf(TypeOf(name)), () => to.Add((byte)0));
     }
 
-    /// <summary>Type of a general purpose register: bits 64 to 127, numbers 0 to 47.</summary>
+    /// <summary>
+    /// Returns the type of a general-purpose register. Bit registers have the numbers 64 to 127, other registers the numbers 0 to 47.
+    /// </summary>
     public static string RegisterType(string name)
     {
         var match = Register().Match(name);

@@ -13,15 +13,15 @@ var robot = new Option<string>("--robot") { Description = "ur3e, ur5e, ur10e, ur
 robot.AcceptOnlyFromAmong("ur3e", "ur5e", "ur10e", "ur16e", "ur5");
 var ppm = new Option<double>("--ppm") { Description = "Rate of the controller's clock minus that of this machine's clock" };
 var uptime = new Option<double>("--uptime") { Description = "Time of the controller's clock at the start, s", DefaultValueFactory = _ => 100 };
-var fault = new Option<Fault>("--fault") { Description = "What goes wrong: " + Names() };
+var fault = new Option<Fault>("--fault") { Description = "Fault to simulate: " + Names() };
 fault.CustomParser = result => Find(result.Tokens[0].Value) ?? Fault.None;
 fault.Validators.Add(result =>
 {
     if (result.Tokens.Count > 0 && Find(result.Tokens[0].Value) == null) result.AddError($"--fault {result.Tokens[0].Value}; allowed: {Names()}");
 });
-var after = new Option<double>("--after") { Description = "Seconds until then" };
+var after = new Option<double>("--after") { Description = "Seconds until the fault begins" };
 
-var command = new RootCommand("A Universal Robots controller as its clients of RTDE see it, whose arm picks and places. Each line of the input "
+var command = new RootCommand("Simulates the RTDE interface of a Universal Robots controller whose arm picks and places. Each line of the input "
     + "that names a fault applies it. Ends on Ctrl-C.") { port, series, rate, robot, ppm, uptime, fault, after };
 command.SetAction(parsed =>
 {
@@ -30,7 +30,7 @@ command.SetAction(parsed =>
     var controller = new Controller(UrdfReader.Read(File.ReadAllText(urdf), urdf), parsed.GetValue(ppm), parsed.GetValue(uptime));
     var server = new RtdeServer(controller, IPAddress.Loopback, parsed.GetValue(port), parsed.GetValue(rate) ?? (isESeries ? 500 : 125), isESeries);
     Console.WriteLine($"endpoint {IPAddress.Loopback}:{server.Port}");
-    TellClock(controller);
+    PrintClock(controller);
     if (parsed.GetValue(after) > 0)
         _ = Task.Delay(TimeSpan.FromSeconds(parsed.GetValue(after))).ContinueWith(_ => server.Apply(parsed.GetValue(fault)), TaskScheduler.Default);
     else
@@ -38,11 +38,11 @@ command.SetAction(parsed =>
     new Thread(server.RunCycles) { IsBackground = true, Priority = ThreadPriority.Highest }.Start();
     _ = server.AcceptAsync();
     Console.WriteLine("state serving");
-    Obey(server, controller);
+    ApplyFaultsFromInput(server, controller);
 });
 return command.Parse(args).Invoke();
 
-static void Obey(RtdeServer server, Controller controller)
+static void ApplyFaultsFromInput(RtdeServer server, Controller controller)
 {
     while (Console.ReadLine() is { } line)
     {
@@ -53,7 +53,7 @@ static void Obey(RtdeServer server, Controller controller)
         }
 
         server.Apply(fault);
-        TellClock(controller);
+        PrintClock(controller);
         Console.WriteLine($"done {line.Trim()}");
     }
 
@@ -61,7 +61,7 @@ static void Obey(RtdeServer server, Controller controller)
     Thread.Sleep(Timeout.Infinite);
 }
 
-static void TellClock(Controller controller)
+static void PrintClock(Controller controller)
 {
     var (zero, slope) = controller.ClockLine;
     Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"clock c1_ns = {zero:F0} + {slope:R} * monotonic_ns"));

@@ -2,10 +2,12 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.RtdeServer;
 
-/// <summary>Poses as UR writes them: position in metres, then the rotation's axis times its angle in radians.</summary>
+/// <summary>Writes poses in UR's format: position in metres, then the rotation axis times the angle in radians.</summary>
 static class RotationVector
 {
-    /// <summary>Below this sine the axis is taken from the diagonal, where it is exact for half turns.</summary>
+    /// <summary>
+    /// Threshold for the sine of the angle. Below it, the axis of a half turn is computed from the diagonal, where it is accurate.
+    /// </summary>
     const double SmallSine = 1e-6;
 
     public static void Write(in RigidTransform pose, Span<double> to)

@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Nowpose.RtdeServer;
 
-/// <summary>One client: its protocol version, its recipe, and whether it receives data.</summary>
+/// <summary>Serves one client: answers its requests, and sends it the data of its recipe.</summary>
 sealed class RtdeClient : IDisposable
 {
     const int HeaderSize = 3;
@@ -57,7 +57,7 @@ sealed class RtdeClient : IDisposable
     }
 
     /// <summary>
-    /// Sends the data of one control cycle if the client requested them. Skips the cycle if the client has not read the previous ones.
+    /// Sends the data of one control cycle if the client requested them. Skips the cycle if the client has not read the previous data.
     /// </summary>
     public void SendCycle(long cycle, RobotState state)
     {
@@ -85,9 +85,9 @@ sealed class RtdeClient : IDisposable
         switch (type)
         {
             case PackageType.ProtocolVersion:
-                var asked = payload.Length == 2 ? BinaryPrimitives.ReadUInt16BigEndian(payload.Span) : 0;
-                var isAccepted = asked == 1 || asked == 2 && _server.Fault != Fault.Version1;
-                if (isAccepted) _version = asked;
+                var requestedVersion = payload.Length == 2 ? BinaryPrimitives.ReadUInt16BigEndian(payload.Span) : 0;
+                var isAccepted = requestedVersion == 1 || requestedVersion == 2 && _server.Fault != Fault.Version1;
+                if (isAccepted) _version = requestedVersion;
                 Send(new PackageWriter(type).Add(isAccepted));
                 break;
             case PackageType.ControllerVersion:

@@ -4,7 +4,7 @@ using System.Net.Sockets;
 
 namespace Nowpose.RtdeServer;
 
-/// <summary>Listens, and sends each client its data in each control cycle.</summary>
+/// <summary>Accepts clients and sends them their data in each control cycle.</summary>
 sealed class RtdeServer
 {
     const int GarbageBytes = 1024, LostEvery = 10;
@@ -83,7 +83,7 @@ sealed class RtdeServer
     /// <summary>Sends cycles on this thread until the server is disposed.</summary>
     public void RunCycles()
     {
-        // Length of a cycle, and the number of the last cycle that was sent.
+        // `length` is the duration of a cycle in s; `last` is the number of the last cycle that was sent.
         var length = 1 / CyclesPerSecond;
         for (long last = 0; ; last = SendNext(last, length))
         {
@@ -93,15 +93,14 @@ sealed class RtdeServer
         }
     }
 
-    // After a restart the cycle numbers start again from zero.
+    // Returns the number of the next cycle. After a restart of the controller, the numbers start again at zero.
     long NextAfter(long last, double length)
     {
         var current = (long)Math.Floor(_controller.Now / length);
         return current < last - 1 ? current + 1 : last + 1;
     }
 
-    // Sends the data of the current cycle and skips missed ones, like a busy controller.
-    /// <returns>The number of the completed cycle.</returns>
+    // Sends the data of the current cycle and skips missed cycles, as a busy controller does. Returns the number of the completed cycle.
     long SendNext(long last, double length)
     {
         long cycle;

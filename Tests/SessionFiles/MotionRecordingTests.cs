@@ -63,11 +63,11 @@ public class MotionRecordingTests
         Assert.That(At(MotionRecording.Read(Write(TwoJoints)), seconds), Is.EqualTo(new[] { a, b }));
     }
 
-    [TestCase("t,a,b\r\n10,0,1\r\n10.5,1,1\r\n12,4,-2\r\n", TestName = "Read_CrLf_IsTheSame")]
-    [TestCase("\uFEFFt,a,b\n10,0,1\n10.5,1,1\n12,4,-2", TestName = "Read_ByteOrderMark_IsTheSame")]
-    [TestCase("t_s,a,b\n10,0,1\n10.5,1,1\n12,4,-2\n\n\n  \n", TestName = "Read_TrailingBlankLines_IsTheSame")]
-    [TestCase("\"t\",\"a\",\"b\"\n 10, 0 ,1.0e0\n+10.5,1,1\n12,4,-2\n", TestName = "Read_QuotesAndBlanks_IsTheSame")]
-    public void Read_OtherSpelling_IsTheSame(string content)
+    [TestCase("t,a,b\r\n10,0,1\r\n10.5,1,1\r\n12,4,-2\r\n", TestName = "Read_CrLf_ReturnsTheSameValues")]
+    [TestCase("\uFEFFt,a,b\n10,0,1\n10.5,1,1\n12,4,-2", TestName = "Read_ByteOrderMark_ReturnsTheSameValues")]
+    [TestCase("t_s,a,b\n10,0,1\n10.5,1,1\n12,4,-2\n\n\n  \n", TestName = "Read_TrailingBlankLines_ReturnsTheSameValues")]
+    [TestCase("\"t\",\"a\",\"b\"\n 10, 0 ,1.0e0\n+10.5,1,1\n12,4,-2\n", TestName = "Read_QuotesAndBlanks_ReturnsTheSameValues")]
+    public void Read_OtherNotation_ReturnsTheSameValues(string content)
     {
         var recording = MotionRecording.Read(Write(content));
 
@@ -77,7 +77,7 @@ public class MotionRecordingTests
     }
 
     [Test]
-    public void Read_Gzip_ReadsTheSame()
+    public void Read_Gzip_ReturnsTheSameValues()
     {
         var recording = MotionRecording.Read(Write(Packed(TwoJoints), "motion.csv.gz"));
 
@@ -103,7 +103,7 @@ public class MotionRecordingTests
     }
 
     [Test]
-    public void At_DateStamps_KeepTheSampleSpacing()
+    public void At_UnixTimes_KeepsTheSampleSpacing()
     {
         var recording = MotionRecording.Read(Write("t,a\n1700000000.25,0\n1700000000.375,1\n1700000000.5,3\n"));
 
@@ -112,14 +112,14 @@ public class MotionRecordingTests
     }
 
     [Test]
-    public void At_DateStampsAMillisecondApart_AreExact()
+    public void At_UnixTimesAMillisecondApart_IsExact()
     {
         var rows = Enumerable.Range(0, 1000).Select(i => $"1700000010.{i:D3},{(i == 500 ? 1 : 0)}");
         var recording = MotionRecording.Read(Write("t,a\n" + string.Join("\n", rows)));
 
         Assert.That(recording.Start, Is.EqualTo(1.70000001e9));
         Assert.That(recording.Duration, Is.EqualTo(0.999).Within(1e-12));
-        // The slope beside the row with value 1 is 1 per ms, so an error of 1e-12 s gives 1e-9.
+        // The slope beside the row with value 1 is 1 per ms, so an error of 1e-12 s in time is an error of 1e-9 in the value.
         Assert.That(At(recording, 0.5)[0], Is.EqualTo(1).Within(1e-9));
         Assert.That(At(recording, 0.4995)[0], Is.EqualTo(0.5).Within(1e-9));
         Assert.That(At(recording, 0.5005)[0], Is.EqualTo(0.5).Within(1e-9));
@@ -165,16 +165,16 @@ public class MotionRecordingTests
     }
 
     [Test]
-    public void Read_MissingFile_IsNamed() => AssertRefused(Path.Combine(_folder, "none.csv"), "file not found");
+    public void Read_MissingFile_NamesTheFile() => AssertRefused(Path.Combine(_folder, "none.csv"), "file not found");
 
     [Test]
-    public void Read_MissingFolder_IsNamed() => AssertRefused(Path.Combine(_folder, "none", "none.csv"), "file not found");
+    public void Read_MissingFolder_NamesTheFile() => AssertRefused(Path.Combine(_folder, "none", "none.csv"), "file not found");
 
     [Test]
-    public void Read_Folder_IsNamed() => AssertRefused(_folder, "is a folder");
+    public void Read_PathIsAFolder_NamesThePath() => AssertRefused(_folder, "is a folder");
 
     [Test]
-    public void Read_NotGzip_IsNamed() => AssertRefused(Write(TwoJoints, "motion.csv.gz"), "not a complete gzip file");
+    public void Read_NotGzip_NamesTheFile() => AssertRefused(Write(TwoJoints, "motion.csv.gz"), "not a complete gzip file");
 
     [Test]
     public void Read_TruncatedGzip_IsRefused()

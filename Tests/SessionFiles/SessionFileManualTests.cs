@@ -8,7 +8,7 @@ public class SessionFileManualTests
     static readonly string Page = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/session-file.md");
 
     [Test]
-    public void Page_OfTheFormat_NamesEveryKindAndField()
+    public void Page_RecordedSession_DocumentsEveryKindAndField()
     {
         var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".jsonl");
         try
@@ -42,7 +42,7 @@ public class SessionFileManualTests
         foreach (var property in element.EnumerateObject())
         {
             if (property.Name != "kind") fields.Add(property.Name);
-            // Below these are counts by reason; the names of the reasons are not fields.
+            // These fields contain counts by reason. The names of the reasons are not fields.
             if (property.Name is not ("messages" or "exchanges")) Collect(property.Value, fields);
         }
     }

@@ -25,7 +25,7 @@ public class SessionReplayTests
 
     static Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(arguments);
 
-    // Differences between the replayed and the displayed position, for each joint in each frame.
+    // Returns the differences between the replayed and the displayed position, for each joint in each frame.
     List<double> Differences(string predictor, bool followPlan = true, List<PredictionKind> seen = null)
     {
         var session = RecordedSession.Read(_path);
@@ -57,7 +57,7 @@ public class SessionReplayTests
         Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
     }
 
-    // The step ends the plan, and the next plan comes within a quarter of a second.
+    // The clock step ends the plan. The next plan arrives within a quarter of a second.
     [TestCase("adaptive", 0)]
     [TestCase("quadratic", 60)]
     public void Replay_SessionFollowedAPlan_EqualsTheDisplayedPositions(string predictor, double lagMs)
@@ -70,12 +70,12 @@ public class SessionReplayTests
         Assert.That(kinds.Count(kind => kind == PredictionKind.Planned), Is.GreaterThan(1000));
         Assert.That(kinds.Count(kind => kind == PredictionKind.Predicted), Is.GreaterThan(1000), "after the last plan");
         Assert.That(differences.Max(), Is.EqualTo(0).Within(1e-12));
-        Assert.That(Differences(predictor, followPlan: false).Max(), Is.GreaterThan(1e-3), "the plan made a difference");
+        Assert.That(Differences(predictor, followPlan: false).Max(), Is.GreaterThan(1e-3), "the plan changes the displayed positions");
     }
 
     [TestCase("hold", true)]
     [TestCase("quadratic", false)]
-    public void Replay_SessionIgnoredThePlan_FollowsNone(string predictor, bool followPlan)
+    public void Replay_SessionIgnoredThePlan_DoesNotFollowThePlan(string predictor, bool followPlan)
     {
         VirtualRecording.To(_path, planLagMs: 0, prediction: new PredictionSettings(predictor, followPlan: followPlan));
         var kinds = new List<PredictionKind>();
@@ -102,7 +102,7 @@ public class SessionReplayTests
             var recorded = File.ReadAllText(_path);
             var header = recorded.IndexOf('\n');
             File.WriteAllText(_path, recorded[..header].Replace(limit, "\"unknown\":") + recorded[header..]);
-            Assert.That(Differences("adaptive").Max(), Is.GreaterThan(1e-6), limit + " is of no effect on what is displayed");
+            Assert.That(Differences("adaptive").Max(), Is.GreaterThan(1e-6), limit + " has no effect on the displayed positions");
             File.WriteAllText(_path, recorded);
         }
     }
@@ -130,7 +130,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public async Task Json_OfASession_HasTheKeysOfAMotion()
+    public async Task Json_Session_HasTheKeysOfAMotion()
     {
         VirtualRecording.To(_path);
 
@@ -150,7 +150,7 @@ public class SessionReplayTests
     [TestCase("--fps=60")]
     [TestCase("--jitter-ms=0")]
     [TestCase("--loss=0")]
-    public async Task Option_GivenByTheRecording_IsRefused(string option)
+    public async Task Option_FixedByTheRecording_IsRefused(string option)
     {
         VirtualRecording.To(_path, seconds: 8);
 
@@ -165,7 +165,7 @@ public class SessionReplayTests
     [TestCase("--latency-error-ms=20")]
     [TestCase("--stamp-error-ms=10")]
     [TestCase("--blend-ms=40")]
-    public async Task Option_NotGivenByTheRecording_ChangesTheResult(string option)
+    public async Task Option_NotFixedByTheRecording_ChangesTheResult(string option)
     {
         VirtualRecording.To(_path, seconds: 10);
 
@@ -190,7 +190,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public async Task Replay_CompressedAndTruncated_ReadsUpToTheEnd()
+    public async Task Replay_CompressedOrTruncated_ReadsUpToTheEnd()
     {
         VirtualRecording.To(_path, seconds: 10);
         var text = File.ReadAllText(_path);
@@ -223,7 +223,7 @@ public class SessionReplayTests
 
     [TestCase("--estimator=default")]
     [TestCase("--json")]
-    public async Task Sync_OfASession_EqualsSyncOfItsExchanges(string option)
+    public async Task Sync_Session_EqualsSyncOfItsExchanges(string option)
     {
         var recording = VirtualRecording.To(_path, stepAfter: 10);
         using var log = new TemporaryFile("t1_ns,t2_ns,t3_ns,t4_ns\n" + string.Join('\n', recording.Exchanges) + "\n");
@@ -272,7 +272,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public async Task Replay_NoObjects_HasNoneInItsResult()
+    public async Task Replay_SessionWithoutObjects_ResultContainsNoObjects()
     {
         VirtualRecording.To(_path, seconds: 6);
 

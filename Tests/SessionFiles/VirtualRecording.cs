@@ -12,27 +12,27 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.SessionFiles;
 
-/// <summary>A session of a virtual cell in virtual time, recorded to a file, with the errors that only the simulation can compute.</summary>
+/// <summary>Records a session of a virtual cell in virtual time to a file, and computes its errors against the simulated truth.</summary>
 sealed class VirtualRecording
 {
     static readonly HeadsetTime Start = HeadsetTime.FromSeconds(500);
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
 
-    /// <summary>Sum of the squared errors of all joints in the current frames after six seconds: of the displayed and of the held position.</summary>
+    /// <summary>Sum of the squared errors of the displayed positions of all joints, in the current frames after six seconds.</summary>
     public double DisplayedSquares { get; private set; }
 
-    /// <inheritdoc cref="DisplayedSquares"/>
+    /// <summary>Sum of the squared errors of the held positions of all joints, in the same frames.</summary>
     public double HeldSquares { get; private set; }
 
     /// <summary>Every exchange as a line of a log: t1_ns,t2_ns,t3_ns,t4_ns.</summary>
     public List<string> Exchanges { get; } = [];
 
-    /// <summary>Records a session. The control clock steps by 300 ms at <paramref name="stepAfter"/>, in s.</summary>
+    /// <summary>Records a session. The control clock steps by 300 ms at the time <paramref name="stepAfter"/> in s.</summary>
     /// <param name="predictor">The predictor, used with <paramref name="blendMs"/> if <paramref name="prediction"/> is null.</param>
     /// <param name="planLagMs">Delay of the robot against its published set-points; null to publish none.</param>
     /// <param name="planUntil">Time in s after which no set-points are published.</param>
-    /// <param name="hasWork">Whether the robot moves workpieces, which the cell publishes with its signals.</param>
-    /// <param name="jitterMs">Samples overtake each other if it exceeds the sampling interval.</param>
+    /// <param name="hasWork">Whether the robot moves workpieces. The cell then publishes the workpieces and its signals.</param>
+    /// <param name="jitterMs">Jitter in ms. Samples overtake each other if the jitter exceeds the sampling interval.</param>
     public static VirtualRecording To(
         string path, double seconds = 20, string predictor = "quadratic", double jitterMs = 0, double loss = 0, double? stepAfter = null,
         double blendMs = 0, int seed = 5, double samplingMs = 50, double? planLagMs = null,
@@ -63,7 +63,7 @@ sealed class VirtualRecording
                 if (i / 60.0 >= planUntil) cell.PlanLag = null;
                 cell.Run(now, session);
                 result.Score(session.Tick(now), cell, i > 360);
-                // The ring buffer holds ten seconds.
+                // The ring buffer holds the lines of ten seconds.
                 if (i % 240 == 0) recorder.FlushAsync().Wait();
             }
             recorder.Dispose();

@@ -1,4 +1,4 @@
-// The screens of the manual: the stored data of each page, and the texts by which a test detects a change of the page.
+// Defines the manual's pictures of pages: the stored data, and the texts by which a test detects that a page has changed.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
@@ -11,7 +11,7 @@ export const stored = name => JSON.parse(gunzipSync(readFileSync(path(`${name}.j
 
 const manual = '../../Packages/com.nowpose.mril/Documentation~/';
 
-/** Each picture with the pages of the manual that show it. */
+/** The pictures, each with the manual page that shows it. */
 export const PICTURES = {
   report: { file: '../../docs/report.png', shownBy: '../../docs/measurements.md' },
   'virtual-cell': { file: `${manual}images/virtual-cell.png`, shownBy: `${manual}first-hour.md` },
@@ -20,9 +20,9 @@ export const PICTURES = {
   operations: { file: `${manual}images/operations.png`, shownBy: `${manual}operations.md` },
 };
 
-/** Gives a fake gateway the fixed state of the picture: a fault, a lost headset and a fault that is over. */
+/** Sets a fake gateway to the state of the picture: an active fault, a lost headset and a fault that has ended. */
 export function setState(gateway) {
-  // A tool error of 2 mm at 0.48 m from the rotation axis.
+  // Corresponds to a tool error of 2 mm at a distance of 0.48 m from the rotation axis.
   gateway.turned = 0.004;
   const reason = 'refused: the router does not know this machine';
   const since = seconds => new Date(NOW - 1000 * seconds).toISOString();
@@ -38,7 +38,7 @@ export function setState(gateway) {
   ];
 }
 
-/** Opens the operations page of a fake gateway at the fixed time and waits for its three answers: state, headsets and recordings. */
+/** Opens the operations page of a fake gateway at the fixed time, and waits for state, headsets and recordings. */
 export async function openOperations(browser, gateway, viewport) {
   const context = await browser.newContext({ viewport, timezoneId: 'UTC', locale: 'en-GB' });
   const page = await context.newPage();
@@ -51,7 +51,7 @@ export async function openOperations(browser, gateway, viewport) {
   return page;
 }
 
-/** Returns the headings, table headers, legends and controls of a page, without its values. */
+/** Returns the headings, table headers, legends and controls of a page without its values. */
 export const textsOf = page => page.evaluate(() => {
   const texts = [...document.querySelectorAll('h1, h2, h3, caption, th, dt, summary, label, button')]
     .filter(element => element.checkVisibility()).map(element => element.textContent.replaceAll('\u00ad', '').replace(/\s+/g, ' ').trim());

@@ -1,5 +1,5 @@
-// Writes the manual's pictures of the pages and the texts that the test compares: `npm run pictures`.
-// `npm run pictures -- --record` first runs `demo` and `calibrate` again and replaces their stored data.
+// Takes the manual's pictures of pages and writes the texts that the test compares. Run by `npm run pictures`.
+// `npm run pictures -- --record` first replaces the stored data with those of new runs of `demo` and `calibrate`.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,7 +11,7 @@ import { settled } from '../test/inks.mjs';
 import { picture } from '../test/pixels.mjs';
 import { openOperations, path, PICTURES, setState, stored, textsOf } from './screens.mjs';
 
-/** Replaces the data of `demo` and `calibrate vlc` by those of new runs. */
+/** Replaces the stored data with those of new runs of `demo` and `calibrate vlc`. */
 function record() {
   const folder = mkdtempSync(join(tmpdir(), 'nowpose-pictures-'));
   const stdio = ['ignore', 'inherit', 'inherit'];
@@ -25,14 +25,14 @@ function record() {
     run('calibrate', 'simulate', '--pictures', '240', '--out', join(folder, 'simulated'));
     run('calibrate', 'vlc', join(folder, 'simulated/pictures'), '--sweep', join(folder, 'simulated/sweep.csv'), '--out', join(folder, 'calibration'));
     store('demo', 'demo/report.html', thinned);
-    // The picture has no date.
+    // Removes the date, which the picture must not show.
     store('calibration', 'calibration/calibration.html', data => ({ ...data, facts: data.facts.filter(([label]) => label !== 'Evaluated') }));
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
 }
 
-/** Keeps the report's data small: every tenth instant of the playback, with its objects, and every fifth of the clock. */
+/** Reduces the report's data: keeps every tenth instant of the playback and its objects, and every fifth instant of the clock. */
 function thinned({ playback, clock, ...rest }) {
   const every = (step, length, object) => Object.fromEntries(Object.entries(object).map(([key, value]) => {
     if (Array.isArray(value)) return [key, value.length === length ? value.filter((_, i) => i % step === 0) : value];
@@ -41,7 +41,7 @@ function thinned({ playback, clock, ...rest }) {
   return { ...rest, clock: every(5, clock.t.length, clock), playback: every(10, playback.t.length, playback) };
 }
 
-/** Returns a drawn instant of fast motion whose error with compensation is closest to the RMS of the run. */
+/** Returns an instant of the playback with fast motion whose compensated error is closest to the RMS error of the run. */
 function typicalInstant({ error: { t, hold, compensated }, playback, summary: [rms] }) {
   const nearest = at => t.reduce((best, time, i) => (Math.abs(time - at) < Math.abs(t[best] - at) ? i : best), 0);
   const distance = i => Math.abs(compensated[i] - rms.compensated), max = Math.max(...hold);
@@ -49,7 +49,7 @@ function typicalInstant({ error: { t, hold, compensated }, playback, summary: [r
   return fast.reduce((best, one) => (distance(one.i) < distance(best.i) ? one : best)).at;
 }
 
-/** Writes the part of a page from the upper edge of one element to the lower edge of another. */
+/** Takes a picture of a page from the upper edge of one element to the lower edge of another. */
 async function shoot(page, [first, last], file) {
   const margin = 12, { width } = page.viewportSize();
   const [{ y }, end] = [await page.locator(first).boundingBox(), await page.locator(last).boundingBox()];
@@ -86,7 +86,7 @@ async function drawPictures(browser, gateway) {
   await shoot(operations, ['h1', 'section:has(#clock)'], PICTURES.operations.file);
   const seen = await picture(operations, operations.locator('#robot .stage'), ({ grey, orange }) => grey > 500 && orange > 200);
   if (seen.orange <= 200) throw new Error('operations: the page draws no robot; Chromium needs WebGL');
-  // The robot moves fast now, so that the poses differ.
+  // Waits until the robot moves fast, so that the poses differ visibly.
   await operations.waitForFunction(() => /about 2\d/.test(document.querySelector('.apart').textContent));
   await shoot(operations, ['section:has(> #headsets)', 'section:has(> #robot)'], PICTURES['operations-headsets'].file);
 }
@@ -102,5 +102,5 @@ async function writeTexts(browser, gateway) {
 
 if (process.argv.includes('--record')) record();
 await draw(WEBGL, drawPictures);
-// As in the test: without a graphics card.
+// Without a graphics card, as in the test.
 await draw(NO_WEBGL, writeTexts);

@@ -15,14 +15,14 @@ export interface ChartOptions {
   data: uPlot.AlignedData;
   bands?: uPlot.Band[];
   scales?: uPlot.Scales;
-  /** Whether both axes zoom. Otherwise, the vertical one follows the data. */
+  /** Whether both axes can be zoomed. If not, the vertical axis is fitted to the data. */
   zoomY?: boolean;
   draw?: (u: uPlot) => void;
-  /** Called when the cursor moves; with null when it leaves. */
+  /** Called when the cursor moves, with its index; with null when the cursor leaves the plot. */
   onCursor?: (u: uPlot, inside: boolean) => void;
 }
 
-/** A uPlot plot that can be used with the keyboard, fits its container and follows the page's colours. */
+/** A uPlot plot with keyboard control. It adapts to the size of its container and to the colours of the page. */
 export class Chart {
   readonly element: HTMLElement;
   readonly plot: uPlot;
@@ -47,14 +47,14 @@ export class Chart {
     this.setRange(this.full.x, this.full.y);
   }
 
-  /** Moves the cursor to a position of the horizontal axis. Removes it if the position is not shown. */
+  /** Moves the cursor to a position on the horizontal axis. Hides the cursor if the plot does not show the position. */
   pointAt(x: number): void {
     const left = this.plot.valToPos(x, 'x');
     const isShown = left >= 0 && left <= this.plot.over.clientWidth;
     this.plot.setCursor(isShown ? { left, top: this.plot.over.clientHeight / 2 } : { left: -10, top: -10 });
   }
 
-  /** Shows new data over a range of x, which is kept if the user has zoomed. */
+  /** Shows new data over a range of x. If the user has zoomed, keeps the zoomed range. */
   show(data: uPlot.AlignedData, x: [number, number]): void {
     const isFull = this.range('x').every((end, i) => end === this.full.x[i]);
     this.full.x = x;
@@ -107,7 +107,7 @@ export class Chart {
     });
   }
 
-  /** Zooms around the cursor or the middle, limited to the data. */
+  /** Zooms around the cursor; without a cursor, around the middle. The range stays within the data. */
   private zoom(factor: number): void {
     const { left = -1, top = -1 } = this.plot.cursor;
     const around = (scale: 'x' | 'y', at: number): [number, number] => {
@@ -174,7 +174,7 @@ function tick(value: number): string {
 const redrawAll = () => charts.forEach(c => c.plot.redraw(false));
 onColoursChanged(redrawAll);
 
-// A canvas does not adapt by itself to the narrower page and the light colours of a print.
+// A canvas does not adapt to the narrower page and the light colours of a print, so all plots are redrawn.
 function print(printing: boolean): void {
   document.documentElement.classList.toggle('printing', printing);
   charts.forEach(c => c.fit());

@@ -1,6 +1,6 @@
 import type { FigureData, Verdict } from './paper/data';
 
-/** The report's data, as `ReportPage.Render` receives it. A null or absent section was not measured. */
+/** Data of the report, as passed to `ReportPage.Render`. A section that is null or missing was not measured. */
 export interface Report {
   title?: string;
   subtitle?: string;
@@ -13,7 +13,7 @@ export interface Report {
   clock?: ClockData | null;
   latency?: LatencyData | null;
   range?: RangeData | null;
-  /** The paper's claims and figures of this run; null without `--paper`. */
+  /** Claims and figures of the paper with the results of this run; null without `--paper`. */
   claims?: ClaimData[] | null;
   figures?: FigureData[] | null;
   playback?: PlaybackData | null;
@@ -29,24 +29,24 @@ export interface SummaryRow {
   compensated: Value;
 }
 
-/** A claim of the paper with its number and ours, as text. */
+/** A claim of the paper with the paper's value and the measured one, as text. */
 export interface ClaimData {
   figure: string;
   claim: string;
-  /** Empty where the paper gives no number. */
+  /** Value of the paper; empty if it gives none. */
   paper: string;
   measured: string;
   verdict: Verdict;
 }
 
-/** Seconds since start, millimetres. */
+/** Errors in mm over the time since the start in s. */
 export interface ErrorData {
   t: number[];
   hold: Value[];
   compensated: Value[];
 }
 
-/** Seconds on the control clock since start. */
+/** Values over control time since the start in s. */
 export interface Signal {
   t: number[];
   v: Value[];
@@ -60,7 +60,7 @@ export interface JointData {
   predicted?: Signal | null;
 }
 
-/** Milliseconds, millimetres per second. */
+/** Operating points: latency in ms, and speed in mm/s. */
 export interface OperatingPath {
   latency_ms: number[];
   speed: number[];
@@ -72,7 +72,7 @@ export interface FieldData {
   iso_mm?: number[] | null;
 }
 
-/** Seconds since start, microseconds; the offset is relative to the first. */
+/** Times in s since the start, offsets and errors in µs. Offsets are relative to the first one. */
 export interface ClockData {
   t: number[];
   offset_us: Value[];
@@ -80,14 +80,14 @@ export interface ClockData {
   bound_us: Value[];
 }
 
-/** Lower edges of the bins in milliseconds, all of one width, and the samples in each. */
+/** Histogram: lower edges of the bins in ms, all with the same width, and the number of samples in each bin. */
 export interface LatencyData {
   bin_ms: number[];
   count: number[];
   label?: string;
 }
 
-/** Seconds since start, milliseconds; an alarm is the time from its beginning to its end. */
+/** Times in s since the start, durations in ms. An alarm is the interval from its begin to its end. */
 export interface RangeData {
   t: number[];
   render_ms: Value[];
@@ -96,7 +96,7 @@ export interface RangeData {
   alarms?: [from: number, to: number][] | null;
 }
 
-/** Seconds since start; for each instant one position of each joint, rad or m. */
+/** Times in s since the start, and one position per joint at each time, rad or m. */
 export interface PlaybackData {
   urdf: string;
   names: string[];
@@ -107,7 +107,7 @@ export interface PlaybackData {
   objects?: ObjectsData | null;
 }
 
-/** Objects of the cell. Per instant, seven numbers for each object: position in m and unit quaternion, in the robot's base frame. */
+/** Objects of the cell. At each time, seven numbers per object: position in m and unit quaternion, in the robot's base frame. */
 export interface ObjectsData {
   names: string[];
   /** Edge length of the cubes, m. */
@@ -116,7 +116,7 @@ export interface ObjectsData {
   belt: number[][];
   fixture: number[];
   truth: number[][];
-  /** Null while an object was unknown. */
+  /** Displayed poses. Null before the first sample of an object. */
   displayed: (number[] | null)[];
   hold: (number[] | null)[];
 }

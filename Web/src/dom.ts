@@ -1,7 +1,7 @@
 type Attributes = Record<string, string | number | boolean | null | undefined>;
 type Child = Node | string | null | undefined;
 
-/** Creates an element. Text is never interpreted as markup, because names in the data come from users. */
+/** Creates an element. Text is never parsed as HTML, because it can contain names that users entered. */
 export function el<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -15,7 +15,7 @@ export function el<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: At
 export function svg(tag: string, attributes: Attributes, ...children: Node[]): SVGElement {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) {
-    // The page's content security policy forbids the attribute and allows the property.
+    // The content security policy forbids the style attribute but allows the property.
     if (name === 'style') element.style.cssText = String(value);
     else element.setAttribute(name, String(value));
   }

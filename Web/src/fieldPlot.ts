@@ -15,12 +15,12 @@ export interface Path {
   shown: boolean;
 }
 
-/** Plots the run's operating points, latency against speed, with and without compensation, over curves of equal error e = v·L. */
+/** Plots the operating points of a run: speed over latency, with and without compensation, and curves of equal error e = v·L. */
 export function fieldPlot(field: FieldData, description: string): { chart: Chart; legend: Legend } {
   return operatingPlot(pathsOf(field), field.iso_mm ?? [], description);
 }
 
-/** Plots operating points over curves of equal error, mm. */
+/** Plots operating points and curves of equal error in mm. */
 export function operatingPlot(paths: Path[], isoMm: number[], description: string): { chart: Chart; legend: Legend } {
   const { latency, speed } = extents(paths);
 
@@ -40,7 +40,7 @@ export function operatingPlot(paths: Path[], isoMm: number[], description: strin
     height: 340,
     xLabel: 'latency (ms)',
     yLabel: 'speed (mm/s)',
-    // The points are painted here, because uPlot allows one value per x and two samples may have the same latency.
+    // The points are drawn by paintPoints, because uPlot allows only one value per x, and two points can have the same latency.
     series: [{}, { show: false }],
     data: [
       [0, latency],
@@ -61,8 +61,8 @@ export function pathsOf(field: FieldData): Path[] {
 }
 
 /**
- * Returns the initial extents of the plot. At low speed, a latency computed from the error is arbitrary, so the width covers 95 % of
- * the points of the first path, which is the uncompensated one if there is one.
+ * Returns the initial ranges of the axes. At low speed, the latency that is computed from the error is arbitrary. The horizontal range
+ * therefore covers 95 % of the points of the first path, which is the uncompensated one if there is one.
  */
 function extents(paths: Path[]): { latency: number; speed: number } {
   return {
@@ -75,7 +75,7 @@ function quantile(values: number[], share: number): number {
   return Float64Array.from(values).sort()[Math.ceil(share * values.length) - 1];
 }
 
-/** Returns the number of points outside the initial extents. */
+/** Returns the number of points outside the initial ranges. */
 export function beyond(field: FieldData): number {
   const paths = pathsOf(field);
   const { latency, speed } = extents(paths);
@@ -114,15 +114,15 @@ function paintCurve(u: uPlot, error: number): void {
   ctx.setLineDash([]);
 }
 
-/** Paints uncompensated points as hollow squares and compensated ones as filled ones, so that they differ in shape, too. */
+/** Draws uncompensated points as hollow squares and compensated ones as filled squares, so that they also differ in shape. */
 function paintPoints(u: uPlot, path: Path): void {
   const { ctx, bbox } = u;
   const { latency_ms, speed } = path.points;
-  // Few points are drawn larger.
+  // Draws larger points if there are few.
   const isFew = latency_ms.length < FEW;
   const size = (isFew ? 7 : 4) * devicePixelRatio;
   const squares = new Path2D();
-  // At most one square per pixel, because thousands of an hour's points coincide.
+  // Draws at most one square per pixel, because in an hour of data, thousands of points coincide.
   const stride = Math.ceil(bbox.width) + 1;
   const taken = new Uint8Array(stride * (Math.ceil(bbox.height) + 1));
   for (let i = 0; i < latency_ms.length; i++) {
@@ -144,7 +144,7 @@ function paintPoints(u: uPlot, path: Path): void {
   ctx.globalAlpha = 1;
 }
 
-/** Paints the label of a curve of equal error where it crosses the plot's diagonal. Each curve crosses it once, at a different point. */
+/** Draws the label of a curve of equal error where the curve crosses the diagonal of the plot, which it does exactly once. */
 function paintLabel(u: uPlot, error: number): void {
   const { ctx, bbox } = u;
   const ratio = devicePixelRatio;

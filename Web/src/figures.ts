@@ -7,9 +7,9 @@ import { PAPER } from './messages/report';
 export interface FigureOptions {
   id: string;
   title: string;
-  /** Statement that the figure shows, in one sentence. */
+  /** Statement that the figure supports, in one sentence. */
   claim: string;
-  /** Place in the paper, for example "Fig. 16". */
+  /** Figure of the paper, for example "Fig. 16". */
   source: string;
 }
 
@@ -18,7 +18,7 @@ export interface Plot {
   legend: Legend;
 }
 
-/** A section with a heading, the claim and its source, the plots, and their numbers in a table. */
+/** Creates a section with heading, claim, source, plots, and a table of their numbers. */
 export function figure(options: FigureOptions, plots: Plot[], numbers: HTMLElement): HTMLElement {
   return section(options, ...plots.map(plotBlock), el('details', {}, el('summary', {}, plotLabels.numbers), numbers));
 }
@@ -42,13 +42,13 @@ function citation(source: string): HTMLElement {
   return el('span', { class: 'source' }, '(', el('a', { href: PAPER }, `Schnierle & Röck 2022, ${source}`), ')');
 }
 
-/** The last paragraph of a page, with a link to the paper. */
+/** Creates the last paragraph of a page, with a link to the paper. */
 export function credit(text: string): HTMLElement {
   const [before, after] = text.split(PAPER);
   return el('footer', {}, el('p', {}, before, el('a', { href: PAPER }, PAPER), after));
 }
 
-/** Explains how to use the plots of a page. */
+/** Creates the paragraph that explains how to use the plots. */
 export function plotHint(): HTMLElement {
   return el('p', { class: 'hint' }, plotMessages.howToUse);
 }

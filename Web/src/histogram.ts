@@ -5,7 +5,7 @@ import { Legend } from './legend';
 import { format } from './numbers';
 import { colour } from './theme';
 
-/** Plots how often each latency occurred. */
+/** Plots the distribution of the latency. */
 export function histogram(latency: LatencyData, description: string): { chart: Chart; legend: Legend } {
   const { bin_ms: bins } = latency;
   const counts = bins.map((_, i) => latency.count[i] ?? 0);

@@ -4,11 +4,11 @@ import type { Look } from './traces';
 export interface LegendEntry {
   label: string;
   look: Look;
-  /** Absent if the trace cannot be switched off. */
+  /** Shows or hides the trace. Absent if the trace cannot be hidden. */
   toggle?: (shown: boolean) => void;
 }
 
-/** Legend of a plot: names each trace, switches it on and off, and shows its value at the cursor. */
+/** Legend of a plot. It names the traces, shows or hides them, and displays their values at the cursor. */
 export class Legend {
   readonly element: HTMLElement;
   private readonly values: HTMLElement[];

@@ -26,23 +26,23 @@ export interface LinePlotOptions {
   yLabel: string;
   unit: string;
   traces: Trace[];
-  /** Quantity of the horizontal axis; time in seconds if absent. */
+  /** Quantity of the horizontal axis. Default: time in seconds. */
   x?: Quantity;
-  /** Named vertical lines. */
+  /** Labelled vertical lines. */
   marks?: Mark[];
-  /** Ranges shaded from top to bottom. */
+  /** Ranges of the horizontal axis that are shaded. */
   spans?: Span[];
-  /** Colour of the area between a trace and its mirror. */
+  /** Colour of the area between a trace and its mirrored trace. */
   band?: Ink;
-  /** Whether the vertical axis begins at 0. */
+  /** Whether the vertical axis starts at 0. */
   fromZero?: boolean;
-  /** Playhead shared with other plots over the same time. */
+  /** Playhead that is shared with other plots over the same time. */
   playhead?: Playhead;
-  /** Range of the vertical axis, even if data exceed it. */
+  /** Fixed range of the vertical axis, even if values exceed it. */
   yRange?: [from: number, to: number];
 }
 
-/** Plots signals over time or another quantity. Each signal has its own points; the cursor shows the value of each. */
+/** Plots signals over time or another quantity. Each signal has its own times. The legend shows the values at the cursor. */
 export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Legend } {
   const { traces, unit } = options;
   const data = uPlot.join(traces.map(t => [t.t, t.v] as uPlot.AlignedData));
@@ -88,7 +88,7 @@ export function linePlot(options: LinePlotOptions): { chart: Chart; legend: Lege
 
 function scaleOf({ fromZero, yRange, traces }: LinePlotOptions): uPlot.Scale.Range {
   if (yRange) return yRange;
-  // uPlot considers only the points, so error bars would be cut off.
+  // uPlot fits the range to the points only, which would cut off error bars.
   if (traces.some(t => t.deviation)) return barRange(traces, fromZero ?? false);
   return { min: { pad: 0.08, soft: 0, mode: fromZero ? 1 : 0 }, max: { pad: 0.08 } };
 }
@@ -137,7 +137,7 @@ function paintMarks(u: uPlot, marks: Mark[]): void {
     ctx.moveTo(at, bbox.top);
     ctx.lineTo(at, bbox.top + bbox.height);
     ctx.stroke();
-    // The label is left of its line if there is space, because the interesting data are on the right of a limit.
+    // Draws the label to the left of its line if there is space, because the data to the right of a limit are more important.
     const gap = 5 * ratio;
     const fits = at - gap - ctx.measureText(label).width >= bbox.left;
     ctx.textAlign = fits ? 'right' : 'left';
@@ -193,7 +193,7 @@ function pointsOf(trace: Trace): uPlot.Series.Points {
   return trace.stepped ? { show: u => hasRoom(u, trace), size: 5, fill: () => colour('--surface') } : { show: false };
 }
 
-/** Whether points have enough space to be drawn separately. */
+/** Returns whether the points of a trace are far enough apart to be drawn individually. */
 function hasRoom(u: uPlot, { t }: Trace): boolean {
   const { min = 0, max = 0 } = u.scales.x as { min?: number; max?: number };
   const interval = (t[t.length - 1] - t[0]) / Math.max(1, t.length - 1);
@@ -209,7 +209,7 @@ function bandsOf(traces: Trace[], ink: Ink): uPlot.Band[] {
   return [{ series: [upper + 1, upper + 2], fill: () => colour(ink) as unknown as CanvasRenderingContext2D['fillStyle'] }];
 }
 
-/** Returns a trace's value at a time: for a stepped trace the newest at or before it, otherwise the nearest. */
+/** Returns the value of a trace at a time: for a stepped trace the last value up to this time, otherwise the nearest value. */
 function valueAt(trace: Trace, time: number): number | null {
   const { t, v } = trace;
   let low = 0;

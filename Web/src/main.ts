@@ -52,7 +52,7 @@ function facts(report: Report): HTMLElement {
   );
 }
 
-/** Returns the paper's figures of this run, or the demo's own sections in their place. */
+/** Returns the paper's figures of this run, or the demo's sections if there are none. */
 function ofPaper(report: Report, playhead?: Playhead): HTMLElement[] {
   if (!hasPoints(report.figures)) return [jointSection(report.joint, playhead), fieldSection(report.field), clockSection(report.clock, playhead)];
   const numbers = report.figures!.map(figure => figure.number);

@@ -20,7 +20,7 @@ export interface Statistics {
   p95: number;
 }
 
-/** Computes the statistics of the numbers among the values; p95 is that of their magnitudes. Null if there are no numbers. */
+/** Computes statistics of the finite numbers among the values; null if there are none. p95 is computed from absolute values. */
 export function statistics(values: ArrayLike<Value>): Statistics | null {
   const numbers = Array.from(values).filter((v): v is number => v != null && Number.isFinite(v));
   if (numbers.length === 0) return null;

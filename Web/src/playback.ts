@@ -17,7 +17,7 @@ const LEGEND: Record<Part, { label: string; look: Look }> = {
   hold: { label: 'uncompensated', look: { ink: '--hold', width: 2, dash: [], mark: 'filled' } },
 };
 
-/** Plays the session: the true robot, the displayed one, and the one that would have been displayed without compensation. */
+/** Plays the session with three robots: at the true position, at the displayed one, and as displayed without compensation. */
 export class Playback {
   readonly element: HTMLElement;
   private readonly view = new RobotView(robotDescriptions.session);
@@ -124,7 +124,7 @@ export class Playback {
   }
 }
 
-/** Returns the index of the newest instant at or before a time, or 0 if there is none. */
+/** Returns the index of the last time that is not later than a given time; 0 if there is none. */
 function indexAt(t: number[], time: number): number {
   let low = 0;
   let high = t.length - 1;

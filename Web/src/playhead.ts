@@ -1,6 +1,6 @@
 type Listener = (time: number, mover: unknown) => void;
 
-/** The time in the session that plots and robot show together, in seconds since its start. Its listeners may also move it. */
+/** The time of the session that plots and robot show together, in seconds since the start. Listeners can also change it. */
 export class Playhead {
   private readonly listeners: Listener[] = [];
   private isMoving = false;
@@ -9,9 +9,9 @@ export class Playhead {
     this.listeners.push(listener);
   }
 
-  /** @param mover The object that moves it, which receives the notification, too, and must ignore it. */
+  /** @param mover The object that changes the time. It is notified like the other listeners and must ignore the notification. */
   move(time: number, mover: unknown): void {
-    // A listening plot moves its cursor, which must not start another move.
+    // A plot moves its cursor when it is notified. This must not cause another change.
     if (this.isMoving) return;
     this.isMoving = true;
     try {

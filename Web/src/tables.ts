@@ -2,7 +2,7 @@ import type { Fact, SummaryRow } from './data';
 import { el } from './dom';
 import { format, type Statistics } from './numbers';
 
-/** Wraps a table so that it scrolls if it is wider than the window, including with the keyboard. */
+/** Wraps a table in an element that scrolls if the table is wider than the window. It can be scrolled with the keyboard. */
 export function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
   return el('div', { class: 'table', role: 'region', 'aria-label': caption, tabindex: 0 }, table);
 }
@@ -35,7 +35,7 @@ function change(row: SummaryRow): string {
   return reduction == null ? '–' : `${reduction > 0 ? '\u2212' : '+'}${format(Math.abs(100 * reduction), '%')}`;
 }
 
-/** Returns 1 − compensated / uncompensated; null if either is missing. */
+/** Returns 1 − compensated / uncompensated; null if a value is missing or the uncompensated value is 0. */
 export function reductionOf(row: SummaryRow): number | null {
   const { uncompensated, compensated } = row;
   return uncompensated == null || compensated == null || uncompensated === 0 ? null : 1 - compensated / uncompensated;

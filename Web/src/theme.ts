@@ -1,4 +1,4 @@
-/** Names of the style sheet's colours. Page and canvas thus follow the same rules for light, dark and print. */
+/** Names of the colours in the style sheet. Page and canvas use the same colours for light, dark and print. */
 export type Ink =
   | '--ink'
   | '--muted'
@@ -19,7 +19,7 @@ export function colour(ink: Ink): string {
   return getComputedStyle(document.documentElement).getPropertyValue(ink).trim();
 }
 
-/** Runs the action when the page's colours change. */
+/** Calls a function when the colour scheme of the page changes. */
 export function onColoursChanged(action: () => void): void {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', action);
 }

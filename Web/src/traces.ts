@@ -1,14 +1,14 @@
 import type { Ink } from './theme';
 
 /**
- * Style of a signal, the same on every plot. Traces differ in lightness, width and dash, so that they can be distinguished without
- * colour vision and on a grey print.
+ * Style of a signal, which is the same in all plots. Styles differ in lightness, width and dash, so that they can be distinguished without
+ * colour vision and in a black-and-white print.
  */
 export interface Look {
   ink: Ink;
   width: number;
   dash: number[];
-  /** Draws squares instead of a line. */
+  /** Whether squares are drawn in place of a line, and whether they are hollow or filled. */
   mark?: 'hollow' | 'filled';
 }
 
@@ -26,14 +26,14 @@ export interface Trace {
   look: Look;
   t: number[];
   v: (number | null)[];
-  /** Holds each value until the next, with a point at its time. */
+  /** Whether each value is held until the next one, with a point at its time. */
   stepped?: boolean;
-  /** Marks each point. */
+  /** Whether each point has a marker. */
   marked?: boolean;
-  /** Draws points without a line between them. */
+  /** Whether points are drawn without a line between them. */
   scattered?: boolean;
-  /** Half length of a bar across each point. */
+  /** Half the length of the error bar at each point. */
   deviation?: (number | null)[];
-  /** The other edge of the previous trace's band. It is shown and hidden with that trace. */
+  /** Whether this trace is the other edge of the previous trace's band. It is shown and hidden together with that trace. */
   mirror?: boolean;
 }

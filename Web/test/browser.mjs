@@ -1,4 +1,4 @@
-// Opens a page in Chromium from a file and records all errors.
+// Opens pages in Chromium from files and records all errors.
 import { accessSync, constants, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
@@ -6,13 +6,13 @@ import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
 // Without a graphics card, WebGL is rendered by the processor.
-// Plots are drawn worse and more slowly with these flags.
+// With these flags, plots are drawn more slowly and with lower quality.
 export const WEBGL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-accelerated-2d-canvas'];
 export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync'];
-// The headless shell is preferred: the full browser starts window processes for each page, although no window is visible.
+// Prefers the headless shell, because the full browser starts window processes for each page although no window is visible.
 const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'chrome'];
 const read = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url), 'utf8');
 
@@ -31,7 +31,7 @@ function executable() {
   return found;
 }
 
-/** Inserts the data like ReportPage.Render and FiguresPage.Render. */
+/** Inserts the data into a page, as ReportPage.Render and FiguresPage.Render do. */
 export function render(data, name = 'report') {
   return read(name).replace('__REPORT_DATA__', () => JSON.stringify(data).replaceAll('<', '\\u003c'));
 }
@@ -54,7 +54,7 @@ export class Browser {
     rmSync(this.folder, { recursive: true, force: true });
   }
 
-  /** Opens a page with `complaints`: console errors, exceptions and each request except the one for the page itself. */
+  /** Opens a page. Its `complaints` are console errors, exceptions, and all requests except the one for the page itself. */
   async open(data, { fragment = '', name = this.name, ...options } = {}) {
     const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
     writeFileSync(file, render(data, name));

@@ -1,4 +1,4 @@
-// A made-up calibration with one plot of each kind that the page can show.
+// Artificial data of a calibration, with one plot of each kind that the page can show.
 
 const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 

@@ -1,4 +1,4 @@
-// A stand-in for the gateway that serves the page with the control clock's code.
+// A substitute for the gateway that serves the page with the control clock's code.
 import { once } from 'node:events';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 
 const html = readFileSync(fileURLToPath(new URL('../dist/vlc.html', import.meta.url)));
 
-/** A gateway whose control clock is this process's counter with a large offset. */
+/** A gateway whose control clock is the counter of this process plus a large offset. */
 export class ClockGateway {
   aheadNs = 1_700_000_000_000_000_000n;
   isSynchronised = true;

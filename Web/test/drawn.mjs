@@ -1,6 +1,6 @@
 const LIMIT_MS = 20_000;
 
-/** Takes pictures until one is as expected, because slow machines draw late. Returns the last one if none is. */
+/** Takes screenshots until one meets a condition, because slow machines draw late. If none does, returns the last one. */
 export async function drawn(look, isExpected) {
   for (const end = performance.now() + LIMIT_MS; ;) {
     const seen = await look();

@@ -1,4 +1,4 @@
-// A gateway with a swinging robot and two headsets. It provides only the data that the page of operations requests.
+// A fake gateway with a swinging robot and two headsets. It provides only the data that the operations page requests.
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -10,7 +10,7 @@ export const JOINTS = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 
 const REST = [2.9, 2, -1.5, 1.7, 2.9];
 
-/** Joint positions at which the whole arm is above its base. */
+/** Joint positions in which the whole arm is above its base. */
 export const UPRIGHT = [2.95, 1.13, -2.55, 1.79, 2.9];
 
 /** Joint positions at a control time. */
@@ -20,7 +20,7 @@ const stamp = t => ({ sec: Math.floor(t), nanosec: Math.floor((t % 1) * 1e9) });
 const jointState = (topic, t, positions, frame = '', names = JOINTS) => JSON.stringify(
   { op: 'publish', topic, msg: { header: { stamp: stamp(t), frame_id: frame }, name: names, position: positions, velocity: [], effort: [] } });
 
-/** Returns a text frame of a server, which is not masked. */
+/** Creates a text frame as a server sends it, without a mask. */
 function frame(text) {
   const payload = Buffer.from(text);
   const head = payload.length < 126 ? Buffer.from([0x81, payload.length])
@@ -29,7 +29,7 @@ function frame(text) {
   return Buffer.concat([head, payload]);
 }
 
-/** Returns the texts of the masked frames sent by a browser; each frame is small and complete. */
+/** Returns the texts of the masked frames that a browser sent. Each frame must be small and complete. */
 function* textsOf(data) {
   for (let at = 0; at + 6 <= data.length;) {
     const opcode = data[at] & 15;
@@ -61,16 +61,16 @@ export class FakeGateway {
   pace = 1;
   /** Positions about which the joints swing. */
   rest = REST;
-  /** The sets of joints that are published in turn. */
+  /** Sets of joints, which are published in turn. */
   sets = [JOINTS];
-  /** Angle between the pose displayed by "left door" and the truth, rad; null if it does not report. */
+  /** Angle between the pose that "left door" displays and the true pose, rad; null if the headset does not report it. */
   turned = 0.1;
   token = null;
   isSilent = false;
 
   /** Namespaces of further robots. */
   robots = [];
-  /** A promise that delays the pairing code. */
+  /** Promise that delays the answer with the pairing code. */
   codeIsLate = null;
   began = Date.now();
   ticks = 0;
@@ -116,7 +116,7 @@ export class FakeGateway {
     await new Promise(done => this.server.close(done));
   }
 
-  /** Closes every WebSocket, like a gateway that is restarted. */
+  /** Closes all WebSockets, like a gateway that restarts. */
   hangUp() {
     for (const socket of this.sockets.keys()) socket.destroy();
   }

@@ -1,4 +1,4 @@
-// Made-up figures, one of each kind that the page can show.
+// Artificial data of figures, one of each kind that the page can show.
 
 const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 

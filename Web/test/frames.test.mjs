@@ -1,4 +1,4 @@
-// The frames of the cell on the operations page: where their axes are drawn at one time.
+// Tests where the operations page draws the axes of the cell's frames at a given time.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { buildSync } from 'esbuild';
@@ -14,7 +14,7 @@ const none = () => null;
 const drawn = frames => frames.group.children.map(axes => (axes.visible ? Number(axes.position.x.toFixed(6)) : null));
 
 describe('frames', () => {
-  it('are drawn where they were at the time, between two samples', () => {
+  it('are interpolated between two samples', () => {
     const frames = new Frames();
     frames.take(message('box', 'world', 10, 1), false);
     frames.take(message('box', 'world', 10.1, 2), false);
@@ -43,7 +43,7 @@ describe('frames', () => {
     assert.deepEqual(drawn(frames), [null, null, null, null]);
   });
 
-  it('start again with a new parent', () => {
+  it('discard earlier samples when the parent changes', () => {
     const frames = new Frames();
     frames.take(message('box', 'world', 10, 5), false);
     frames.take(message('box', 'nobody', 10.05, 0), false);
@@ -54,7 +54,7 @@ describe('frames', () => {
     assert.deepEqual(drawn(frames), [1]);
   });
 
-  it('ignore messages of another form', () => {
+  it('ignore messages with another format', () => {
     const frames = new Frames();
     for (const text of ['', '{}', '{"msg":{"transforms":[{}]}}', '{"msg":{"transforms":7}}']) frames.take(text, false);
 

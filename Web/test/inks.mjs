@@ -1,6 +1,6 @@
 // Reads the canvases of a page's plots.
 
-/** Whether the plot's canvas has a pixel near the colour of a style sheet variable. */
+/** Gets whether the canvas of a plot has a pixel with approximately the colour of a style sheet variable. */
 export const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
   const probe = document.createElement('span');
   probe.style.color = `var(${ink})`;
@@ -17,7 +17,7 @@ export const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
 
 export const settled = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/** Relative luminance of style sheet colours, and the contrast of two colours. */
+/** Computes the relative luminance of style sheet colours, and the contrast of two colours. */
 export const luminance = (page, inks) => page.evaluate(inks => inks.map(ink => {
   const [r, g, b] = getComputedStyle(document.documentElement).getPropertyValue(ink).trim().match(/\w\w/g)
     .map(h => parseInt(h, 16) / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
@@ -25,7 +25,7 @@ export const luminance = (page, inks) => page.evaluate(inks => inks.map(ink => {
 }), inks);
 export const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 
-/** Number of painted pixels and of colours in the canvas of each plot. */
+/** Gets the number of painted pixels and the number of colours in the canvas of each plot. */
 export const painted = page => page.evaluate(() => [...document.querySelectorAll('.plot canvas')].map(canvas => {
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
   const colours = new Set();
@@ -38,7 +38,7 @@ export const painted = page => page.evaluate(() => [...document.querySelectorAll
   return { pixels, colours: colours.size };
 }));
 
-/** Median height of a plot's signal, from 0 at the bottom of the plot area to 1 at its top. */
+/** Gets the median height of a signal, from 0 at the bottom of the plot area to 1 at its top. */
 export const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   const plot = document.querySelectorAll('.plot')[index], canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), top = over.top - canvas.getBoundingClientRect().top;
@@ -52,7 +52,7 @@ export const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   return 1 - rows[rows.length >> 1] / over.height;
 }, [index, ink]);
 
-/** Share of the render time plot's column, at a time within the 10 s shown, that has the alarm's shade. */
+/** Gets which share of a column of the render time plot, at a time within the 10 s shown, has the shade of an alarm. */
 export const shadedShare = (page, time) => page.evaluate(time => {
   const plot = document.querySelector('#range .plot'), canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), left = over.left - canvas.getBoundingClientRect().left;

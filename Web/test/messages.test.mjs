@@ -1,10 +1,10 @@
-// The wording of the pages' message catalogue.
+// Checks the wording of the pages' message catalogue.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { faultsIn, textsOf } from '../../.ci/lint/wording.mjs';
 import { messages } from './messages.mjs';
 
-/** A value for each parameter of the catalogue's functions. Values of the pages are complete sentences; reasons are parts of sentences. */
+/** A sample for each parameter of the catalogue's functions. A sample can be part of a sentence, like `reason`, or a complete one, like `values`. */
 const samples = {
   boundMs: 4.2, compensatedMm: 2.1, count: 3, displayedMm: 2.1, extentUs: 1000, figures: 'Fig. 12, Fig. 18', fromMs: 60, headset: 'left door',
   heldMm: 31, joint: 'arm_joint_1', joints: ['arm_joint_1', 'arm_joint_2'], maxErrorMs: 8, maxMs: 3, meanMs: 33, modules: 33, mostMs: 80,

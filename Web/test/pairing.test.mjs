@@ -1,4 +1,4 @@
-// The pairing page and the gateway's verbs with the most recently built gateway. Another library reads every drawn code.
+// Tests the pairing page and the gateway's commands with the most recently built gateway. A different library reads the drawn codes.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, readFileSync, statSync } from 'node:fs';
@@ -45,7 +45,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
   });
 
   after(async () => {
-    // The gateway still writes to the folder, which is deleted with the browser.
+    // The gateway still writes to the folder, so the folder is deleted later, together with the browser.
     process?.kill('SIGINT');
     await ended;
     await browser?.stop();
@@ -138,7 +138,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     assert.ok(Number(valueOf(text, 'valid_s')) > 200);
   });
 
-  it('makes a readable code, on a terminal and in true size', async () => {
+  it('writes a readable code to a terminal and to a file in true size', async () => {
     const pin = 'sha256/AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8=';
     const args = ['cell', '--cell', 'Prüfzelle 3', '--host', '192.168.10.20', '--pin', pin, '--offset', '0.25,-0.1,0,0,0,90', '--size-mm', '100'];
     const expected = 'nowpose:cell/1?n=Pr%C3%BCfzelle%203&h=192.168.10.20&p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8&o=0.25,-0.1,0,0,0,90&m=0.1';

@@ -1,4 +1,4 @@
-// Checks that the manual's pictures of the pages are up to date: the pages have the same texts as when the pictures were taken.
+// Checks that the manual's pictures are up to date: the pages must have the same texts as when the pictures were taken.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
@@ -34,7 +34,7 @@ describe('a picture of the manual', () => {
   });
 
   for (const [name, { file, shownBy }] of Object.entries(PICTURES)) {
-    it(`is small and shown by a page: ${name}`, () => {
+    it(`is small and used by a page of the manual: ${name}`, () => {
       const picture = readFileSync(path(file));
 
       assert.ok(picture.length <= MAX_BYTES, `${picture.length} bytes`);

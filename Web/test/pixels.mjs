@@ -2,8 +2,8 @@
 import { drawn } from './drawn.mjs';
 
 /**
- * Counts the blue, orange and grey pixels of an element, which are the robots' colours, and the coloured pixels at its edge.
- * @param holds Condition on the counts that one of the next pictures must meet.
+ * Counts the blue, orange and grey pixels of an element, which are the colours of the robots, and the coloured pixels at its edge.
+ * @param holds Condition that the counts of one of the next screenshots must meet.
  */
 export const picture = (page, locator, holds = () => true) => drawn(() => counted(page, locator), holds);
 

@@ -1,4 +1,4 @@
-// The session's playback in the report: robot, controls and plots show the same moment.
+// Tests the playback of the session in the report. Robot, controls and plots must show the same moment.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, describe, it } from 'node:test';
@@ -13,7 +13,7 @@ const names = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 const SECONDS = 8;
 const { reportMessages, robotMessages, robotReasons } = messages;
 
-/** The robot swings about its base. The error is 0.01 rad as displayed, and 0.1 rad without compensation. */
+/** A robot that swings about its base. The error of the displayed pose is 0.01 rad, and 0.1 rad without compensation. */
 function withPlayback(change = {}) {
   const t = Array.from({ length: SECONDS * 30 + 1 }, (_, i) => i / 30);
   const at = beside => t.map(time => [2.9 + 0.8 * Math.sin(time) + beside, 2, -1.5, 1.7, 2.9]);
@@ -40,7 +40,7 @@ describe('the playback of a report', () => {
     await page.context().close();
   });
 
-  it('draws all three robots and hides those switched off', async () => {
+  it('draws all three robots, and hides those that are switched off', async () => {
     const page = await browser.open(withPlayback({ hold: withPlayback().playback.truth.map(joints => [joints[0] + 1, ...joints.slice(1)]) }));
     const stage = page.locator('#playback .stage');
     const all = await picture(page, stage);
@@ -144,7 +144,7 @@ describe('the playback of a report', () => {
 });
 
 describe('the objects in the playback', () => {
-  // One cube that moves along x, is 2 mm behind as displayed, and 30 mm behind without compensation.
+  // One cube moves along x. The displayed pose is 2 mm behind the true one, and the uncompensated pose 30 mm.
   function withObjects() {
     const { playback, ...others } = withPlayback();
     const at = behind => playback.t.map(time => [0.3 + 0.1 * time - behind, 0.4, 0, 0, 0, 0, 1]);
@@ -153,7 +153,7 @@ describe('the objects in the playback', () => {
     return { ...others, playback: { ...playback, objects } };
   }
 
-  it('are drawn with their distances, and not before they were known', async () => {
+  it('are drawn with their distances, but not before they are known', async () => {
     const page = await browser.open(withObjects());
     assert.ok((await words(page)).includes(reportMessages.workpieceError(null, null)));
 

@@ -1,4 +1,4 @@
-// Ranges, cursors, zoom and legends of a report's plots.
+// Tests ranges, cursors, zoom and legends of the report's plots.
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
@@ -171,7 +171,7 @@ describe('using a plot', () => {
         return drawn;
       }, section);
       assert.ok(steps > width / 4 + stepped, `${section}: ${steps} steps of ${width} pixels`);
-      // Each signal is drawn twice; a step goes right, then up or down.
+      // Each signal is drawn twice. A step goes to the right, then up or down.
       assert.ok(steps < 20 * width + 4 * stepped, `${section}: ${steps} steps of ${width} pixels`);
     }
     assert.deepEqual(page.complaints, []);

@@ -2,14 +2,14 @@
 import jsQR from 'jsqr';
 import { drawn } from './drawn.mjs';
 
-/** Reads the code in a picture of 8-bit greys, row by row; null if none is found. */
+/** Reads the code in a picture of 8-bit grey values, row by row; null if there is none. */
 export function readGreys(greys, width, height) {
   const pixels = new Uint8ClampedArray(width * height * 4);
   greys.forEach((grey, i) => pixels.fill(grey, 4 * i, 4 * i + 3).fill(255, 4 * i + 3, 4 * i + 4));
   return jsQR(pixels, width, height, { inversionAttempts: 'dontInvert' })?.data ?? null;
 }
 
-/** Reads the code in a terminal's output: each line has two rows of squares, and printed characters are light. */
+/** Reads the code in the output of a terminal. Each line contains two rows of squares, and printed characters are light. */
 export function readBlocks(text) {
   const lines = text.split('\n').filter(line => /^[ █▀▄]+$/.test(line));
   const isLight = (line, x, isUpper) => '█'.includes(line[x]) || line[x] === (isUpper ? '▀' : '▄');
@@ -20,12 +20,12 @@ export function readBlocks(text) {
   return readGreys(greys, width, rows.length * scale);
 }
 
-/** Reads the code of a page's element from a screenshot in Chromium, as soon as it is drawn. */
+/** Reads the code in an element of a page from a screenshot, as soon as the code is drawn. */
 export const readElement = locator => drawn(() => readScreenshot(locator), text => text !== null);
 
 async function readScreenshot(locator) {
   const png = (await locator.screenshot()).toString('base64');
-  // The greys come back as Base64 too: an array of a million numbers takes seconds to serialise.
+  // Returns the grey values as Base64, too, because an array of a million numbers takes seconds to serialise.
   const { greys, width, height } = await locator.page().evaluate(async base64 => {
     const bytes = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));

@@ -1,4 +1,4 @@
-// A made-up run: a joint swings, samples arrive late, and the prediction follows. Seeded, so that failures are reproducible.
+// Artificial data of a run: a joint swings, samples arrive late, and the prediction follows. The seed makes failures reproducible.
 
 export function random(seed) {
   let state = seed >>> 0;
@@ -10,7 +10,7 @@ export function random(seed) {
 
 const range = (count, f) => Array.from({ length: count }, (_, i) => f(i));
 
-/** Position of a joint that swings for one second and rests for half a second in turn. */
+/** Position of a joint that alternately swings for one second and rests for half a second. */
 function swing(t) {
   const phase = ((t % 3) + 3) % 3;
   const ease = x => (x <= 0 ? 0 : x >= 1 ? 1 : x * x * x * (10 - 15 * x + 6 * x * x));

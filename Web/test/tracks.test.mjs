@@ -1,4 +1,4 @@
-// Joint positions of the page's robot, from messages that contain different subsets of the joints.
+// Tests the joint positions of the robot if messages contain different subsets of the joints.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -11,7 +11,7 @@ const { JointTracks } = await import(`data:text/javascript;base64,${Buffer.from(
 const at = pose => Object.fromEntries(pose.names.map((name, i) => [name, pose.positions[i]]));
 
 describe('joints published in overlapping sets', () => {
-  it('have their newest values from any of the sets', () => {
+  it('have the newest value from any set', () => {
     const tracks = new JointTracks(5);
     tracks.add(0.4, ['a', 'b'], [0.4, 4]);
     tracks.add(0.5, ['a'], [0.5]);
@@ -33,9 +33,9 @@ describe('joints published in overlapping sets', () => {
     assert.equal(tracks.at(0.5), null);
   });
 
-  it('are known for sets in any order', () => {
+  it('do not depend on the order of the sets', () => {
     const tracks = new JointTracks(5), joints = ['a', 'b', 'c', 'd', 'e'];
-    // All 120 orders.
+    // Tries all 120 orders.
     const orders = rest => (rest.length === 0 ? [[]]
       : rest.flatMap(one => orders(rest.filter(other => other !== one)).map(order => [one, ...order])));
     orders(joints).forEach((names, i) => tracks.add(i, names, names.map(name => i + joints.indexOf(name) / 10)));

@@ -1,4 +1,4 @@
-// The page with the control clock's code, served by the real gateway if it has been built, and by a stand-in with a known clock.
+// Tests the page with the control clock's code, served by the real gateway if it has been built, and by a substitute with a known clock.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
@@ -25,7 +25,7 @@ const { controlCells } = await load('code');
 const { ControlClock } = await load('controlClock');
 const { grainOf } = await load('grain');
 
-/** Reads the canvas like a camera, directly after the page has drawn a frame, and requests the time like the page. */
+/** Reads the canvas directly after the page has drawn a frame, like a camera, and requests the time in the same way as the page. */
 const sight = page => page.evaluate(async () => {
   const times = [];
   for (let i = 0; i < 12; i++) {
@@ -36,7 +36,7 @@ const sight = page => page.evaluate(async () => {
     times.push({ t1, t4, t2, t3 });
   }
   const canvas = document.getElementById('code');
-  // On a busy machine the page may need another quick exchange.
+  // On a busy machine, the page may need another exchange with a short round-trip time.
   for (let frame = 0; ; frame++) {
     const at = await new Promise(requestAnimationFrame);
     if (document.body.dataset.state !== 'synchronised' && frame < 600) continue;
@@ -56,7 +56,7 @@ const valueOf = cells => {
 const text = cells => cells.map(Number).join('');
 const codes = Array.from({ length: PERIOD }, (_, value) => text(controlCells(value)));
 
-/** Time shown by the code minus the clock's time at the frame's start, ms, and the error bound of the quickest exchange. */
+/** Gets the time shown by the code minus the clock's time at the start of the frame, ms, and the error bound of the fastest exchange. */
 function errorOf({ at, cells, times }) {
   const value = valueOf(cells);
   assert.notEqual(value, null, 'the cells are not a code');
@@ -91,21 +91,21 @@ describe('the code and its clock', () => {
     }
   });
 
-  // Round trips of 2 ms; the control clock is 5000 s ahead.
+  // The round-trip time is 2 ms, and the control clock is 5000 s ahead.
   const exchange = { t1: 100, t4: 102, t2: 5_000_101_000_000n, t3: 5_000_101_000_000n, resolutionNs: 1 };
   const clockWith = (grainMs, ...exchanges) => exchanges.reduce((clock, e) => (clock.add(e), clock), new ControlClock(grainMs));
 
-  /** The clock's time minus 5000 s, ms, and its error bound. */
+  /** Gets the time of the clock minus 5000 s, ms, and its error bound. */
   const shown = (clock, now) => {
     const { ns, boundMs } = clock.at(now);
     return [Number(ns - 5_000_000_000_000n) / 1e6, boundMs].map(ms => Math.round(ms * 1000) / 1000);
   };
 
-  it('assumes the middle of the round trip', () => {
+  it('assumes equal delays in both directions', () => {
     assert.deepEqual(shown(clockWith(0, exchange), 102), [102, 1]);
   });
 
-  it('adds half the resolution of the control clock to its time and to the bound', () => {
+  it('adds half the resolution of the control clock to the time and to the bound', () => {
     assert.deepEqual(shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }), 102), [112, 11]);
   });
 
@@ -114,7 +114,7 @@ describe('the code and its clock', () => {
 
     const [ms, boundMs] = shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }, late), 202);
 
-    // The offset is between −1 ms (first exchange) and 20 ms (second). Since the first, skew may have added 0.05 ms.
+    // The offset is between −1 ms (first exchange) and 20 ms (second exchange). Since the first, the skew can have added 0.05 ms.
     assert.ok(Math.abs(ms - 211.5) < 0.06 && Math.abs(boundMs - 10.5) < 0.06, `${ms} ± ${boundMs} ms`);
   });
 
@@ -148,7 +148,7 @@ describe('the code and its clock', () => {
     assert.equal(clock.at(202), null);
   });
 
-  /** A clock that advances by 0.01 ms with each reading, with a resolution of `stepMs`. One reading is delayed by 40 ms. */
+  /** A clock with a resolution of `stepMs` that advances by 0.01 ms with each reading. One reading is delayed by 40 ms. */
   const cut = stepMs => {
     let looks = 0;
     return () => {

@@ -1,33 +1,34 @@
 using MathNet.Numerics.LinearRegression;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>Fits the latency for head motion: the offset between the hologram and the control's code grows with the speed of the head.</summary>
+/// <summary>Estimates the latency for head motion from the distance between both codes, which changes with the speed of the head.</summary>
 /// <remarks>
-/// The hologram is where the control's code was a latency L ago: h(t) = a + (1 + b) c(t − L), where a is the distance of the codes and b
-/// comes from different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v. The square models the
-/// distortion of lens and display. Over a motion back and forth, v and c do not depend on each other.
+/// The hologram appears where the control's code was a latency L ago: h(t) = a + (1 + b) c(t − L). Here a is the distance of the codes,
+/// and b is not 0 if the codes have different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v.
+/// The term k c² models the distortion of lens and display. Over a motion back and forth, v and c are uncorrelated.
 /// </remarks>
 static class HeadMotionFit
 {
     const int MinPictures = 60;
 
-    /// <summary>Minimum number of changes of direction: two periods to and fro.</summary>
+    /// <summary>Minimum number of changes of direction: two periods of a motion back and forth.</summary>
     const int MinTurns = 3;
 
-    /// <summary>Maximum share of the pictures in one direction.</summary>
+    /// <summary>Maximum share of the pictures that show motion in the same direction.</summary>
     const double MaxShareOfDirection = 0.8;
 
-    /// <summary>Places more than this many standard deviations from the line are outliers.</summary>
+    /// <summary>A picture is an outlier if it deviates from the fit by more than this number of standard deviations.</summary>
     const double MaxDeviations = 4, PerMedianDeviation = 1.4826;
 
-    /// <summary>Minimum root mean square of the speed, px/s. Below it, a px of noise is as large as the latency to be measured.</summary>
+    /// <summary>Minimum root mean square of the speed, px/s. At lower speeds, 1 px of noise is as large as the effect of the latency.</summary>
     const double MinSpeed = 60;
 
-    /// <summary>Motion of the hologram in the picture divided by that of the control's code. A hologram that is fixed to the display has 0.</summary>
+    /// <summary>Allowed motion of the hologram divided by the motion of the control's code. A hologram that is fixed to the display has 0.</summary>
     const double MinScale = 0.7, MaxScale = 1.4;
 
-    /// <summary>Number of parts of the recording that are left out in turn, for the uncertainty (jackknife).</summary>
+    /// <summary>Number of parts of the recording. The uncertainty comes from fits that leave out one part each (jackknife).</summary>
     const int Parts = 10;
 
     /// <summary>Quantile of Student's distribution with 9 degrees of freedom, for 95 % confidence.</summary>
@@ -51,26 +52,21 @@ static class HeadMotionFit
     static void RequireMotion(IReadOnlyList<HeadPicture> pictures)
     {
         if (pictures.Count < MinPictures)
-            throw new InputException($"{pictures.Count} pictures are close enough in time to their neighbours to measure a speed; at least {MinPictures} are "
-                + "needed: film for ten seconds or more, with 25 pictures a second or more");
+            throw new InputException(HeadMotionMessages.TooFewPictures(pictures.Count, MinPictures));
         var speed = Math.Sqrt(pictures.Average(picture => picture.Speed * picture.Speed));
         if (speed < MinSpeed)
-            throw new InputException(FormattableString.Invariant(
-                $"the control code moves at {speed:0} px/s in the pictures; at least {MinSpeed} px/s are needed: ")
-                + "turn headset and camera together to the left and right");
+            throw new InputException(HeadMotionMessages.TooSlow(speed, MinSpeed));
         HeadPicture[] fast = [.. pictures.Where(picture => Math.Abs(picture.Speed) > speed / 2)];
         var forward = fast.Count(picture => picture.Speed > 0) / (double)fast.Length;
         var turns = fast.Zip(fast.Skip(1)).Count(pair => Math.Sign(pair.First.Speed) != Math.Sign(pair.Second.Speed));
         if (turns < MinTurns || forward > MaxShareOfDirection || forward < 1 - MaxShareOfDirection)
-            throw new InputException($"the headset changes its direction {turns} times; turn it at least twice in each direction");
+            throw new InputException(HeadMotionMessages.TooFewTurns(turns));
     }
 
     static void RequireWorldLocked(double scale)
     {
         if (scale is >= MinScale and <= MaxScale) return;
-        throw new InputException(FormattableString.Invariant(
-            $"the hologram moves {scale:0.0} px where the control code moves 1 px; both must stay at the same place in the room: ")
-            + "disable Body Follow, and place the headset's code at the distance of the control code");
+        throw new InputException(HeadMotionMessages.NotWorldLocked(scale));
     }
 
     static List<HeadPicture> WithoutStrays(IReadOnlyList<HeadPicture> pictures)

@@ -4,16 +4,18 @@ using Nowpose.Cli.Calibrate.Vlc;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>Times, places and speeds of the pictures of a moving headset.</summary>
+/// <summary>Computes times, positions and speeds from the pictures of a moving headset.</summary>
 static class HeadPictures
 {
-    /// <summary>Maximum deviation of L_visu. A frame that was repeated or late is not of the time that its L_visu implies.</summary>
+    /// <summary>
+    /// Maximum deviation of L_visu from the median. A frame that was repeated or late was not rendered for the time of its picture.
+    /// </summary>
     const double MaxVisuDeviationMs = 10;
 
-    /// <summary>The speed is the slope of a cubic through the pictures within this time.</summary>
+    /// <summary>Half the time window, s, of the cubic fit whose slope is the speed.</summary>
     const double HalfWindowSeconds = 0.15;
 
-    /// <summary>Minimum number of pictures before and after, so that the cubic is bounded on both sides.</summary>
+    /// <summary>Minimum number of pictures on each side of the evaluated one, so that the cubic fit does not extrapolate.</summary>
     const int MinNeighbours = 2;
 
     const int Cubic = 3;
@@ -21,8 +23,8 @@ static class HeadPictures
     /// <summary>Quantile of the normal distribution for 95 % confidence, in standard deviations.</summary>
     const double Coverage = 1.96;
 
-    /// <param name="pictures">In the order in which they were taken.</param>
-    /// <param name="visu">Mean L_visu of the used pictures, and half of the mean's 95 % confidence interval, ms.</param>
+    /// <param name="pictures">Pictures in the order in which they were taken.</param>
+    /// <param name="visu">Mean L_visu of the used pictures, ms, and half of the 95 % confidence interval of the mean, ms.</param>
     /// <returns>The pictures whose speed is known; empty if there are none.</returns>
     public static IReadOnlyList<HeadPicture> Of(IEnumerable<PictureResult> pictures, out (double MeanMs, double UncertaintyMs) visu)
     {
@@ -36,7 +38,7 @@ static class HeadPictures
         return [.. Along(read, mean)];
     }
 
-    // The time of this code is not later than the previous one: a code was misread, or the pictures are out of order.
+    // Skips pictures whose code is not later than the previous one: the code was misread, or the pictures are out of order.
     static IEnumerable<PictureResult> InTime(IEnumerable<PictureResult> pictures)
     {
         PictureResult last = null;
@@ -56,8 +58,8 @@ static class HeadPictures
         for (var i = 0; i < read.Length; i++)
         {
             if (SpeedAt(i, seconds, places) is not double speed) continue;
-            // The camera sees both codes at times other than the middle of the lit time. The headset's code is displaced by the deviation
-            // of the picture.
+            // The picture is not taken at the middle of the lit time, and a rolling shutter exposes the codes at different times.
+            // The headset's code is displaced by the speed times both time differences.
             var laterMs = read[i].Places.LaterMs - (read[i].VisuMs - visuMs);
             var offset = axis.LengthOf(read[i].Places.Headset, read[i].Places.Control) - speed * laterMs / 1000;
             yield return new HeadPicture(seconds[i], places[i], speed, offset);

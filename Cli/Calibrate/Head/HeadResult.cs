@@ -2,7 +2,7 @@ using Nowpose.Cli.Calibrate.Vlc;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>Result of the evaluation of pictures of a moving headset.</summary>
+/// <summary>Latency for head motion, evaluated from pictures of a moving headset.</summary>
 sealed class HeadResult
 {
     /// <exception cref="InputException">There is too little motion, or there are too few pictures of it.</exception>
@@ -12,7 +12,7 @@ sealed class HeadResult
         var moving = HeadPictures.Of(pictures.Pictures, out var visu);
         VisuMs = visu.MeanMs;
         (LatencyMs, var uncertaintyMs, Used) = HeadMotionFit.Of(moving);
-        // A picture's deviation from the middle of the lit time is computed from the mean, so the mean's uncertainty adds.
+        // The mean L_visu enters the time of every picture, so its uncertainty adds to the result.
         UncertaintyMs = Math.Sqrt(uncertaintyMs * uncertaintyMs + visu.UncertaintyMs * visu.UncertaintyMs);
         SpeedPx = Math.Sqrt(Used.Average(picture => picture.Speed * picture.Speed));
     }
@@ -25,12 +25,12 @@ sealed class HeadResult
     /// <summary>Half of the 95 % confidence interval.</summary>
     public double UncertaintyMs { get; }
 
-    /// <summary>Age of the content of the same pictures, Eq. (7).</summary>
+    /// <summary>Mean L_visu of the same pictures, Eq. (7).</summary>
     public double VisuMs { get; }
 
     /// <summary>Root mean square of the speed, px/s.</summary>
     public double SpeedPx { get; }
 
-    /// <summary>The pictures that were used in the fit.</summary>
+    /// <summary>The pictures used in the fit.</summary>
     public IReadOnlyList<HeadPicture> Used { get; }
 }

@@ -5,12 +5,12 @@ namespace Nowpose.Cli.Calibrate.Range;
 /// <summary>Render time and visualisation latency of one picture of a calibration.</summary>
 readonly struct LatencyPair
 {
-    /// <summary>Maximum absolute value, ms: codes repeat after it, so a misread picture may be off by as much. The fit rejects it.</summary>
+    /// <summary>Maximum absolute value, ms. Codes repeat after this time, so a misread picture can be wrong by the same amount.</summary>
     const double MaxVisuMs = TimestampCode.PeriodMs;
 
     /// <param name="renderMs">A measured render time, see <see cref="MeasuredRenderTime"/>.</param>
-    /// <param name="visuMs">L_visu by Eq. (7): −65 536 to 65 536 ms, any value in it for a misread picture.</param>
-    /// <exception cref="InputException">Out of range, or not a number.</exception>
+    /// <param name="visuMs">L_visu by Eq. (7), −65 536 to 65 536 ms. A misread picture can have any value in this range.</param>
+    /// <exception cref="InputException">A value is out of range or not a number.</exception>
     public LatencyPair(double renderMs, double visuMs)
     {
         RenderMs = MeasuredRenderTime.RequireMs(renderMs);

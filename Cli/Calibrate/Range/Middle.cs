@@ -1,8 +1,8 @@
 namespace Nowpose.Cli.Calibrate.Range;
 
 /// <summary>
-/// Median and half the range of the middle 68 %. For normal values these are mean and standard deviation; a few misread pictures do not
-/// change them.
+/// Computes the median and half the width of the middle 68 %. For a normal distribution these are mean and standard deviation. A few
+/// misread pictures do not change them.
 /// </summary>
 static class Middle
 {

@@ -1,50 +1,53 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Finds the constant-latency range from pictures at several loads: L_visu, and the maximum render time with constant L_visu.</summary>
+/// <summary>Finds L_visu and the constant-latency range: the maximum render time up to which L_visu is constant.</summary>
 /// <remarks>
-/// Schnierle &amp; Röck 2022, Fig. 11b. A pair is good when its L_visu is that of the plateau. The limit is where the share of good
-/// pairs changes, by maximum likelihood (<see cref="RangeSplit"/>), so that neither misread pictures nor frames that waited
-/// behind a slow one move it. Without enough pairs beyond it, the result is the observed range instead of a limit.
+/// Schnierle &amp; Röck 2022, Fig. 11b. A pair is good if its L_visu is within the tolerance of the constant value (the plateau).
+/// <see cref="RangeSplit"/> finds the render time at which the share of good pairs drops, by maximum likelihood. Misread pictures and
+/// frames that waited behind a slow one therefore do not move the limit. If too few pairs lie beyond it, the result is the observed
+/// range without a limit.
 /// </remarks>
 static class RangeFit
 {
     /// <summary>Minimum number of pairs.</summary>
     public const int MinPairs = 20;
 
-    /// <summary>Share of the pairs, those with the lowest render times, from which the initial plateau is estimated.</summary>
+    /// <summary>Share of the pairs from which the initial plateau is estimated: those with the lowest render times.</summary>
     const double SeedShare = 0.2;
 
-    /// <summary>Minimum tolerance around the plateau, ms: scatter that a camera and codes of 1 ms add to a constant latency.</summary>
+    /// <summary>Minimum tolerance around the plateau, ms. The camera and the 1 ms resolution of the codes cause this scatter.</summary>
     const double MinToleranceMs = 3;
 
-    /// <summary>Tolerance around the plateau in standard deviations.</summary>
+    /// <summary>Tolerance around the plateau, in standard deviations.</summary>
     const double Deviations = 3.5;
 
-    /// <summary>Maximum standard deviation of a plateau, ms. A 30 Hz display that is lit continuously causes 9.6 ms.</summary>
+    /// <summary>Maximum standard deviation of a plateau, ms. A 30 Hz display that is lit continuously has 9.6 ms.</summary>
     const double MaxSpreadMs = 10;
 
-    /// <summary>Relative distance from the limit to the next pictures above which the limit is reported as uncertain.</summary>
+    /// <summary>Relative gap above the limit without pictures. If the gap is larger, the limit is reported as uncertain.</summary>
     const double Coarse = 0.05;
 
     /// <summary>
-    /// Position of the limit in the gap between the last pictures on time and the first late ones, as a share of the gap. A limit
-    /// that is too high is three times as bad as one that is too low. The second value limits the relative excess over the last picture.
+    /// Position of the limit in the gap between the last good pictures and the first late ones, as a share of the gap. It is below the
+    /// middle because a limit that is too high is worse than one that is too low. The second value limits the relative distance from the
+    /// last good picture.
     /// </summary>
     const double IntoTheGap = 0.25, MaxShareAbove = 0.02;
 
-    /// <summary>Number of pairs beyond the limit that may be misread.</summary>
+    /// <summary>Number of pairs just beyond the limit that are assumed to be misread.</summary>
     const int Misread = 2;
 
     const int MaxRounds = 8;
 
-    /// <param name="pairs">At least <see cref="MinPairs"/> pairs, in any order.</param>
+    /// <param name="pairs">At least <see cref="MinPairs"/> pairs in any order.</param>
     /// <exception cref="InputException">There are too few pairs, or L_visu is not constant at the lowest render times.</exception>
     public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
     {
         if (pairs.Count < MinPairs)
-            throw new InputException("pairs: " + pairs.Count + " are too few to determine a range; take at least " + MinPairs + " pictures");
+            throw new InputException(RangeMessages.TooFewPairs(pairs.Count, MinPairs));
         var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
         var plateau = Plateau.Of(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))));
         var good = new bool[sorted.Length];
@@ -59,10 +62,9 @@ static class RangeFit
             split = RangeSplit.Find(good, isLast);
             var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
             if (inside.Length < MinPairs / 2)
-                throw new InputException(
-                    "pairs: L_visu is not the same at the lowest render times, so no range exists; check how it was measured");
+                throw new InputException(RangeMessages.NoPlateau);
             plateau = Plateau.Of(inside);
-            // Pairs beyond the limit are closer to the median beyond it than to the plateau, so half that distance limits the tolerance.
+            // A tolerance of half the distance between both medians keeps the pairs beyond the limit out of the plateau.
             if (split.IsReached) nearest = Math.Max(MinToleranceMs, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
             if (split.Count == before && round > 1) break;
         }
@@ -75,10 +77,7 @@ static class RangeFit
         var mean = inside.Average();
         var spread = Math.Sqrt(inside.Sum(visu => (visu - mean) * (visu - mean)) / Math.Max(1, inside.Length - 1));
         if (spread > MaxSpreadMs)
-            throw new InputException(string.Format(
-                CultureInfo.InvariantCulture,
-                "pairs: L_visu scatters by {0:0.0} ms at the lowest render times, so no range exists; up to {1} ms are allowed; "
-                + "check how it was measured", spread, MaxSpreadMs));
+            throw new InputException(RangeMessages.Scatters(spread, MaxSpreadMs));
         (double Last, double Next) GapAt(int count)
         {
             var last = sorted[count - 1].RenderMs;
@@ -94,7 +93,7 @@ static class RangeFit
 
     static double Median(IEnumerable<double> values) => Quantile.Of(values, 0.5);
 
-    /// <summary>Median and robust standard deviation of L_visu, ms.</summary>
+    /// <summary>The constant L_visu within the range: median and robust standard deviation, ms.</summary>
     readonly struct Plateau
     {
         /// <summary>Standard deviation of a normal distribution divided by its median absolute deviation.</summary>

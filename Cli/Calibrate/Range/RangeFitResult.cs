@@ -15,30 +15,30 @@ sealed class RangeFitResult
         OpenToRenderMs = openToMs;
     }
 
-    /// <summary>L_visu: mean within the range without rejected pairs, ms.</summary>
+    /// <summary>Mean L_visu within the range, without rejected pairs, ms.</summary>
     public double VisuMs { get; }
 
-    /// <summary>Standard deviation of a single picture's L_visu within the range, ms.</summary>
+    /// <summary>Standard deviation of the L_visu of single pictures within the range, ms.</summary>
     public double SpreadMs { get; }
 
-    /// <summary>Maximum render time with constant L_visu, ms; null when the loads did not reach it.</summary>
+    /// <summary>Maximum render time with constant L_visu, ms; null if no picture had a higher render time.</summary>
     public double? LimitRenderMs { get; }
 
-    /// <summary>The limit, or else the maximum render time at which a constant L_visu was observed, ms.</summary>
+    /// <summary>The limit, ms. If there is none, the maximum render time for which a constant L_visu was observed.</summary>
     public double ValidToRenderMs { get; }
 
     /// <summary>Total number of pairs.</summary>
     public int Pairs { get; }
 
-    /// <summary>Number of pairs used for L_visu and its spread: within the range and on the plateau.</summary>
+    /// <summary>Number of pairs from which L_visu and its spread were computed: those within the range and on the plateau.</summary>
     public int Used { get; }
 
     /// <summary>Number of pairs within the range but not on the plateau: misread pictures, and frames that waited behind a slow one.</summary>
     public int Rejected { get; }
 
     /// <summary>
-    /// Upper end of the interval in which the limit may lie, ms, because no pictures were taken in between. Null when the pictures
-    /// are close enough, within 5 %, or no limit was reached.
+    /// Upper end of the interval in which the limit can lie, ms. Set if no pictures were taken between the last one within the range and
+    /// this value. Null without a limit, or if the gap is smaller than 5 %.
     /// </summary>
     public double? OpenToRenderMs { get; }
 }

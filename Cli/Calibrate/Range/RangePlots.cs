@@ -3,7 +3,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Plots of pictures like the paper's Figs 10 and 11. All pictures must have a render time.</summary>
+/// <summary>Creates plots like Figs 10 and 11 of the paper. All pictures must have a render time.</summary>
 static class RangePlots
 {
     public static readonly FigureColumn Render = new("render time", "ms"), Visu = new("L_visu", "ms"), Picture = new("picture"),
@@ -23,7 +23,7 @@ static class RangePlots
         { FromZero = true, Marks = [.. LoadMarks(pictures)] };
     }
 
-    /// <summary>Fig. 11a: medians and middle 68 % over the load, for the pictures whose load is known.</summary>
+    /// <summary>Fig. 11a: median and middle 68 % over the load. Includes only pictures whose load is known.</summary>
     public static (FigurePlot Plot, FigureTable Table) OverLoad(IEnumerable<MeasuredPicture> pictures)
     {
         var table = new FigureTable(Load, Render, new("render time deviation", "ms"), Visu, new("L_visu deviation", "ms"), new("pictures"));
@@ -42,8 +42,8 @@ static class RangePlots
         return (new FigurePlot("Over the load", Load, Time, traces) { FromZero = true }, table);
     }
 
-    /// <summary>Fig. 11b: each picture's L_visu over its render time, with the range.</summary>
-    /// <param name="fit">The fit, or null if none was found.</param>
+    /// <summary>Fig. 11b: L_visu over render time for each picture, with the constant-latency range.</summary>
+    /// <param name="fit">The fit, or null if there is none.</param>
     public static FigurePlot OverRenderTime(IEnumerable<MeasuredPicture> pictures, RangeFitResult fit)
     {
         var sorted = pictures.OrderBy(each => each.RenderMs).ToArray();
@@ -64,12 +64,12 @@ static class RangePlots
         for (var i = 0; i < pictures.Count; i++)
         {
             if (pictures[i].Vertices is not int vertices || i > 0 && pictures[i - 1].Vertices == vertices) continue;
-            // More names would overlap.
+            // With more labels, they would overlap.
             if (loads <= MaxLabels || vertices % RoundLoad == 0) yield return new(FormattableString.Invariant($"{vertices / 1e6:0.##} M"), i + 1);
         }
     }
 
-    // The page joins traces by x and requires distinct values.
+    // The page joins traces by their x values, which must therefore be distinct.
     static PlotTrace Points(MeasuredPicture[] sorted)
     {
         const double Step = 1e-4;

@@ -1,26 +1,26 @@
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Split of a sequence of good and bad pairs, sorted by render time, where it changes from mostly good to mostly bad.</summary>
+/// <summary>Splits a sequence of pairs, sorted by render time, where it changes from mostly good to mostly bad pairs.</summary>
 /// <remarks>
-/// A pair is bad with probability p below the split and q beyond it. The split is the one with the maximum likelihood, with p up
-/// to 0.2 (misread pictures, frames behind a slow one) and q of 0.7 or more. A bad pair counts as three, because a limit that is too
-/// high is worse than one that is too low: where a source reports the render time of an earlier frame, good and bad pairs of the loads
-/// around the limit are mixed, and those loads belong beyond it.
+/// A pair is bad with probability p below the split and q beyond it. The split maximises the likelihood, where p is at most 0.2 (misread
+/// pictures, frames behind a slow one) and q is at least 0.7. For the final position, a bad pair counts as three pairs, because a limit
+/// that is too high is worse than one that is too low. A source that reports the render time of an earlier frame mixes good and bad
+/// pairs of the loads around the limit; the weight moves those loads beyond the limit.
 /// </remarks>
 readonly struct RangeSplit
 {
     const double MinShareBelow = 0.005, MaxShareBelow = 0.2, MinShareBeyond = 0.7, MaxShareBeyond = 0.999;
 
-    /// <summary>Number of good pairs beyond the split that are as bad as one bad pair below it.</summary>
+    /// <summary>Number of pairs as which a bad pair counts.</summary>
     const double WeightOfBad = 3;
 
-    /// <summary>Minimum number of pairs beyond a limit; a few of them may be misread.</summary>
+    /// <summary>Minimum number of pairs beyond a limit. A few of them can be misread.</summary>
     const int MinBeyondCount = 12;
 
-    /// <summary>Minimum share of all pairs beyond a limit: at any load, about one frame in a hundred is slow.</summary>
+    /// <summary>Minimum share of the pairs beyond a limit. At any load, about 1 % of the frames are slow.</summary>
     const double MinBeyondFraction = 0.04;
 
-    /// <summary>Minimum log-likelihood ratio of the split to a sequence without a split.</summary>
+    /// <summary>Minimum log-likelihood ratio between the split and no split.</summary>
     const double MinEvidence = 12;
 
     RangeSplit(int count, int maxCount, bool isReached)
@@ -33,14 +33,14 @@ readonly struct RangeSplit
     /// <summary>Number of pairs below the split, one or more.</summary>
     public int Count { get; }
 
-    /// <summary>Number of pairs below the split if a bad pair counts as one: <see cref="Count"/> or more.</summary>
+    /// <summary>Number of pairs below the split if a bad pair counts as one pair. At least <see cref="Count"/>.</summary>
     public int MaxCount { get; }
 
-    /// <summary>Whether the evidence beyond the split suffices for a limit.</summary>
+    /// <summary>Whether enough pairs beyond the split are bad to establish a limit.</summary>
     public bool IsReached { get; }
 
     /// <param name="good">Whether each pair is good, sorted by render time.</param>
-    /// <param name="isLast">Whether a pair is the last with its render time: a source with a coarse resolution repeats values.</param>
+    /// <param name="isLast">Whether a pair is the last one with its render time. A source with a coarse resolution repeats values.</param>
     public static RangeSplit Find(bool[] good, bool[] isLast)
     {
         var (max, evidence) = Best(good, isLast, 1);
@@ -49,7 +49,7 @@ readonly struct RangeSplit
         return new RangeSplit(isReached ? Math.Min(max, Best(good, isLast, WeightOfBad).Count) : max, max, isReached);
     }
 
-    /// <returns>The split with the maximum likelihood, and the log-likelihood ratio of it to a sequence without a split.</returns>
+    /// <returns>The split with the maximum likelihood, and its log-likelihood ratio against no split.</returns>
     static (int Count, double Evidence) Best(bool[] good, bool[] isLast, double weight)
     {
         var all = good.Count(isGood => !isGood);

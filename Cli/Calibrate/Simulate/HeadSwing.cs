@@ -1,7 +1,10 @@
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Position, in the pictures of a headset that is turned to and fro, of a point that is fixed in the room, px from the middle.</summary>
-/// <remarks>The amplitude is a quarter of the picture's width, the period 3 s. With the 43° wide picture of a HoloLens 2: up to 11°/s.</remarks>
+/// <summary>Computes where a headset that turns left and right sees a fixed point of the room, in px from the middle of the picture.</summary>
+/// <remarks>
+/// The horizontal amplitude is an eighth of the picture's width, and the period is 3 s. If the picture is 43° wide, like the display of a
+/// HoloLens 2, the maximum speed is 12°/s.
+/// </remarks>
 static class HeadSwing
 {
     const double AmplitudePx = 160, Rise = 0.3, PeriodSeconds = 3;

@@ -5,15 +5,15 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Describes the pictures of a sweep for drawing.</summary>
+/// <summary>Determines position, light and motion of both codes for each picture of a sweep.</summary>
 sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
 {
     const double MsPerTick = 1.0 / TimeSpan.TicksPerMillisecond;
 
-    /// <summary>Maximum motion of the hand-held camera from picture to picture, px.</summary>
+    /// <summary>Maximum motion of the hand-held camera between two pictures, px.</summary>
     const double Shake = 2;
 
-    /// <param name="spoiledBy">The defect of the picture; empty for none.</param>
+    /// <param name="spoiledBy">Name of the defect in the picture; empty if there is none.</param>
     public Shot Take(int picture, out string spoiledBy)
     {
         var random = new RandomStream(settings.Seed, purpose: -1 - picture);
@@ -35,9 +35,9 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
         return random.Next() < settings.Spoiled ? Spoiling.Of(shot, random, out spoiledBy) : shot;
     }
 
-    /// <summary>Moves the room through the picture of a camera that turns with the headset. The hologram follows the room.</summary>
+    /// <summary>Moves both codes as seen by a camera that turns with the headset. The hologram follows the room.</summary>
     /// <remarks>
-    /// A lit frame stands still on a real display. Here it is smeared with the room, which makes it harder to read than in reality.
+    /// On a real display, a lit frame stands still. Here it is smeared like the room, which makes it harder to read than in reality.
     /// </remarks>
     (double[][] Control, double[][] Headset, double[] Motion) Turned(SimulatedPlace place, SimulatedMoment moment, double latencyMs)
     {
@@ -54,7 +54,7 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
 
     static double MeanOf(double[][] corners, int axis) => corners.Average(corner => corner[axis]);
 
-    /// <summary>Gets each cell's share of the exposure. Rows of a rolling shutter are exposed one after the other.</summary>
+    /// <summary>Gets the share of the exposure in which each cell is lit. A rolling shutter exposes the rows one after another.</summary>
     double[] ControlLight(SimulatedMoment moment, double[][] corners, double[][] headset)
     {
         var lit = Ring(CodeKind.Control, 1);
@@ -84,7 +84,7 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
         return lit;
     }
 
-    /// <summary>Gets by how much later a cell's row is exposed than the middle of the headset's code.</summary>
+    /// <summary>Gets the exposure time of a cell's row minus that of the middle of the headset's code, ms.</summary>
     double DelayMs(int cell, double[][] corners, double[][] headset)
     {
         double u = (cell % TimestampCode.Side + 0.5) / TimestampCode.Side, v = (cell / TimestampCode.Side + 0.5) / TimestampCode.Side;
@@ -94,7 +94,7 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
     static double HeightOf(double[][] corners, double u, double v) =>
         (1 - v) * ((1 - u) * corners[0][1] + u * corners[1][1]) + v * ((1 - u) * corners[3][1] + u * corners[2][1]);
 
-    // Reduced to one period of the codes, because double needs all its digits for the fraction.
+    // The modulo keeps the fraction of a millisecond precise: a double has too few digits for the full time.
     static double MsOf(ControlTime time) => time.SinceEpoch.Ticks % (TimestampCode.PeriodMs * TimeSpan.TicksPerMillisecond) * MsPerTick;
 
     static double[] Ring(CodeKind kind, double light) =>

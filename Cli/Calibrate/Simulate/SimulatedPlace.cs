@@ -2,12 +2,12 @@ using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>The position of a camera and how it sees both codes. Lengths in px; light is linear, 1 is white.</summary>
+/// <summary>A camera position, with the corners and brightness of both codes as seen from it. Lengths in px; light is linear, 1 is white.</summary>
 sealed class SimulatedPlace
 {
     public const int Width = 1280, Height = 720;
 
-    /// <summary>Range of the side of a code, px. The minimum is a tenth of the picture's height.</summary>
+    /// <summary>Range of a code's side length, px. The minimum is a tenth of the picture's height.</summary>
     const double MinSide = 72, MaxSide = 200;
 
     public SimulatedPlace(int number, int seed)
@@ -45,7 +45,7 @@ sealed class SimulatedPlace
 
     public double? Panel { get; }
 
-    /// <summary>Corners, clockwise, starting with the code's top left one.</summary>
+    /// <summary>Corners of the control's code, clockwise from its top left one.</summary>
     public double[][] Control { get; }
 
     public double[][] Headset { get; }

@@ -5,28 +5,28 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>The frames of a load sweep on a simulated display, and the times at which a camera takes pictures of it.</summary>
+/// <summary>Simulates the frames of a load sweep on a display, and the times at which a camera takes pictures of the display.</summary>
 /// <remarks>
-/// The camera is not synchronised: a picture's middle lies anywhere in the time in which a frame is lit. No pictures are taken while the
-/// display is dark.
+/// The camera is not synchronised with the display: the middle of an exposure is at a random time while a frame is lit. No pictures are
+/// taken while the display is dark.
 /// </remarks>
 sealed class SimulatedSweep
 {
-    /// <summary>Frames from one picture to the next: about 8 pictures a second.</summary>
+    /// <summary>Number of frames between two pictures, for about 8 pictures per second.</summary>
     const int FramesPerPicture = 7;
 
-    /// <summary>Frames from one picture to the next in a video, which a moving headset needs: 30 pictures a second.</summary>
+    /// <summary>Number of frames between two pictures of a video, for 30 pictures per second. A moving headset needs this rate.</summary>
     const int FramesPerVideoPicture = 2;
 
-    /// <summary>Number of frames before the first and after the last picture, so that each picture has neighbours.</summary>
+    /// <summary>Number of frames before the first and after the last picture, so that every picture has neighbouring frames.</summary>
     const int Margin = 12;
 
     const int OrdinaryVertices = 300_000;
 
-    /// <summary>The real rate of displays sold as 60 Hz. Frames then begin at any fraction of a millisecond.</summary>
+    /// <summary>Refresh interval of a display with a nominal rate of 60 Hz. Its frames begin at any fraction of a millisecond.</summary>
     public const double RefreshMs = 1000 / 59.94;
 
-    /// <summary>As written to the log: the display's nominal rate.</summary>
+    /// <summary>Values for the log: device name and nominal rate of the display.</summary>
     const string Device = "simulated headset";
     const double DisplayHz = 60;
 
@@ -50,7 +50,7 @@ sealed class SimulatedSweep
         {
             var vertices = VerticesOf(i, frames);
             var frame = pipeline.Next(vertices);
-            // The render time available to a frame is that of the newest frame that the GPU has finished.
+            // The render time that the log has for a frame is that of the newest frame that the GPU had finished.
             for (; rendered.TryPeek(out var oldest) && oldest.Done <= frame.Start; rendered.Dequeue()) renderMs = oldest.RenderTime.TotalMilliseconds;
             rendered.Enqueue(frame);
             _frames.Add(frame);
@@ -63,7 +63,7 @@ sealed class SimulatedSweep
 
     public IReadOnlyList<SweepRow> Rows { get; }
 
-    /// <summary>One entry per picture.</summary>
+    /// <summary>True values of the pictures, one entry per picture.</summary>
     public IReadOnlyList<SimulatedMoment> Moments { get; }
 
     public ControlTime StartOf(int frame) => Beginning + _frames[frame].Start;
@@ -74,17 +74,17 @@ sealed class SimulatedSweep
     /// <summary>Gets L_visu by Eq. (7) from the true times, ms.</summary>
     public double VisuMsOf(SimulatedMoment moment) => (moment.Middle - StartOf(moment.Frame)).TotalMilliseconds;
 
-    /// <summary>Gets the picture as a camera measures it that reads both codes without error. The headset's code has whole milliseconds.</summary>
+    /// <summary>Gets the picture as measured by a camera that reads both codes without error. The headset's code has a resolution of 1 ms.</summary>
     public MeasuredPicture Measured(SimulatedMoment moment)
     {
         var row = Rows[moment.Frame];
         var fraction = row.FrameStart.SinceEpoch.Ticks % TimeSpan.TicksPerMillisecond / (double)TimeSpan.TicksPerMillisecond;
-        // From the middle of the code's millisecond, as the reading of the control's code.
+        // ControlCode.Read returns half a millisecond less than the time. This cancels the mean rounding error of the headset's code.
         return new MeasuredPicture(null, row.Vertices, row.RenderMs, VisuMsOf(moment) + fraction - 0.5);
     }
 
-    /// <summary>Gets the share of each frame's light that a picture receives, relative to the maximum that a frame can give.</summary>
-    /// <param name="middle">Middle of the exposure of the requested row.</param>
+    /// <summary>Gets, for each frame, how much of its light a picture receives, relative to the maximum for one frame.</summary>
+    /// <param name="middle">Middle of the exposure of the evaluated row.</param>
     public IEnumerable<(int Frame, double Share)> LightOf(SimulatedMoment moment, ControlTime middle)
     {
         var half = TimeSpan.FromMilliseconds(moment.ExposureMs / 2);

@@ -1,18 +1,19 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Measures how well pictures with known truth are read.</summary>
+/// <summary>Reads pictures with known true values and measures the error.</summary>
 sealed class SimulationCheck
 {
-    /// <summary>A picture that was read with a larger error than this counts as misread, ms. Half of it comes from whole milliseconds.</summary>
+    /// <summary>Minimum error of a misread picture, ms. The 1 ms resolution of the codes causes half of this value.</summary>
     public const double MisreadMs = 2.5;
 
     readonly SortedDictionary<int, Checked> _pictures = [];
 
-    /// <summary>Creates all pictures in memory and reads them.</summary>
+    /// <summary>Creates the pictures in memory and reads them.</summary>
     public static SimulationCheck Run(SimulationSettings settings, CancellationToken cancellation)
     {
         var check = new SimulationCheck();
@@ -49,11 +50,11 @@ sealed class SimulationCheck
     /// <summary>95th percentile of the absolute error, ms.</summary>
     public double ErrorP95Ms => Read == 0 ? double.NaN : Quantile.Of(Errors().Select(Math.Abs), 0.95);
 
-    /// <summary>Gets the result as text, one line each.</summary>
+    /// <summary>Gets the result as lines of text.</summary>
     public IEnumerable<string> Lines()
     {
-        yield return Text($"{Pictures} pictures, {Read} read ({100 * ReadOfGood:0.0} % of those without a defect), {Misread} misread by more than {MisreadMs} ms");
-        yield return Text($"error of L_visu: mean {MeanErrorMs:0.000} ms, P95 {ErrorP95Ms:0.000} ms");
+        yield return SimulationMessages.Read(Pictures, Read, 100 * ReadOfGood, Misread, MisreadMs);
+        yield return SimulationMessages.Error(MeanErrorMs, ErrorP95Ms);
         foreach (var group in _pictures.Values.GroupBy(picture => picture.SpoiledBy).OrderBy(group => group.Key, StringComparer.Ordinal))
             yield return Text($"{(group.Key.Length == 0 ? "no defect" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
         foreach (var fault in _pictures.Values.Where(picture => !picture.Result.IsRead).GroupBy(picture => picture.Result.Fault).OrderByDescending(fault => fault.Count()))

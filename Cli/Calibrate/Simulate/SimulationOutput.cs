@@ -1,11 +1,12 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>A folder of pictures with the sweep's log and the truth, to test the whole evaluation without hardware.</summary>
+/// <summary>Writes a folder with pictures, the sweep's log and the true values, to test the complete evaluation without hardware.</summary>
 static class SimulationOutput
 {
     const string TruthFile = "truth.csv";
@@ -50,13 +51,12 @@ static class SimulationOutput
         return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
     }
 
-    // Only pictures with a truth file are simulated; others may come from a camera and are not removed.
+    // Removes the pictures of an earlier run. Without a truth file, the pictures can come from a real camera, so the folder is rejected.
     static void RemoveEarlier(string folder, string pictures)
     {
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");
         if (earlier.Length > 0 && !File.Exists(Path.Combine(folder, TruthFile)))
-            throw new InputException(
-                $"--out: {folder}: has {earlier.Length} pictures that were not simulated ({TruthFile} is missing); choose another folder");
+            throw new InputException(SimulationMessages.OtherPictures(folder, earlier.Length, TruthFile));
         foreach (var picture in earlier) File.Delete(picture);
     }
 

@@ -3,36 +3,36 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Settings of simulated pictures. Times in ms.</summary>
+/// <summary>Settings of simulated pictures. Times are in ms.</summary>
 sealed record SimulationSettings
 {
     public int Pictures { get; init; } = 300;
 
-    /// <summary>L_visu while frames are ready in time.</summary>
+    /// <summary>L_visu of frames that are ready in time.</summary>
     public double VisuMs { get; init; } = 40;
 
-    /// <summary>The simulated display; null for one with <see cref="VisuMs"/> and the real rate of displays sold as 60 Hz.</summary>
+    /// <summary>The simulated display. If null, a display with <see cref="VisuMs"/> and a nominal rate of 60 Hz is used.</summary>
     public DisplayPipelineSettings Display { get; init; }
 
     /// <summary>Share of the pictures that have a defect.</summary>
     public double Spoiled { get; init; } = 0.02;
 
-    /// <summary>Number of load steps from none to the maximum; 0 keeps a third of a million vertices.</summary>
+    /// <summary>Number of load steps from zero to the maximum. With 0, the load is constant at 300 000 vertices.</summary>
     public int LoadSteps { get; init; } = 10;
 
     /// <summary>Number of vertices of the largest load.</summary>
     public int MaxVertices { get; init; } = SweepPlan.MaxVertices;
 
-    /// <summary>Time for which a frame is lit, of the display's 16.7 ms interval.</summary>
+    /// <summary>Time for which a frame is lit within the display's refresh interval of 16.7 ms.</summary>
     public double LitMs { get; init; } = 4;
 
     /// <summary>Maximum exposure time.</summary>
     public double ExposureMs { get; init; } = 8;
 
-    /// <summary>Rolling shutter: delay of the last row's exposure after the first row's.</summary>
+    /// <summary>Readout time of the rolling shutter: delay between the exposures of the first and the last row.</summary>
     public double ReadoutMs { get; init; }
 
-    /// <summary>Latency for head motion of a headset that is turned to and fro with its camera; null for a still headset.</summary>
+    /// <summary>Latency for head motion of a headset that turns left and right with its camera; null for a still headset.</summary>
     public double? HeadLatencyMs { get; init; }
 
     /// <summary>Number of pictures after which the camera changes its position.</summary>

@@ -3,7 +3,9 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>Adds defects to pictures: an object in front of a code, a reflection on it, a blow to the camera, a code that is half outside.</summary>
+/// <summary>
+/// Adds a defect to a picture: an object in front of a code, a reflection on it, a shaken camera, or a code that is partly outside.
+/// </summary>
 static class Spoiling
 {
     static readonly (string Name, Func<Shot, RandomStream, Shot> Do)[] Ways =
@@ -39,7 +41,7 @@ static class Spoiling
     {
         var code = AnyCode(shot, random);
         var (left, _, size) = BoundsOf(code);
-        // The picture's left or right edge cuts the code.
+        // Moves the codes so that the left or right edge of the picture cuts this one.
         var cut = size * (0.1 + 0.6 * random.Next());
         var by = left < shot.Width / 2 ? -left - cut : shot.Width - left - size + cut;
         return shot with { Codes = [.. shot.Codes.Select(each => each with { Corners = [.. each.Corners.Select(corner => new[] { corner[0] + by, corner[1] })] })] };

@@ -1,15 +1,15 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>A hologram that is held from sample to sample, as seen by a camera.</summary>
+/// <summary>Models a hologram that stays at one position until the next sample, as seen by a camera.</summary>
 /// <remarks>
-/// Its position is T_s/2 old on average if the pictures see all ages equally often. Where T_s is a multiple of the camera's interval, or
-/// near one, all pictures of a recording see only a few ages, which depend on when the camera was started.
+/// The position is T_s/2 old on average if the pictures show all ages equally often. If T_s is close to a multiple of the camera's
+/// interval, all pictures of a recording show the same few ages, which depend on the start time of the camera.
 /// </remarks>
 static class HeldSteps
 {
     const int Starts = 16;
 
-    /// <summary>Gets the maximum difference of the mean age from T_s/2, over all starts of the camera, ms.</summary>
+    /// <summary>Gets the maximum difference between the mean age and T_s/2 over all start times of the camera, ms.</summary>
     /// <param name="heldMs">T_s, ms.</param>
     /// <param name="pictureMs">The camera's interval, ms.</param>
     /// <param name="pictures">Number of pictures.</param>

@@ -1,11 +1,13 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Estimates the lag of one signal behind another by cross-correlation, finer than their sampling interval.</summary>
+/// <summary>Estimates the lag of one signal behind another by cross-correlation, more precisely than their sampling interval.</summary>
 /// <remarks>
-/// Pearson's correlation of shown(t) with robot(t − lag) at lags of whole instants finds the maximum to an instant. Near it, shown is
-/// a + b·robot − b·δ·robot′ for a shift δ. A least-squares fit of δ gives the maximum between instants. The speed robot′ is taken from
-/// instants further apart, which reduces the effect of the camera's noise. The same instants of the hologram are compared at every lag,
-/// so periods that are cut off at the ends do not bias the result.
+/// Pearson's correlation of shown(t) and robot(t − lag) is computed at lags of whole sampling intervals. Near its maximum, the model is
+/// shown = a + b·robot − b·δ·robot′, and least squares give the remaining shift δ. The speed robot′ is a difference over several
+/// intervals, which reduces the effect of the camera's noise. Every lag is evaluated at the same instants of the hologram, so
+/// incomplete periods at the ends do not bias the result.
 /// </remarks>
 static class LagEstimator
 {
@@ -14,10 +16,12 @@ static class LagEstimator
     /// <summary>Minimum correlation. Below it, the hologram does not follow the robot.</summary>
     const double MinCorrelation = 0.9;
 
-    /// <summary>The result is ambiguous if another maximum reaches this share of the largest one.</summary>
+    /// <summary>Relative height of a second maximum from which the result is ambiguous.</summary>
     const double Ambiguous = 0.98;
 
-    /// <summary>Number of instants to either side for the speed. With fewer, the camera's noise would look like motion.</summary>
+    /// <summary>
+    /// Number of instants before and after from which the speed is computed. With fewer, the camera's noise would look like motion.
+    /// </summary>
     const int SpeedSpan = 5;
 
     const int MaxSteps = 5;
@@ -29,8 +33,7 @@ static class LagEstimator
         var last = (int)Math.Floor(MaxLag / tracks.Interval);
         RequireMotion(tracks.Robot, "the robot");
         RequireMotion(tracks.Shown, "the hologram");
-        if (tracks.Shown.Length < 3 * last) throw new InputException(FormattableString.Invariant(
-            $"recording: {tracks.Shown.Length * tracks.Interval:0.0} s are too short to find lags up to {MaxLag} s; record at least ten seconds"));
+        if (tracks.Shown.Length < 3 * last) throw new InputException(SineMessages.TooShort(tracks.Shown.Length * tracks.Interval, MaxLag));
         int from = Math.Max(0, last), to = tracks.Shown.Length + Math.Min(0, first);
         var correlations = Enumerable.Range(first, last - first + 1).Select(lag => ShiftFit.Of(tracks, lag, from, to, 0).Correlation).ToArray();
         var peak = Array.IndexOf(correlations, correlations.Max());
@@ -50,24 +53,20 @@ static class LagEstimator
     static void RequireMotion(double[] positions, string what)
     {
         if (positions.Max() - positions.Min() > 0) return;
-        throw new InputException($"recording: {what} does not move; jog a joint back and forth while it is filmed");
+        throw new InputException(SineMessages.NoMotion(what));
     }
 
     static void Check(double[] correlations, int peak, int first, double interval)
     {
         if (correlations[peak] < MinCorrelation)
-            throw new InputException(FormattableString.Invariant(
-                $"recording: the hologram does not follow the robot: correlation {correlations[peak]:0.00}, at least {MinCorrelation} is needed; ")
-                + "check the columns; if one of them counts in the opposite direction, add --inverted");
+            throw new InputException(SineMessages.NoCorrelation(correlations[peak], MinCorrelation));
         if (peak == 0 || peak == correlations.Length - 1)
-            throw new InputException(FormattableString.Invariant(
-                $"recording: the best lag lies at or beyond {(first + peak) * interval * 1000:0} ms; allowed: {MinLag * 1000:0} to {MaxLag * 1000:0} ms; check both clocks"));
+            throw new InputException(SineMessages.LagOutOfRange((first + peak) * interval * 1000, MinLag * 1000, MaxLag * 1000));
         for (var i = 1; i < correlations.Length - 1; i++)
         {
             var isPeak = correlations[i] >= correlations[i - 1] && correlations[i] >= correlations[i + 1];
             if (!isPeak || Valley(correlations, i, peak) > Ambiguous * correlations[i] || correlations[i] < Ambiguous * correlations[peak] || i == peak) continue;
-            throw new InputException(FormattableString.Invariant(
-                $"recording: the motion repeats after {Math.Abs(peak - i) * interval:0.00} s, so the lag is ambiguous; jog more slowly, with a period of 2 s or more"));
+            throw new InputException(SineMessages.Ambiguous(Math.Abs(peak - i) * interval));
         }
     }
 

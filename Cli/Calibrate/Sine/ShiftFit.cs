@@ -1,8 +1,8 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Fits the hologram's position by a straight line over the robot's position and speed a given number of instants before.</summary>
+/// <summary>Fits the hologram's position linearly to the robot's position and speed a given number of instants earlier.</summary>
 /// <param name="Correlation">Correlation of the two positions.</param>
-/// <param name="Shift">Remaining shift of the hologram, in instants; small.</param>
+/// <param name="Shift">Remaining shift of the hologram, in instants. Small compared with the lag.</param>
 /// <param name="Deviation">Standard error of the shift, assuming that the residuals are noise.</param>
 readonly record struct ShiftFit(double Correlation, double Shift, double Deviation)
 {
@@ -10,7 +10,7 @@ readonly record struct ShiftFit(double Correlation, double Shift, double Deviati
 
     /// <param name="from">First compared instant of the hologram.</param>
     /// <param name="to">End of the compared instants, exclusive.</param>
-    /// <param name="speedSpan">Number of instants to either side for the speed; 0 to compute only the correlation.</param>
+    /// <param name="speedSpan">Number of instants before and after for the speed; with 0, only the correlation is computed.</param>
     public static ShiftFit Of(SineTracks tracks, int lag, int from, int to, int speedSpan)
     {
         var count = to - from;

@@ -1,17 +1,17 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>The result of a jog to and fro.</summary>
+/// <summary>The result of a jog back and forth.</summary>
 sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way)
 {
     public double TotalMs => 1000 * Lag.LagSeconds;
 
     /// <summary>
-    /// Standard error of <see cref="TotalMs"/> and <see cref="VisuMs"/>. Includes the error of a hologram that steps in time with the
-    /// pictures, which is uniform within ±<see cref="StepsMs"/>.
+    /// Standard error of <see cref="TotalMs"/> and <see cref="VisuMs"/>. For a hologram that is held between samples, it includes the error
+    /// of the mean age, which is distributed uniformly within ±<see cref="StepsMs"/>.
     /// </summary>
     public double DeviationMs => Math.Sqrt(Lag.Deviation * Lag.Deviation * 1e6 + StepsMs * StepsMs / 3);
 
-    /// <summary>Maximum difference between T_s/2 and the mean age of the positions that the pictures show, ms.</summary>
+    /// <summary>Maximum difference between T_s/2 and the mean age of the positions in the pictures, ms; 0 if positions are not held.</summary>
     public double StepsMs => Way.HeldMs is double held ? HeldSteps.MaxErrorMs(held, 1000 * Tracks.Interval, Tracks.Shown.Length) : 0;
 
     /// <summary>L_visu, or null if it was not requested.</summary>

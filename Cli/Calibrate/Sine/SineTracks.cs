@@ -1,18 +1,19 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>The positions of robot and hologram over time on one clock, resampled to one regular grid.</summary>
-/// <param name="Start">Time of the first instant as given in the file, s.</param>
+/// <summary>Positions of robot and hologram, resampled to the same regular time grid on one clock.</summary>
+/// <param name="Start">Time of the first instant, as in the file, s.</param>
 /// <param name="Interval">The camera's interval, s.</param>
-/// <param name="Robot">Position of the robot; any unit.</param>
-/// <param name="Shown">Position of the hologram; any unit.</param>
+/// <param name="Robot">Position of the robot, in any unit.</param>
+/// <param name="Shown">Position of the hologram, in any unit.</param>
 sealed record SineTracks(double Start, double Interval, double[] Robot, double[] Shown)
 {
     const int MinInstants = 60;
 
-    /// <summary>Reads both from one recording.</summary>
-    /// <param name="columns">Names of the two columns, or null if there are exactly two, the robot's first.</param>
+    /// <summary>Reads both tracks from one recording.</summary>
+    /// <param name="columns">Names of the two columns. If null, the file must have exactly two, the robot's first.</param>
     public static SineTracks Of(string path, string columns)
     {
         var recording = MotionRecording.Read(path);
@@ -21,7 +22,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     }
 
     /// <summary>Reads the hologram from a camera's file and the robot from a control's file. Both files use the same clock.</summary>
-    /// <param name="joint">The control file's column, or null if there is exactly one.</param>
+    /// <param name="joint">Column of the control's file. If null, the file must have exactly one.</param>
     public static SineTracks Of(string path, string columns, string controlPath, string joint)
     {
         var camera = MotionRecording.Read(path);
@@ -34,24 +35,24 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         var names = columns?.Split(',', StringSplitOptions.TrimEntries);
         if (names == null && recording.Names.Count == 2) return (0, 1);
         if (names?.Length != 2)
-            throw new InputException($"{path}: {recording.Names.Count} columns after the time; name the columns of robot and hologram with --columns ROBOT,HOLOGRAM");
+            throw new InputException(SineMessages.ColumnsNeeded(path, recording.Names.Count));
         return (IndexOf(recording, path, names[0], "--columns"), IndexOf(recording, path, names[1], "--columns"));
     }
 
     static int One(MotionRecording recording, string path, string name, string option)
     {
         if (name != null) return IndexOf(recording, path, name, option);
-        return recording.Names.Count == 1 ? 0 : throw new InputException($"{path}: {recording.Names.Count} columns after the time; name one: {option} NAME");
+        return recording.Names.Count == 1 ? 0 : throw new InputException(SineMessages.ColumnNeeded(path, recording.Names.Count, option));
     }
 
     static int IndexOf(MotionRecording recording, string path, string name, string option)
     {
         for (var i = 0; i < recording.Names.Count; i++)
             if (recording.Names[i] == name) return i;
-        throw new InputException($"{option}: {path} has no column '{name}'; it has {string.Join(", ", recording.Names)}");
+        throw new InputException(SineMessages.UnknownColumn(option, path, name, string.Join(", ", recording.Names)));
     }
 
-    /// <summary>Creates the tracks from positions at the same instants, s, in order.</summary>
+    /// <summary>Creates the tracks from positions at the same times in increasing order, s.</summary>
     public static SineTracks Of(double[] times, double[] robot, double[] shown, string path)
     {
         Func<double, double> At(double[] places) => time => Between(times, places, time);
@@ -78,8 +79,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     {
         var count = (int)Math.Floor((end - start) / interval + 1e-6) + 1;
         if (!(end > start) || count < MinInstants)
-            throw new InputException(FormattableString.Invariant(
-                $"{path}: {Math.Max(0, count)} pictures show both robot and hologram; at least {MinInstants} are needed, and ten seconds are better"));
+            throw new InputException(SineMessages.TooFewPictures(path, Math.Max(0, count), MinInstants));
         double[] times = [.. Enumerable.Range(0, count).Select(i => start + i * interval)];
         return new SineTracks(start, interval, [.. times.Select(robot)], [.. times.Select(shown)]);
     }

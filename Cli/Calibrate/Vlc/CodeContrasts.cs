@@ -1,16 +1,21 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Contrast of each pair: 1 if its left cell was lit for the whole exposure, −1 for its right cell, 0 for both equally.</summary>
-/// <remarks>The ring shows how bright a lit cell is. The two cells of a pair together have that brightness for every code.</remarks>
+/// <summary>
+/// Contrast of each pair of cells: 1 if only its left cell was lit during the exposure, −1 if only its right cell, 0 if both equally.
+/// </summary>
+/// <remarks>The lit cells of the ring give the reference brightness. For every code, the two cells of a pair together have that brightness.</remarks>
 sealed class CodeContrasts
 {
-    /// <summary>Maximum deviation of a pair's mean, relative to the light. A darker pair is covered, a brighter one is disturbed by other light.</summary>
+    /// <summary>
+    /// Maximum deviation of a pair's mean, relative to the reference. A darker pair is covered; a brighter pair receives other light.
+    /// </summary>
     const double MaxDeviation = 0.45;
 
-    /// <summary>Minimum share of white cells of an overexposed code, or of one with a bright reflection.</summary>
+    /// <summary>Minimum share of white cells from which a code is overexposed or has a bright reflection.</summary>
     const double MinWhiteShare = 0.05;
 
     readonly double[] _contrasts = new double[TimestampCode.PairCount];
@@ -32,24 +37,24 @@ sealed class CodeContrasts
         }
         if (dark.Count + brighter > 0)
             Fault = dark.Count >= brighter
-                ? AreRowsFromAnEdge(dark) ? "partly dark: covered, or only a part was lit during the exposure" : "partly covered"
-                : code.WhiteShare >= MinWhiteShare ? "overexposed, or with a reflection on it"
-                : "disturbed by a bright background or a reflection";
+                ? AreRowsFromAnEdge(dark) ? PictureFaults.PartlyDark : "partly covered"
+                : code.WhiteShare >= MinWhiteShare ? PictureFaults.Overexposed
+                : PictureFaults.Disturbed;
     }
 
     /// <summary>Brightness of a lit cell; 1 is white.</summary>
     public double Light { get; }
 
-    /// <summary>Gets the reason why the code cannot be read: pairs too dark or too bright for one lit and one dark cell; null if there is none.</summary>
+    /// <summary>Gets the reason why the code cannot be read: some pairs are too dark or too bright. Null if the code is readable.</summary>
     public string Fault { get; }
 
     public double this[int pair] => _contrasts[pair];
 
-    /// <summary>Whether the pairs are all those of the code's first or last rows. A display that scans lights one row after another.</summary>
+    /// <summary>Gets whether the pairs fill the first or the last rows of the code. A display that is lit row by row causes this.</summary>
     static bool AreRowsFromAnEdge(List<int> pairs) =>
         pairs.Count % TimestampCode.PairsPerRow == 0 && (pairs[^1] == pairs.Count - 1 || pairs[0] == TimestampCode.PairCount - pairs.Count);
 
-    /// <summary>Gets the word of the brighter cells of all pairs.</summary>
+    /// <summary>Gets the code word: each bit tells which cell of a pair is brighter.</summary>
     public int Word()
     {
         var word = 0;

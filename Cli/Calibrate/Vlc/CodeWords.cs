@@ -2,19 +2,19 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>All valid codes, by value and by word.</summary>
+/// <summary>Converts between the values and the words of all valid codes.</summary>
 static class CodeWords
 {
     static readonly int[] Words = [.. Enumerable.Range(0, TimestampCode.PeriodMs).Select(TimestampCode.WordOf)];
 
-    // For each pair, the time with bit 1 minus the time with bit 0, summed from value 0 to each value, ms.
+    // For each pair, the time with bit 1 minus the time with bit 0, from value 0 up to each value, ms.
     static readonly int[][] Sums = [.. Enumerable.Range(0, TimestampCode.PairCount).Select(SumsOf)];
 
-    /// <summary>1 where the pair's left cell is lit, −1 where its right one is.</summary>
-    /// <param name="value">Any whole number: codes repeat.</param>
+    /// <summary>Gets 1 if the pair's left cell is lit, or −1 if its right cell is lit.</summary>
+    /// <param name="value">Any integer; codes repeat.</param>
     public static int SignOf(int value, int pair) => (Words[Wrap(value)] >> (TimestampCode.PairCount - 1 - pair) & 1) * 2 - 1;
 
-    /// <summary>Gets the values whose words match this one in the bits of a mask.</summary>
+    /// <summary>Gets the values whose words equal the given word in the bits of a mask.</summary>
     public static IEnumerable<int> Matching(int word, int mask)
     {
         for (var value = 0; value < Words.Length; value++)
@@ -29,9 +29,9 @@ static class CodeWords
         return Words[value] == word ? value : -1;
     }
 
-    /// <summary>Gets a pair's mean sign, −1 to 1, over a time in which consecutive codes are shown.</summary>
-    /// <param name="start">Start of the time, ms, within one period of 0. Value v is shown from v to v + 1.</param>
-    /// <param name="length">Length of the time, above zero, ms.</param>
+    /// <summary>Gets the mean sign of a pair, −1 to 1, over an interval in which consecutive codes are shown.</summary>
+    /// <param name="start">Start of the interval, ms, at most one period from 0. Value v is shown from v to v + 1.</param>
+    /// <param name="length">Length of the interval, greater than 0, ms.</param>
     public static double MeanSign(int pair, double start, double length) => (SumTo(pair, start + length) - SumTo(pair, start)) / length;
 
     static double SumTo(int pair, double time)

@@ -2,33 +2,33 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads a code that changes every millisecond. An exposure shows a run of consecutive codes.</summary>
+/// <summary>Reads a code that changes every millisecond. An exposure shows several consecutive codes (a run).</summary>
 static class ControlCode
 {
-    /// <summary>A pair with a higher contrast than this shows its bit at the middle of the exposure.</summary>
+    /// <summary>Minimum contrast at which a pair has the bit of the code in the middle of the exposure.</summary>
     const double Decided = 0.55;
 
-    /// <summary>Maximum number of undecided pairs. A run of codes leaves no more.</summary>
+    /// <summary>Maximum number of undecided pairs. The longest run in an exposure leaves this number of pairs undecided.</summary>
     const int MaxUndecided = 9;
 
     /// <summary>Maximum root mean square of the residual, relative to the explained part.</summary>
     const double MaxResidual = 0.17;
 
-    /// <summary>Factor by which the next best run must be worse. Below the second number, a residual counts as zero.</summary>
+    /// <summary>Minimum ratio of the second-best residual to the best one. The best residual counts as at least the second number.</summary>
     const double Margin = 1.6, MinResidual = 0.06;
 
     const double MinAmplitude = 0.4, MaxAmplitude = 1.35;
 
-    /// <summary>Runs that are closer than this to each other are the same reading, ms.</summary>
+    /// <summary>Maximum difference between two runs that count as the same reading, ms.</summary>
     const double Alike = 2;
 
-    /// <summary>A share of another code shorter than this is ignored, ms.</summary>
+    /// <summary>Maximum time of another code that is ignored, ms.</summary>
     const double Same = 0.05;
 
     static readonly double[] Lengths = [0.25, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24];
 
-    /// <param name="delaysMs">For each pair, its delay of exposure relative to the code's middle: rows of a rolling shutter.</param>
-    /// <returns>The time at the middle of the exposure, as the mean of the shown codes.</returns>
+    /// <param name="delaysMs">Exposure delay of each pair relative to the middle of the code, caused by a rolling shutter.</param>
+    /// <returns>The time at the middle of the exposure: the mean of the shown codes.</returns>
     public static Reading Read(CodeContrasts contrasts, double[] delaysMs)
     {
         if (contrasts.Fault is string fault) return Reading.Not(fault);
@@ -53,11 +53,11 @@ static class ControlCode
         if (best.Rest > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
         if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");
         if (other.Rest < Margin * Math.Max(best.Rest, MinResidual)) return Reading.Not("ambiguous");
-        // Value v is shown from v to v + 1, so the mean of the values is half a millisecond before the mean time.
+        // Value v is shown from v to v + 1, so the mean of the values is half a millisecond below the mean time.
         return Reading.Of(Wrap(MiddleOf(Refined(contrasts, delaysMs, best)) - 0.5));
     }
 
-    /// <summary>Gets the middle of a run. With one code alone, the middle of its millisecond is used, which minimises the error.</summary>
+    /// <summary>Gets the middle of a run. If the run has only one code, returns the middle of that millisecond, which minimises the error.</summary>
     static double MiddleOf(Run run)
     {
         double first = Math.Floor(run.Middle - run.Length / 2), last = Math.Floor(run.Middle + run.Length / 2 - Same);

@@ -1,26 +1,27 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads a code that stays for a frame. An exposure shows one code, or one and its successor.</summary>
+/// <summary>Reads a code that is constant for a frame. An exposure shows one code, or two consecutive codes.</summary>
 static class HeadsetCode
 {
-    /// <summary>Range of the interval between frames, ms: from displays with 250 Hz to several dropped frames at 60 Hz.</summary>
+    /// <summary>Range of the interval between frames, ms: from a 250 Hz display to several dropped frames at 60 Hz.</summary>
     const int MinStep = 4, MaxStep = 60;
 
     /// <summary>Minimum contrast of a pair. Below it, the pair is covered, or two codes are equally bright.</summary>
     const double MinContrast = 0.22;
 
     /// <summary>
-    /// Maximum root mean square of the residual, relative to the explained part. Good pictures have less than half of it. An edge behind
-    /// the hologram that is as bright as its light inverts some pairs and disturbs others.
+    /// Maximum root mean square of the residual, relative to the explained part. Good pictures have less than half of it. It is exceeded if
+    /// an object behind the hologram is as bright as the hologram, because its edge changes some of the pairs.
     /// </summary>
     const double MaxResidual = 0.15;
 
-    /// <summary>Minimum share of the light for the brighter code.</summary>
+    /// <summary>Minimum share of the brighter code in the light of both codes.</summary>
     const double MinShare = 0.6;
 
-    /// <summary>Range of the amplitude, relative to the light of a lit cell. A weaker code is too blurred to be read.</summary>
+    /// <summary>Range of the amplitude, relative to the light of a lit cell. A code with a lower amplitude is too blurred to read.</summary>
     const double MinAmplitude = 0.4, MaxAmplitude = 1.35;
 
     /// <returns>The time of the brighter code, which was lit at the middle of the exposure.</returns>
@@ -35,13 +36,13 @@ static class HeadsetCode
             .Select(step => Fit(contrasts, value, value + step)).Append(Fit(contrasts, value, value)).MinBy(fit => fit.Unexplained);
         if (best.Unexplained > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
         if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");
-        return best.Share < MinShare ? Reading.Not("two codes equally likely") : Reading.Of(value);
+        return best.Share < MinShare ? Reading.Not(PictureFaults.Ambiguous) : Reading.Of(value);
     }
 
-    /// <summary>Fits two codes to the pairs. They are the same code if the exposure shows only one.</summary>
+    /// <summary>Fits two codes to the pairs. If the exposure shows only one code, both are the same.</summary>
     static (double Unexplained, double Share, double Amplitude) Fit(CodeContrasts contrasts, int first, int second)
     {
-        // Pairs that are equal in both codes show the sum of both lights, the others the difference.
+        // Pairs that are equal in both codes show the sum of the codes' light; the other pairs show the difference.
         double alike = 0, different = 0, squares = 0;
         int alikes = 0, differents = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)

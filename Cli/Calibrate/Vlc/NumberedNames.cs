@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Compares names in the order in which cameras count: consecutive digits are one number, so 2 comes before 10.</summary>
+/// <summary>Compares file names with numbers. Consecutive digits count as one number, so 2 comes before 10.</summary>
 sealed class NumberedNames : IComparer<string>
 {
     public int Compare(string a, string b)
@@ -21,11 +21,11 @@ sealed class NumberedNames : IComparer<string>
             if (order != 0) return order;
         }
         var rest = (a.Length - i) - (b.Length - j);
-        // The numbers differ only by leading zeros.
+        // At this point, the names can differ only by leading zeros.
         return rest != 0 ? rest : string.CompareOrdinal(a, b);
     }
 
-    // Without leading zeros; any length.
+    // Reads a number of any length, without leading zeros.
     static ReadOnlySpan<char> NumberAt(string name, ref int at)
     {
         var start = at;

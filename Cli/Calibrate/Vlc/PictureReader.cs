@@ -1,17 +1,18 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Computes L_visu, Eq. (7), from the codes found in a picture.</summary>
-/// <param name="ReadoutMs">Rolling shutter: delay of the last row's exposure after the first row's, ms.</param>
-/// <param name="ControlDelayMs">Latency of the device that shows the control code, ms: tenths for LEDs, frames for a monitor.</param>
+/// <summary>Computes L_visu by Eq. (7) from the codes in a picture.</summary>
+/// <param name="ReadoutMs">Readout time of a rolling shutter: delay between the exposures of the first and the last row, ms.</param>
+/// <param name="ControlDelayMs">Latency of the device that shows the control code, ms: a few tenths for LEDs, several frames for a monitor.</param>
 sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
 {
-    /// <summary>Plausible range of L_visu, ms. Beyond it, a code was misread, or the clocks are not synchronised.</summary>
+    /// <summary>Plausible range of L_visu, ms. A value outside it means a misread code or clocks that are not synchronised.</summary>
     const double MinVisuMs = -50, MaxVisuMs = 500;
 
-    /// <summary>Maximum difference of the two ways to read a control code, ms. The brightest code of a run is not always its middle.</summary>
+    /// <summary>Maximum difference between the two methods of reading a control code, ms. The brightest code is not always the middle one.</summary>
     const double MaxDifferenceMs = 2;
 
     public PictureResult Read(string file, SeenPicture seen)
@@ -24,16 +25,15 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         if (shown.Fault != null) return PictureResult.Not(file, $"headset code {shown.Fault}");
         var lit = ReadingOf(control, seen);
         if (lit.Fault != null) return PictureResult.Not(file, $"control code {lit.Fault}");
-        // The control code's time, at the moment at which the rows with the headset's code were exposed.
+        // Control time at which the rows of the headset's code were exposed.
         var later = ReadoutMs * (MiddleOf(headset) - MiddleOf(control)) / seen.Height;
         var led = Wrapped(lit.Ms + ControlDelayMs + later);
         var visu = Wrapped(led - shown.Ms + TimestampCode.PeriodMs / 2) - TimestampCode.PeriodMs / 2;
         return visu is >= MinVisuMs and <= MaxVisuMs
             ? new PictureResult(file, led, shown.Ms, visu, null) { Places = CodePlaces.Of(control, headset, later) }
             : PictureResult.Not(file, visu > MaxVisuMs
-                ? FormattableString.Invariant($"codes more than {MaxVisuMs} ms apart")
-                : FormattableString.Invariant($"headset code more than {-MinVisuMs} ms ahead of the control code: ")
-                    + "if the control code is displayed late, state the delay with --control-delay-ms");
+                ? PictureFaults.FarApart(MaxVisuMs)
+                : PictureFaults.HeadsetAhead(-MinVisuMs));
     }
 
     Reading ReadingOf(FoundCode code, SeenPicture seen) => code.Kind == CodeKind.Headset
@@ -41,7 +41,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         : ReadControl(new CodeContrasts(code), DelaysOf(code, seen.Height));
 
     /// <summary>
-    /// Reads the code of the control clock. LEDs show a run of codes. A monitor shows one code per frame, and any code can come next.
+    /// Reads the code of the control clock. LEDs show several consecutive codes; a monitor shows one code per frame and can skip any number.
     /// </summary>
     static Reading ReadControl(CodeContrasts contrasts, double[] delaysMs)
     {

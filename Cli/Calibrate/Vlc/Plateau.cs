@@ -3,21 +3,21 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>L_visu for measurements without a range over the render time.</summary>
+/// <summary>The constant L_visu of measurements without render times.</summary>
 /// <param name="VisuMs">Mean of the used pictures.</param>
-/// <param name="SpreadMs">Standard deviation of a single picture.</param>
+/// <param name="SpreadMs">Standard deviation of single pictures.</param>
 /// <param name="Count">Number of used pictures.</param>
 sealed record Plateau(double VisuMs, double SpreadMs, int Count)
 {
     /// <summary>Minimum number of pictures for a profile.</summary>
     const int MinCount = 2;
 
-    /// <summary>Maximum standard deviation. Pictures with a larger one are not of a single load.</summary>
+    /// <summary>Maximum standard deviation. A larger one means that the pictures were taken at different loads.</summary>
     const double MaxSpreadMs = 10;
 
     const double MinToleranceMs = 3, Deviations = 3.5, PerMedianDeviation = 1.4826;
 
-    /// <summary>Averages pictures at one load. Uses only those near their median.</summary>
+    /// <summary>Averages pictures at one load, without those far from their median.</summary>
     /// <returns>Null for fewer than two pictures, or if L_visu scatters too much to be constant.</returns>
     public static Plateau OfOneLoad(IReadOnlyList<double> visuMs) =>
         visuMs.Count >= MinCount && NearMedian(visuMs) is { SpreadMs: <= MaxSpreadMs } plateau ? plateau : null;
@@ -35,13 +35,13 @@ sealed record Plateau(double VisuMs, double SpreadMs, int Count)
     }
 
     /// <summary>
-    /// Averages pictures at several loads. The maximum load with constant L_visu is found in the same way as the maximum render time.
-    /// Otherwise, frames that were late under load would increase L_visu.
+    /// Averages pictures at several loads, up to the maximum load with constant L_visu. That load is found in the same way as the maximum
+    /// render time. Frames that are late at higher loads would increase the mean.
     /// </summary>
     /// <returns>Null if L_visu cannot be determined.</returns>
     public static Plateau OfSweep(IEnumerable<MeasuredPicture> pictures)
     {
-        // Any number that increases with the load is sufficient.
+        // RangeFit expects render times, but any number that increases with the load is sufficient.
         LatencyPair[] pairs = [.. pictures.Where(each => each.Vertices.HasValue).Select(each => new LatencyPair(1 + each.Vertices.Value / 1e6, each.VisuMs))];
         if (pairs.Length < RangeFit.MinPairs) return null;
         try

@@ -1,20 +1,22 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>
-/// Rejects pictures of a series whose L_visu is far from the others: codes that passed the parity check by chance. Frames that queue
-/// behind a slow GPU are less late.
+/// Rejects pictures whose L_visu is far from that of the others: their codes were misread and passed the parity check by chance. Frames
+/// that wait behind a slow GPU are late by less than this distance.
 /// </summary>
 static class Strays
 {
-    public const string Fault = "far from the others, probably misread";
+    public const string Fault = PictureFaults.Stray;
 
-    /// <summary>Maximum distance, ms: twelve frames at 60 Hz. At most three frames are in progress, the slowest for a few refreshes.</summary>
+    /// <summary>Maximum distance from the median, ms: twelve frames at 60 Hz. At most three frames are queued, each for a few refreshes.</summary>
     const double FarMs = 200;
 
     /// <summary>Minimum number of pictures. With fewer, outliers cannot be identified.</summary>
     const int MinPictures = 10;
 
-    /// <summary>Returns the same pictures with the outliers rejected.</summary>
+    /// <summary>Returns the pictures in the same order, with the outliers rejected.</summary>
     public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures)
     {
         double[] visu = [.. pictures.Where(picture => picture.IsRead).Select(picture => picture.VisuMs)];

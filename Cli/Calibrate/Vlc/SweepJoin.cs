@@ -3,12 +3,12 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Finds the frame of a sweep that a picture's headset code belongs to.</summary>
+/// <summary>Finds the frame of a sweep that each picture shows, by the headset's code.</summary>
 /// <remarks>
-/// Codes repeat after 65.5 s. In a shorter sweep, a code matches one frame, and the pictures may have any order. In a longer one, a code
-/// may match several frames, and the order of the pictures shows which one: the order in which they were taken, or its reverse. Of all
-/// assignments whose frames never go back, the one with the most assigned pictures is used. A picture that was misread, or whose frame is
-/// not in the log, stays unassigned and does not affect the others. The camera may start at any time.
+/// Codes repeat after 65.5 s. In a shorter sweep, a code matches one frame, and the pictures can have any order. In a longer sweep, a code
+/// can match several frames, and the order of the pictures decides between them: the order in which they were taken, or its reverse.
+/// The method uses the assignment with the most pictures among those in which the frames are in increasing order. A picture that was
+/// misread, or whose frame is not in the log, stays unassigned and does not affect the others. The camera can start at any time.
 /// </remarks>
 sealed class SweepJoin
 {
@@ -16,7 +16,7 @@ sealed class SweepJoin
     readonly RenderTimeSourceKind _source;
     readonly ILookup<int, int> _rowsOfCode;
 
-    /// <param name="source">Source of the render times that are used. A limit is valid for one source only.</param>
+    /// <param name="source">Source of the render times to use. A limit is valid for one source only.</param>
     public SweepJoin(IReadOnlyList<SweepRow> rows, RenderTimeSourceKind source)
     {
         _rows = rows;
@@ -33,7 +33,7 @@ sealed class SweepJoin
         [.. Orders([.. pictures.Where(picture => picture.IsRead)]).Select(LongestRun).MaxBy(run => run.Count).Select(
             place => new MeasuredPicture(place.Picture.File, _rows[place.Row].Vertices, RenderMsOf(_rows[place.Row]), place.Picture.VisuMs))];
 
-    /// <summary>Gets the orders in which the pictures may have been taken.</summary>
+    /// <summary>Gets the orders in which the pictures can have been taken.</summary>
     IEnumerable<IReadOnlyList<PictureResult>> Orders(IReadOnlyList<PictureResult> read)
     {
         if (NeedsOrder) return [read, [.. read.Reverse()], [.. TimeOrder.Of(read).Pictures.Select(each => each.Picture)]];
@@ -43,14 +43,14 @@ sealed class SweepJoin
 
     double? RenderMsOf(in SweepRow row) => row.Source == _source ? row.RenderMs : null;
 
-    /// <summary>Gets the longest run of pictures whose rows never go back.</summary>
+    /// <summary>Gets the largest number of pictures whose frames are in increasing order (longest non-decreasing subsequence).</summary>
     List<Place> LongestRun(IReadOnlyList<PictureResult> pictures)
     {
-        // Of all runs of each length so far, the one with the earliest last row.
+        // For each length, the end of the run whose last row is the earliest.
         var ends = new List<Place>();
         foreach (var picture in pictures)
         {
-            // Starts with the last row, so that a picture never follows itself.
+            // The latest row comes first, so that a picture never follows itself.
             foreach (var row in _rowsOfCode[(int)picture.HeadsetMs].Reverse())
             {
                 var length = FirstBeyond(ends, row);
@@ -65,7 +65,7 @@ sealed class SweepJoin
         return run;
     }
 
-    // The rows of the ends are in increasing order.
+    // Binary search: the rows of the ends are in increasing order.
     static int FirstBeyond(List<Place> ends, int row)
     {
         int low = 0, high = ends.Count;
@@ -78,6 +78,6 @@ sealed class SweepJoin
         return low;
     }
 
-    /// <summary>A picture with its row and its predecessor.</summary>
+    /// <summary>A picture with its row in the log and the previous picture of the run.</summary>
     sealed record Place(PictureResult Picture, int Row, Place Before);
 }

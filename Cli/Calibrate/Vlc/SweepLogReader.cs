@@ -1,13 +1,14 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads texts that <see cref="SweepLog"/> wrote. Errors are one line with file, line and field.</summary>
+/// <summary>Reads the text that <see cref="SweepLog"/> writes. An error message is one line with file, line and field.</summary>
 static class SweepLogReader
 {
     const string Nanoseconds = "control_ns", Vertices = "vertices", RenderMs = "render_ms", Source = "source", DisplayHz = "display_hz";
@@ -15,8 +16,8 @@ static class SweepLogReader
     static readonly int Columns = SweepLog.Header.Split(',').Length;
 
     /// <param name="name">Name of the text in messages.</param>
-    /// <param name="conditions">Conditions above the header, without device and display rate, which are in the rows.</param>
-    /// <exception cref="InputException">The text has another format or no rows.</exception>
+    /// <param name="conditions">Conditions from the lines above the header. Device and display rate are in the rows instead.</param>
+    /// <exception cref="InputException">The text has another format or contains no rows.</exception>
     public static IReadOnlyList<SweepRow> Read(TextReader text, string name, out DisplayConditions conditions)
     {
         var above = 1;
@@ -25,18 +26,18 @@ static class SweepLogReader
         for (; IsComment(header); header = text.ReadLine(), above++) TakeCondition(header, values);
         conditions = ConditionsOf(values, name);
         if (header == null || header.Trim() != SweepLog.Header)
-            throw new InputException($"{name}:{above}: the header is '{header}'; it must be {SweepLog.Header}");
+            throw new InputException(SweepFileMessages.Header(name, above, header, SweepLog.Header));
         using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
         var rows = new List<SweepRow>();
         var device = "";
         while (csv.Read()) rows.Add(RowOf(csv.Record, $"{name}:{above + csv.RawRow}", ref device));
-        if (rows.Count == 0) throw new InputException($"{name}: the header has no rows below it; a sweep log has one row for each frame");
+        if (rows.Count == 0) throw new InputException(SweepFileMessages.NoRows(name));
         return rows;
     }
 
     static bool IsComment(string line) => line != null && line.StartsWith(SweepLog.ConditionPrefix, StringComparison.Ordinal);
 
-    // Unknown fields, which newer versions may add, are ignored.
+    // Reads one condition. Ignores unknown fields, which a newer version may have added.
     static void TakeCondition(string line, string[] values)
     {
         var end = line.IndexOf(SweepLog.ConditionSeparator, StringComparison.Ordinal);
@@ -57,10 +58,10 @@ static class SweepLogReader
         }
     }
 
-    /// <param name="device">Device of the previous row; reused when it is equal, so that the string is stored once.</param>
+    /// <param name="device">Device of the previous row. An equal device reuses this string to save memory.</param>
     static SweepRow RowOf(string[] fields, string place, ref string device)
     {
-        if (fields.Length != Columns) throw new InputException($"{place}: {fields.Length} fields; it must have {Columns}");
+        if (fields.Length != Columns) throw new InputException(SweepFileMessages.FieldCount(place, fields.Length, Columns));
         if (fields[4] != device) device = fields[4];
         try
         {
@@ -81,19 +82,18 @@ static class SweepLogReader
     static RenderTimeSourceKind SourceOf(string text)
     {
         if (RenderTimeSourceNames.TryParse(text, out var source)) return source;
-        throw new InputException(
-            $"{Source}: '{text}' is not a source of render times; allowed: {RenderTimeSourceNames.All}, or nothing");
+        throw new InputException(SweepFileMessages.UnknownSource(Source, text, RenderTimeSourceNames.All));
     }
 
     static long Whole(string text, string field, string unit)
     {
         if (long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number)) return number;
-        throw new InputException($"{field}: '{text}' is not a whole number of {unit}");
+        throw new InputException(SweepFileMessages.NotWhole(field, text, unit));
     }
 
     static double Number(string text, string field, string unit)
     {
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number)) return number;
-        throw new InputException($"{field}: '{text}' is not a number of {unit}");
+        throw new InputException(SweepFileMessages.NotANumber(field, text, unit));
     }
 }

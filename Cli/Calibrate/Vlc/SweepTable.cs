@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
@@ -5,7 +6,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads a load sweep's log, plain or compressed, of one headset with one display rate.</summary>
+/// <summary>Reads the log of a load sweep, plain or compressed. All rows must come from one headset with one display rate.</summary>
 static class SweepTable
 {
     /// <param name="conditions">Conditions of the whole sweep.</param>
@@ -25,10 +26,10 @@ static class SweepTable
         }
     }
 
-    /// <summary>Gets the headset's model; empty if no row has it.</summary>
+    /// <summary>Gets the headset's model; empty if no row contains it.</summary>
     public static string Device(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.Device).FirstOrDefault(device => device.Length > 0) ?? "";
 
-    /// <summary>Gets the display rate, or 0 if no row has it. A display reports its rate some frames after the scene has begun.</summary>
+    /// <summary>Gets the display rate; 0 if no row contains it. A display reports its rate only some frames after the scene has started.</summary>
     public static double DisplayHz(IReadOnlyList<SweepRow> rows) => rows.Select(row => row.DisplayHz).FirstOrDefault(rate => !double.IsNaN(rate));
 
     static IReadOnlyList<SweepRow> OfOneHeadset(IReadOnlyList<SweepRow> rows, string path)
@@ -37,10 +38,9 @@ static class SweepTable
         for (var i = 0; i < rows.Count; i++)
         {
             if (rows[i].Device.Length > 0 && rows[i].Device != device)
-                throw new InputException($"{path}: frames of '{device}' and of '{rows[i].Device}'; a sweep must be from one headset");
+                throw new InputException(SweepFileMessages.TwoHeadsets(path, device, rows[i].Device));
             if (!double.IsNaN(rows[i].DisplayHz) && rows[i].DisplayHz != rate)
-                throw new InputException(FormattableString.Invariant(
-                    $"{path}: frames at {rate} Hz and at {rows[i].DisplayHz} Hz; L_visu depends on the rate: keep the rows of one rate"));
+                throw new InputException(SweepFileMessages.TwoRates(path, rate, rows[i].DisplayHz));
         }
         return rows;
     }

@@ -2,26 +2,28 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>The read pictures of a series in the order of their control time, with that time relative to one of them.</summary>
+/// <summary>The pictures of a series that could be read, sorted by control time.</summary>
 /// <remarks>
-/// Codes repeat after 65.5 s. The given order shows the period of each picture if it is the camera's order, or its reverse. In any other
-/// order, all pictures count as taken within one period. The result is the same for all orders of a series that is shorter than half a
-/// period.
+/// Codes repeat after 65.5 s. If the pictures are in the order in which they were taken, or in its reverse, the order determines the
+/// period of each picture. Otherwise, all pictures count as taken within one period. For a series shorter than half a period, the result
+/// does not depend on the order.
 /// </remarks>
 sealed class TimeOrder
 {
-    /// <summary>Minimum share of neighbours with the same direction of time in a series that is in the camera's order, or in the reverse.</summary>
+    /// <summary>
+    /// Minimum share of consecutive pictures with the same direction of time, for an order that counts as the camera's or its reverse.
+    /// </summary>
     const double MinShareInOrder = 0.9;
 
     TimeOrder(IReadOnlyList<(PictureResult Picture, double Ms)> pictures, bool isGivenOrder) => (Pictures, IsGivenOrder) = (pictures, isGivenOrder);
 
-    /// <summary>The pictures, the earliest first, and their control time, ms.</summary>
+    /// <summary>The pictures in increasing order of control time, and their times relative to one picture, ms.</summary>
     public IReadOnlyList<(PictureResult Picture, double Ms)> Pictures { get; }
 
-    /// <summary>Whether the given order was that of the camera, or the reverse.</summary>
+    /// <summary>Whether the given order was the order in which the pictures were taken, or its reverse.</summary>
     public bool IsGivenOrder { get; }
 
-    /// <param name="pictures">In any order; those that were not read are left out.</param>
+    /// <param name="pictures">Pictures in any order. Those that were not read are ignored.</param>
     public static TimeOrder Of(IEnumerable<PictureResult> pictures)
     {
         PictureResult[] read = [.. pictures.Where(picture => picture.IsRead)];
@@ -29,7 +31,7 @@ sealed class TimeOrder
         int forward = intervals.Count(ms => ms >= 0), backward = intervals.Count(ms => ms <= 0);
         var isGivenOrder = Math.Max(forward, backward) >= MinShareInOrder * intervals.Length;
         double[] times = isGivenOrder ? Summed(read.Length, intervals) : WithinPeriod([.. read.Select(picture => picture.LedMs)]);
-        // The names decide between equal times, so that the order does not depend on the given one.
+        // Equal times are sorted by name, so that the result does not depend on the given order.
         return new TimeOrder([.. read.Zip(times).OrderBy(each => each.Second).ThenBy(each => each.First.File, StringComparer.Ordinal)], isGivenOrder);
     }
 
@@ -40,7 +42,7 @@ sealed class TimeOrder
         return times;
     }
 
-    /// <summary>Gets times from the end of the longest interval without a picture.</summary>
+    /// <summary>Gets the times relative to the end of the longest interval without a picture.</summary>
     static double[] WithinPeriod(double[] ledMs)
     {
         double[] sorted = [.. ledMs.Order()];

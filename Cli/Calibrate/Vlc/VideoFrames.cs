@@ -1,23 +1,26 @@
 using System.ComponentModel;
 using System.Diagnostics;
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Reads a video's frames by ffmpeg, which must be installed.</summary>
+/// <summary>Reads the frames of a video with ffmpeg, which must be installed.</summary>
 static class VideoFrames
 {
-    const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";
+    const string Needed = PictureMessages.FfmpegNeeded;
 
-    /// <summary>The ffmpeg option that outputs each frame once, independent of its time: the current name, then the name before ffmpeg 5.1.</summary>
+    /// <summary>The ffmpeg option that outputs each frame once, independent of its time stamp: the current name, and the name before ffmpeg 5.1.</summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
     const int Colours = 3;
 
     public static IEnumerable<PictureRequest> Of(string path) => Read(path).Select(frame => PictureRequest.Grey(frame.Width, frame.Height, frame.Bytes));
 
-    /// <summary>Reads frame after frame in grey: the brightest colour of each pixel, as in pictures. The bytes are overwritten by the next frame.</summary>
+    /// <summary>
+    /// Reads the frames in grey: each pixel has the value of its brightest colour. Each frame overwrites the bytes of the previous one.
+    /// </summary>
     /// <exception cref="InputException">ffmpeg is missing or cannot read the file.</exception>
     public static IEnumerable<(int Width, int Height, byte[] Bytes)> Read(string path)
     {
@@ -40,11 +43,11 @@ static class VideoFrames
                 }
                 if (count > 0)
                 {
-                    Tell(path, count, errors.Result);
+                    WarnIfIncomplete(path, count, errors.Result);
                     yield break;
                 }
                 if (option == EachFrameOnce[^1] || !errors.Result.Contains(option[1..], StringComparison.Ordinal))
-                    throw new InputException($"{path}: ffmpeg finds no frames in it: {errors.Result.Trim().ReplaceLineEndings(" ")}");
+                    throw new InputException(PictureMessages.NoFramesByFfmpeg(path, errors.Result.Trim().ReplaceLineEndings(" ")));
             }
             finally
             {
@@ -53,7 +56,7 @@ static class VideoFrames
         }
     }
 
-    // The luma of a red or blue LED would be a small part of its light.
+    // Takes the brightest colour instead of the luma, because the luma of a red or blue LED is only a small part of its light.
     static void SetBrightest(ReadOnlySpan<byte> colours, Span<byte> grey)
     {
         for (var i = 0; i < grey.Length; i++)
@@ -63,22 +66,22 @@ static class VideoFrames
         }
     }
 
-    // Warns that a truncated or damaged video has fewer pictures than were filmed.
-    static void Tell(string path, int count, string errors)
+    // Warns that the video is truncated or damaged and contains fewer pictures than were filmed.
+    static void WarnIfIncomplete(string path, int count, string errors)
     {
         var first = errors.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).FirstOrDefault();
-        if (first != null) Console.Error.WriteLine($"nowpose: {path}: {count} pictures were read, but ffmpeg reports: {first}");
+        if (first != null) Console.Error.WriteLine(ConsoleMessages.FfmpegReports(path, count, first));
     }
 
-    /// <summary>Gets the time of each frame, s. Phones film at a variable rate.</summary>
-    /// <exception cref="InputException">The same as for <see cref="Read"/>.</exception>
+    /// <summary>Gets the time of each frame, s. The frame rate of phones is not constant.</summary>
+    /// <exception cref="InputException">ffmpeg is missing or cannot read the file.</exception>
     public static double[] TimesOf(string path)
     {
         var lines = Probed(path, "frame=best_effort_timestamp_time", out var errors);
         double[] times = [.. lines.Select(line => double.TryParse(line.TrimEnd(','), CultureInfo.InvariantCulture, out var time) ? time : double.NaN)];
         for (var i = 1; i < times.Length; i++)
-            if (!(times[i] > times[i - 1])) throw new InputException($"{path}: frame {i + 1} is not later than the previous one; the times of this video cannot be used, convert it with ffmpeg");
-        return times.Length > 1 ? times : throw new InputException($"{path}: ffprobe finds no frames in it: {errors}");
+            if (!(times[i] > times[i - 1])) throw new InputException(PictureMessages.FrameOrder(path, i + 1));
+        return times.Length > 1 ? times : throw new InputException(PictureMessages.NoFrames(path, errors));
     }
 
     static (int Width, int Height) SizeOf(string path)
@@ -87,7 +90,7 @@ static class VideoFrames
         if (words.Length >= 2 && int.TryParse(words[0], CultureInfo.InvariantCulture, out var width) && int.TryParse(words[1], CultureInfo.InvariantCulture, out var height)
             && width > 0 && height > 0)
             return (width, height);
-        throw new InputException($"{path}: ffprobe finds no video in it: {errors}");
+        throw new InputException(PictureMessages.NoVideo(path, errors));
     }
 
     static string[] Probed(string path, string entries, out string errors)

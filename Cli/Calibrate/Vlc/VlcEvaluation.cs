@@ -1,24 +1,25 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Range;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Computes a profile and a page from the L_visu of the pictures. With a sweep, the profile also has a render time limit.</summary>
+/// <summary>Computes a profile and a page from the L_visu of the pictures. If there is a sweep, also determines a render time limit.</summary>
 sealed class VlcEvaluation
 {
-    /// <summary>Minimum share of pictures found in the sweep. By chance, some codes match the log of another recording.</summary>
+    /// <summary>Minimum share of pictures found in the sweep. Some codes match the log of another recording by chance.</summary>
     const double MinShareJoined = 0.2;
 
-    /// <summary>The same if the order of the pictures is unknown but needed. Without the right order, most pictures of a period do not match.</summary>
+    /// <summary>Minimum share if the order of the pictures is needed but unknown. In a wrong order, most pictures do not match.</summary>
     const double MinShareJoinedInUnknownOrder = 0.9;
 
     /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
     const double MinShareNear = 0.9;
 
-    /// <summary>Fewer pictures do not show how much L_visu scatters, and therefore not how accurate its mean is.</summary>
+    /// <summary>Number of pictures below which the page warns. Fewer do not show how much L_visu scatters and how accurate its mean is.</summary>
     const int FewPictures = 10;
 
     readonly VlcResult _result;
@@ -30,7 +31,7 @@ sealed class VlcEvaluation
     public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
-        // Without a picture, the sweep has no use.
+        // Without a picture that was read, the sweep is not evaluated.
         if (result.Read.Count == 0) sweep = null;
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
@@ -41,7 +42,7 @@ sealed class VlcEvaluation
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
-    /// <summary>The pictures joined with the sweep; empty if there is none.</summary>
+    /// <summary>The pictures with the values of their frames in the sweep; empty without a sweep.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
 
     /// <summary>The profile, or null if there are too few pictures.</summary>
@@ -55,22 +56,20 @@ sealed class VlcEvaluation
         var joined = join.Join(_result.Pictures);
         var isOrderUnknown = join.NeedsOrder && !TimeOrder.Of(_result.Pictures).IsGivenOrder;
         if (joined.Count < (isOrderUnknown ? MinShareJoinedInUnknownOrder : MinShareJoined) * _result.Read.Count)
-            throw new InputException($"--sweep: the log has the frames of only {joined.Count} of {_result.Read.Count} pictures; {ReasonOf(isOrderUnknown)}");
+            throw new InputException(VlcMessages.OtherSweep(joined.Count, _result.Read.Count, ReasonOf(isOrderUnknown)));
         if (joined.Count < _result.Read.Count)
-            _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that is not in the sweep log");
+            _warnings.Add(VlcMessages.NotInSweep(_result.Read.Count - joined.Count, _result.Read.Count));
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
         if (others > 0)
-            _warnings.Add($"{others} of {measured} render times of the sweep were measured with a source other than "
-                + $"{RenderTimeSourceNames.NameOf(source)} and are not used");
+            _warnings.Add(VlcMessages.OtherSource(others, measured, RenderTimeSourceNames.NameOf(source)));
         return joined;
     }
 
     static string ReasonOf(bool isOrderUnknown) => isOrderUnknown
-        ? FormattableString.Invariant($"codes repeat after {TimestampCode.PeriodMs / 1000.0:0.0} s, the sweep is longer, and the pictures are not in the order in which ")
-            + "they were taken: name the files so that they sort in that order"
-        : "use the log of the sweep that the pictures show";
+        ? VlcMessages.OrderUnknown(TimestampCode.PeriodMs / 1000.0)
+        : VlcMessages.UseSweepOfPictures;
 
-    // Null if no range can be determined; the reason is added to the warnings.
+    // Returns null if no range can be determined. Adds the reason to the warnings.
     RangeFitResult FitOf(LoadSensitivity sensitivity)
     {
         if (sensitivity.Sight != LoadSight.Seen)
@@ -90,7 +89,7 @@ sealed class VlcEvaluation
         }
     }
 
-    // Null if there are too few pictures; the reason is added to the warnings.
+    // Returns null if there are too few pictures. Adds the reason to the warnings.
     LatencyProfile WithoutRange(bool hasSweep, EarlierProfile earlier)
     {
         if (_result.Read.Count == 0)
@@ -102,25 +101,22 @@ sealed class VlcEvaluation
             ? Plateau.OfSweep(Pictures)
             : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
         if (!hasSweep && plateau?.Count < MinShareNear * _result.Read.Count)
-            _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were not used. "
-                + "If they were taken at several loads, add the sweep's log with --sweep");
-        if (plateau?.Count < FewPictures) _warnings.Add($"L_visu was computed from {plateau.Count} pictures only and may be wrong by some ms: take 30 or more");
+            _warnings.Add(VlcMessages.LatePictures(_result.Read.Count - plateau.Count, _result.Read.Count));
+        if (plateau?.Count < FewPictures) _warnings.Add(VlcMessages.FewPictures(plateau.Count));
         if (plateau != null) return earlier.With(plateau.VisuMs, plateau.SpreadMs, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
-            ? $"L_visu cannot be determined from these {Pictures.Count} pictures of the sweep; no profile was written"
+            ? VlcMessages.NoVisuInSweep(Pictures.Count)
             : _result.Read.Count < 2
-                ? "one picture is not enough for a profile; none was written"
-                : FormattableString.Invariant($"L_visu scatters by {_result.Deviation:0.0} ms, too much for a constant. ")
-                    + "If the pictures were taken at several loads, add the sweep's log with --sweep. No profile was written");
+                ? VlcMessages.OnePicture
+                : VlcMessages.Scatters(_result.Deviation));
         return null;
     }
 
     CalibrationPageData PlainPage() => new(
         "Visible light",
         Profile == null
-            ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be determined; pictures read: {_result.Read.Count}.")
-            : string.Create(CultureInfo.InvariantCulture,
-                $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, from {Profile.Measurements} pictures."),
+            ? VlcMessages.NoVisu(_result.Read.Count)
+            : VlcMessages.Result(Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Profile.Measurements),
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])
     {
         Warnings = _warnings,

@@ -3,10 +3,10 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>The result of the pictures as JSON.</summary>
+/// <summary>Writes the results of the pictures as JSON.</summary>
 static class VlcJson
 {
-    /// <param name="profile">Its mean and deviation are written; if it is null, those of the pictures near the median.</param>
+    /// <param name="profile">Profile whose mean and deviation are written. If null, those of the pictures near the median are written.</param>
     public static string Of(VlcResult result, LatencyProfile profile) => JsonText.Of(isIndented: true, json =>
     {
         json.WriteStartObject();

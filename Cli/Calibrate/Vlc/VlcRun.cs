@@ -1,14 +1,15 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Finds and reads the codes of all pictures.</summary>
+/// <summary>Finds and reads the codes in all pictures.</summary>
 sealed class VlcRun(PictureReader reader)
 {
     readonly SortedDictionary<int, (PictureResult Picture, (int Width, int Height) Size)> _results = [];
 
-    /// <summary>Evaluates the pictures. Returns the results so far when the user cancels.</summary>
-    /// <param name="isStill">Whether the headset must be still. Pictures taken in motion are then rejected.</param>
+    /// <summary>Evaluates the pictures. If the user cancels, returns the results so far.</summary>
+    /// <param name="isStill">Whether the headset must be still. If so, pictures taken in motion are rejected.</param>
     public VlcResult Run(IReadOnlyList<string> files, bool isStill, CancellationToken cancellation)
     {
         var isVideo = PictureFiles.IsVideo(files[0]);
@@ -17,7 +18,7 @@ sealed class VlcRun(PictureReader reader)
             place => isVideo ? FormattableString.Invariant($"{files[0]}#{place + 1}") : files[place], isStill, cancellation);
     }
 
-    /// <summary>Evaluates the pictures of any source. Returns the results so far when the user cancels.</summary>
+    /// <summary>Evaluates pictures from any source. If the user cancels, returns the results so far.</summary>
     /// <param name="count">Number of pictures; null if it is unknown.</param>
     /// <param name="nameOf">Gets the name of a picture from its index.</param>
     /// <inheritdoc cref="Run(IReadOnlyList{string}, bool, CancellationToken)"/>
@@ -39,10 +40,10 @@ sealed class VlcRun(PictureReader reader)
         return new VlcResult(pictures) { Refusal = refusal };
     }
 
-    /// <summary>Rejects pictures whose size is not the most frequent one: they come from another camera or series.</summary>
+    /// <summary>Rejects the pictures that do not have the most frequent size, because they come from another camera or series.</summary>
     IReadOnlyList<PictureResult> OfOneSize()
     {
-        // Of equally frequent sizes, the largest is kept, so that the order of the pictures has no effect.
+        // Among equally frequent sizes, the largest is kept, so that the order of the pictures has no effect.
         var kept = _results.Values.Select(result => result.Size).Where(size => size.Width > 0).GroupBy(size => size)
             .OrderByDescending(group => group.Count()).ThenByDescending(group => group.Key.Width * (long)group.Key.Height).ThenByDescending(group => group.Key.Width)
             .Select(group => group.Key).FirstOrDefault();
@@ -50,6 +51,6 @@ sealed class VlcRun(PictureReader reader)
             ? result.Picture
             : PictureResult.Not(
                 result.Picture.File,
-                $"{result.Size.Width}x{result.Size.Height} px, but most pictures have {kept.Width}x{kept.Height} px: evaluate each camera's pictures separately"))];
+                PictureFaults.OtherSize(result.Size.Width, result.Size.Height, kept.Width, kept.Height)))];
     }
 }

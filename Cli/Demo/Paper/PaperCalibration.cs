@@ -1,26 +1,27 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>Calibrates the simulated headset as the paper does: pictures of both codes, read as by <c>calibrate vlc</c>.</summary>
+/// <summary>The calibration of the simulated headset as in the paper: pictures of both codes, evaluated as by <c>calibrate vlc</c>.</summary>
 /// <param name="Profile">The profile for the run.</param>
-/// <param name="Page">The page for readers.</param>
+/// <param name="Page">The page that shows the calibration.</param>
 sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
 {
     const int LoadSteps = 10;
 
-    /// <summary>Added to the seed, so that these are not the frames of any run.</summary>
+    /// <summary>Added to the run's seed, so that the calibration uses other frames than any run.</summary>
     const int SeedOffset = 1_000_003;
 
-    /// <param name="settings">The settings, including the error to add to L_visu.</param>
-    /// <param name="picturesPerLoad">Number of pictures at each of 11 loads.</param>
+    /// <param name="settings">The settings, including the error that is added to L_visu.</param>
+    /// <param name="picturesPerLoad">Number of pictures at each of the 11 loads.</param>
     /// <returns>Null if the user cancels.</returns>
-    /// <exception cref="DemoFailedException">The pictures give no L_visu.</exception>
+    /// <exception cref="DemoFailedException">L_visu cannot be determined from the pictures.</exception>
     public static PaperCalibration Of(DemoSettings settings, int picturesPerLoad, CancellationToken cancel)
     {
         var count = picturesPerLoad * (LoadSteps + 1);
@@ -37,7 +38,7 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
         var conditions = new DisplayConditions(SweepTable.Device(sweep.Rows), SweepTable.DisplayHz(sweep.Rows));
         var evaluation = new VlcEvaluation(result, sweep.Rows, EarlierProfile.Read(null, conditions));
         if (evaluation.Profile == null)
-            throw new DemoFailedException($"the calibration found no display latency: {result.Read.Count} of {count} pictures could be read");
+            throw new DemoFailedException(DemoMessages.NoCalibration(result.Read.Count, count));
         return new PaperCalibration(WithError(evaluation.Profile, settings.VisualisationErrorMs), evaluation.Page);
     }
 

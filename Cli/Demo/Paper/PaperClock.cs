@@ -3,16 +3,18 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The numbers of Fig. 8.</summary>
-/// <param name="FitShare">Share of the exchanges from 10 s on with |ε_i| below 1 ms.</param>
-/// <param name="OffsetErrorMs">P95 of the magnitude of the offset's true error over the frames from 10 s on, ms.</param>
-/// <param name="SkewRatio">RMS error of the skew over the last quarter divided by that from 2 to 10 s.</param>
-/// <param name="RoundTripRatio">P95 error of the exchanges with the shortest round-trip times divided by that of the longest, quarters.</param>
+/// <summary>The measured values for Fig. 8.</summary>
+/// <param name="FitShare">Share of the exchanges with |ε_i| below 1 ms, from 10 s on.</param>
+/// <param name="OffsetErrorMs">P95 of the absolute error of the offset over the frames from 10 s on, ms.</param>
+/// <param name="SkewRatio">RMS error of the skew over the last quarter divided by the RMS error from 2 to 10 s.</param>
+/// <param name="RoundTripRatio">
+/// P95 error of the quarter of exchanges with the shortest round-trip times divided by that of the quarter with the longest ones.
+/// </param>
 sealed record PaperClock(double FitShare, double OffsetErrorMs, double SkewRatio, double RoundTripRatio)
 {
     const int MinExchanges = 4;
 
-    /// <summary>Gets the numbers; null if the run was too short.</summary>
+    /// <summary>Computes the values; null if the run was too short.</summary>
     public static PaperClock Of(PaperRun run)
     {
         var errors = FitErrors.Of(run.Steps);

@@ -1,9 +1,9 @@
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The measured numbers of one repeat; null where they could not be measured.</summary>
-/// <param name="LightErrorMs">P95 of |ε_L|, ms.</param>
-/// <param name="ClockProblem">Why numbers other than those of the swings are missing, if any are.</param>
-/// <param name="SwingProblem">Why numbers of the swings are missing, if any are.</param>
+/// <summary>The measured values of one repeat. A value is null if it could not be measured.</summary>
+/// <param name="LightErrorMs">P95 of |ε_L|, the error of the display time, ms.</param>
+/// <param name="ClockProblem">Reason why values of the clock or the latency are missing; unused if none is missing.</param>
+/// <param name="SwingProblem">Reason why values of the swings are missing; unused if none is missing.</param>
 sealed record PaperMeasures(PaperClock Clock, PaperSwings Swings, double? LightErrorMs, string ClockProblem, string SwingProblem)
 {
     public static PaperMeasures Of(PaperRun run) => new(

@@ -5,15 +5,15 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The files that only <c>--paper</c> writes: the figures' data, the calibration, and all frames and exchanges of all repeats.</summary>
+/// <summary>Writes the files of <c>--paper</c>: the figures' data, the calibration, and the frames and exchanges of all repeats.</summary>
 static class PaperOutput
 {
     const string Frames = "frames.csv", Exchanges = "exchanges.csv", Profile = "profile.json", CalibrationPage = "calibration.html";
 
-    /// <summary>Removes an earlier run's files, so that they cannot be mistaken for this run's.</summary>
+    /// <summary>Removes the files of an earlier run, which could be mistaken for new ones.</summary>
     public static void RemoveEarlier(string folder)
     {
-        // Without the frames beside it, a profile may belong to the user, so it is kept.
+        // Keeps the profile if the frames file is missing, because the profile can then be the user's own.
         string[] ofPaper = File.Exists(Path.Combine(folder, Frames)) ? [Profile, CalibrationPage] : [];
         foreach (var name in ofPaper.Concat(["figure-8.csv", "figure-16.csv", "figure-17.csv", "figure-18.csv", Exchanges, Frames]))
             File.Delete(Path.Combine(folder, name));
@@ -27,7 +27,7 @@ static class PaperOutput
         CalibrationOutput.At(folder).Write(calibration.Profile, calibration.Page);
     }
 
-    /// <summary>Writes every frame with a display time: the true, the displayed and the uncompensated position of the tool at its light.</summary>
+    /// <summary>Writes each frame with a display time: true, displayed and uncompensated position of the tool at the display time.</summary>
     public static void WriteFrames(TextWriter writer, IEnumerable<PaperRun> repeats)
     {
         writer.Write("repeat,elapsed_s,true_light_s,assumed_light_s,offset_error_us,skew_ppm,swing,swing_s,"
@@ -46,7 +46,7 @@ static class PaperOutput
         }
     }
 
-    /// <summary>Writes every exchange with the clock after it; offsets are relative to that of the first exchange.</summary>
+    /// <summary>Writes each exchange with the clock estimate after it. Offsets are relative to the offset of the first exchange.</summary>
     public static void WriteExchanges(TextWriter writer, IEnumerable<PaperRun> repeats)
     {
         writer.Write("repeat,time_s,offset_ms,true_offset_ms,fitted_offset_ms,skew_ppm,theta2_ms,fit_error_ms,round_trip_ms\n");
@@ -63,7 +63,7 @@ static class PaperOutput
 
     static string Text(ToolPosition p) => string.Create(CultureInfo.InvariantCulture, $"{p.X:0.#######},{p.Y:0.#######},{p.Z:0.#######}");
 
-    // As a decimal, because a double has too few digits for ticks since 1970.
+    // Computes in decimal, because a double has too few digits for ticks since 1970.
     static string Seconds(ControlTime t) =>
         ((decimal)t.SinceEpoch.Ticks / TimeSpan.TicksPerSecond).ToString("0.0000000", CultureInfo.InvariantCulture);
 

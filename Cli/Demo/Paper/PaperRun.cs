@@ -1,28 +1,29 @@
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Cli.Messages;
 using Nowpose.Studies;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>One repeat: the run's scored frames, its swings and its sync exchanges.</summary>
+/// <summary>One repeat: the scored frames, the swings and the sync exchanges of a run.</summary>
 sealed class PaperRun
 {
     static readonly TimeSpan SettledAfter = TimeSpan.FromSeconds(ClockErrors.SettledAfter);
 
-    /// <summary>Time shown before a swing starts, s.</summary>
+    /// <summary>Time before the start of a swing that is also shown, s.</summary>
     const double Before = 0.2;
 
     /// <summary>Maximum time without a frame at the end of a whole swing, s.</summary>
     const double Gap = 0.1;
 
-    /// <summary>Maximum time between two frames of a whole swing, s. Longer ones are stalls of this machine.</summary>
+    /// <summary>Maximum time between two frames of a whole swing, s. A longer pause is a stall of this machine.</summary>
     const double MaxStall = 0.25;
 
     readonly YoubotSwing _swing;
     readonly ToolKinematics _kinematics;
 
     /// <param name="repeat">Number of the repeat, from 1.</param>
-    /// <param name="run">A run with the motion of <paramref name="swing"/>.</param>
+    /// <param name="run">A run whose motion is <paramref name="swing"/>.</param>
     public PaperRun(int repeat, DemoRun run, YoubotSwing swing)
     {
         (Repeat, Run, _swing) = (repeat, run, swing);
@@ -37,23 +38,23 @@ sealed class PaperRun
 
     public DemoRun Run { get; }
 
-    /// <summary>All frames from 10 s on with a display time.</summary>
+    /// <summary>All frames with a display time, from 10 s on.</summary>
     public IReadOnlyList<DemoFrames.Row> Scored { get; }
 
-    /// <summary>The clock after each exchange.</summary>
+    /// <summary>The clock estimate after each exchange.</summary>
     public IReadOnlyList<SyncStep> Steps { get; }
 
-    /// <summary>Gets the errors of the exchanges from 10 s on, without an estimator, ms.</summary>
+    /// <summary>Gets the errors of the exchanges relative to the true offset, from 10 s on, ms. They do not depend on the estimator.</summary>
     public double[] ExchangeErrorsMs =>
         Steps.Count == 0 ? [] : FitErrors.OfExchanges(Steps, Run.Exchanges[0].Offset, at => Run.Truth.OffsetAt(at));
 
-    /// <summary>The whole swings among the scored frames; null if there are none.</summary>
+    /// <summary>The complete swings in the scored frames; null if there are none.</summary>
     public SwingFrames Swings { get; }
 
-    /// <summary>Gets ε_L, the assumed minus the true control time of a frame's light, ms.</summary>
+    /// <summary>Gets ε_L, the assumed minus the true display time of a frame, ms.</summary>
     public static double LightErrorMs(in DemoFrames.Row row) => (row.AssumedLight.Value - row.TrueLight).TotalMilliseconds;
 
-    /// <summary>Gets the index of the swing in which a frame is seen, from 0, and the time since that swing's start, s.</summary>
+    /// <summary>Gets the index of the swing at a frame's display time, from 0, and the time since the start of that swing, s.</summary>
     public (int Swing, double Time) TimeOf(in DemoFrames.Row row)
     {
         var motion = Run.Truth.MotionSecondsAt(row.TrueLight);
@@ -61,24 +62,23 @@ sealed class PaperRun
         return (swing, motion - swing * _swing.Motion.Seconds - _swing.Start);
     }
 
-    /// <summary>Gets the true position of the tool when a frame is seen.</summary>
+    /// <summary>Gets the true position of the tool at a frame's display time.</summary>
     public ToolPosition TruthOf(in DemoFrames.Row row) => _kinematics.TrueAt(Run.Truth, row.TrueLight);
 
-    /// <summary>Why numbers of the clock are missing, if any are.</summary>
+    /// <summary>Reason why values of the clock are missing; unused if none is missing.</summary>
     public string ClockProblem
     {
         get
         {
             var known = Run.Frames.Rows.FindIndex(row => row.Clock.IsKnown);
-            if (known < 0) return "the clock was never known";
+            if (known < 0) return PaperClaimTexts.ClockUnknown;
             var since = Run.Frames.Rows[known].Elapsed;
-            return since < SettledAfter ? "the run was too short" : FormattableString.Invariant($"the clock was known only from {since.TotalSeconds:0.0} s on");
+            return since < SettledAfter ? PaperClaimTexts.TooShort : PaperClaimTexts.ClockKnownFrom(since.TotalSeconds);
         }
     }
 
-    /// <summary>Why numbers of the swings are missing, if any are.</summary>
-    public string SwingProblem => Scored.Count == 0 ? ClockProblem : FormattableString.Invariant(
-        $"no swing after {SettledAfter.TotalSeconds:0} s has all its frames; the longest pause between frames was {LongestPause():0.00} s ({MaxStall} s are allowed)");
+    /// <summary>Reason why values of the swings are missing; unused if none is missing.</summary>
+    public string SwingProblem => Scored.Count == 0 ? ClockProblem : PaperClaimTexts.NoSwing(SettledAfter.TotalSeconds, LongestPause(), MaxStall);
 
     double LongestPause() => Scored.Zip(Scored.Skip(1)).Select(pair => (pair.Second.Elapsed - pair.First.Elapsed).TotalSeconds).DefaultIfEmpty(0).Max();
 
@@ -95,7 +95,7 @@ sealed class PaperRun
     bool IsWhole(StudyFrame[] frames) => frames[0].Time <= -Before && frames[^1].Time >= _swing.Motion.Seconds - _swing.Start - Gap
         && frames.Zip(frames.Skip(1)).All(pair => pair.Second.Time - pair.First.Time <= MaxStall);
 
-    // The angles of the displayed tool in the scene, not of the joints: the whole chain is measured.
+    // Uses the displayed tool in the scene instead of the joints, so that the whole processing chain is measured.
     StudyFrame FrameOf(DemoFrames.Row row, double time)
     {
         double AngleOf(ToolPosition tool) => _swing.AngleOf(tool.X, tool.Y);

@@ -3,7 +3,7 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary><c>demo --paper</c>: calibrates and plays each repeat, judges the claims and writes the results.</summary>
+/// <summary>Runs <c>demo --paper</c>: calibrates and plays each repeat, judges the claims and writes the results.</summary>
 static class PaperSession
 {
     public const int PicturesPerLoad = 12;
@@ -24,11 +24,11 @@ static class PaperSession
             var calibration = await Task.Run(() => PaperCalibration.Of(settings, PicturesPerLoad, cancel), CancellationToken.None);
             if (calibration == null) break;
             firstCalibration ??= calibration;
-            // The recording is that of the first repeat, like the report's plots.
+            // Records the first repeat only. The plots of the report show the same repeat.
             var run = await DemoStage.PlayAsync(settings with { Profile = calibration.Profile }, repeat == 1 ? output.SessionPath : null, cancel);
-            // A clock that does not become synchronised is a result: its claim does not hold.
+            // A clock that was never synchronised is a valid result: its claim does not hold.
             if (!cancel.IsCancellationRequested && run.Failure(needsClock: false) is string failure) throw new DemoFailedException(failure);
-            // Claims need complete repeats. An interrupted first repeat still has the demo's results.
+            // Judging needs complete repeats. If the first repeat was interrupted, it is kept for the demo's own results.
             if (repeat == 1 || !cancel.IsCancellationRequested) runs.Add(new PaperRun(repeat, run, swing));
         }
         if (runs.Count > 0) Finish(runs, firstCalibration, output);

@@ -4,7 +4,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo.Virtual;
 
-/// <summary>A headset without a scene: the session and forward kinematics. Unlike scenes, several of them can be played at once.</summary>
+/// <summary>A headset without a scene: a session and forward kinematics. Several of them can run at the same time, unlike scenes.</summary>
 sealed class SessionHeadset : IDemoHeadset
 {
     readonly IHeadsetClock _clock;
@@ -29,7 +29,7 @@ sealed class SessionHeadset : IDemoHeadset
 
     public ToolPosition HeldTool => Frame == null ? default : _kinematics.At(Frame.HeldJoints);
 
-    /// <summary>Always 0: alarms belong to scenes.</summary>
+    /// <summary>Always 0, because only scenes raise alarms.</summary>
     public int Alarms => 0;
 
     public void ReportGpuTime(TimeSpan length) => Session.Rendered(length, RenderTimeSourceKind.DisplayGpuTime);

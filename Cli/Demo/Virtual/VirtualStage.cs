@@ -6,12 +6,12 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo.Virtual;
 
-/// <summary>Plays a run in virtual time: the demo's display, frame loop and score, fed by a virtual cell over a virtual network.</summary>
+/// <summary>Plays a run in virtual time with the demo's display, frame loop and score, a virtual cell and a virtual network.</summary>
 sealed class VirtualStage
 {
     const double ControlSkew = 37e-6;
 
-    /// <summary>Time by which the control clock is ahead of the headset's.</summary>
+    /// <summary>Time by which the control clock is ahead of the headset clock.</summary>
     static readonly TimeSpan ControlAhead = TimeSpan.FromSeconds(50);
 
     static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
@@ -44,10 +44,10 @@ sealed class VirtualStage
     }
 
     /// <param name="hasScene">
-    /// Whether the headset plays the sample scene; otherwise only its session. Only one scene can be played at a time in a process.
+    /// Whether the headset plays the sample scene instead of only its session. A process can play only one scene at a time.
     /// </param>
-    /// <param name="sampled">The motion that the cell samples; null for the true one.</param>
-    /// <param name="clockError">Error of the control clock that the exchanges read.</param>
+    /// <param name="sampled">The motion that the cell samples; null to sample the true motion.</param>
+    /// <param name="clockError">Error of the control clock in the sync exchanges.</param>
     public static DemoRun Play(DemoSettings settings, bool hasScene, IMotion sampled = null, TimeSpan clockError = default)
     {
         var stage = new VirtualStage(settings, hasScene, sampled, clockError);

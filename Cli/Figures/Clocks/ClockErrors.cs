@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Errors of one estimator over all runs, at all instants from <see cref="SettledAfter"/> on.</summary>
+/// <summary>Errors of one estimator over all runs, from <see cref="SettledAfter"/> on.</summary>
 /// <param name="SkewPpmEarly">RMS error of the skew from 2 to 10 s, ppm.</param>
 /// <param name="SkewPpmLate">RMS error of the skew over the last quarter, ppm.</param>
 sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double SkewPpmEarly, double SkewPpmLate)
@@ -8,10 +8,10 @@ sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double S
     /// <summary>Time after which the estimator has settled, s.</summary>
     public const double SettledAfter = 10;
 
-    /// <summary>Time from which the skew is compared, s. Before, the first estimates are made.</summary>
+    /// <summary>Time from which the error of the skew is evaluated, s. The first estimates are made before it.</summary>
     public const double FirstSkew = 2;
 
-    /// <param name="runs">The runs, each with the log from which it was computed.</param>
+    /// <param name="runs">The estimates of each run, with the exchanges from which they were computed.</param>
     public static ClockErrors Of(IReadOnlyList<(ClockInstant[] Instants, SimulatedExchanges Log)> runs)
     {
         var settled = runs.SelectMany(r => r.Instants).Where(i => i.Seconds >= SettledAfter)

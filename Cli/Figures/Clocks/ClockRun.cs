@@ -2,10 +2,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Feeds simulated exchanges to the headset's own clock synchroniser and reads its estimate 60 times a second.</summary>
+/// <summary>Feeds simulated exchanges to the headset's clock synchroniser and reads its estimates 60 times per second.</summary>
 static class ClockRun
 {
-    /// <summary>The frame rate of a headset.</summary>
+    /// <summary>Frame rate of a headset.</summary>
     public const double InstantsPerSecond = 60;
 
     public static ClockInstant[] Of(ClockMethod method, SimulatedExchanges exchanges, double seconds)

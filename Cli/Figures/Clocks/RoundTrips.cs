@@ -2,15 +2,15 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Shows whether the round-trip time distinguishes good exchanges from bad ones.</summary>
-/// <param name="ShortUs">P95 of the offset error of single exchanges in the quarter with the shortest round-trip times, µs.</param>
-/// <param name="LongUs">The same in the quarter with the longest round-trip times, µs.</param>
+/// <summary>Compares the errors of exchanges with short and with long round-trip times.</summary>
+/// <param name="ShortUs">P95 of the offset error in the quarter of exchanges with the shortest round-trip times, µs.</param>
+/// <param name="LongUs">P95 of the offset error in the quarter of exchanges with the longest round-trip times, µs.</param>
 sealed record RoundTrips(double ShortUs, double LongUs)
 {
     public static RoundTrips Of(IEnumerable<SimulatedExchanges> logs) =>
         Of(logs.SelectMany(log => log.All.Select(each => (each.RoundTripTime.TotalMilliseconds, ErrorUs(log, each)))));
 
-    /// <param name="exchanges">Round-trip time and magnitude of the offset error of each exchange; four at least.</param>
+    /// <param name="exchanges">Round-trip time and absolute offset error of each exchange; four exchanges or more.</param>
     public static RoundTrips Of(IEnumerable<(double RoundTripMs, double ErrorUs)> exchanges)
     {
         var byLength = exchanges.OrderBy(e => e.RoundTripMs).Select(e => e.ErrorUs).ToArray();

@@ -3,8 +3,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Sync exchanges over good WiFi, every 200 ms as in the paper, between two clocks whose offset is known.</summary>
-/// <remarks>Seeded. The skew is 5 to 80 ppm in either direction and varies slowly by ±2 ppm, like that of quartzes.</remarks>
+/// <summary>Simulates sync exchanges over good WiFi, every 200 ms as in the paper, between two clocks with a known offset.</summary>
+/// <remarks>
+/// The random numbers are seeded. The skew is 5 to 80 ppm in either direction and varies slowly by ±2 ppm, as for quartz oscillators.
+/// </remarks>
 sealed class SimulatedExchanges
 {
     const double Interval = 0.2;
@@ -12,7 +14,7 @@ sealed class SimulatedExchanges
     const double DriftPpm = 2;
     const double DriftPeriod = 120;
 
-    /// <summary>Far from the headset's epoch, like Unix time.</summary>
+    /// <summary>Epoch of the control clock. Like Unix time, it is far from the headset's epoch.</summary>
     static readonly TimeSpan ControlEpoch = TimeSpan.FromTicks(1_700_000_000 * TimeSpan.TicksPerSecond);
 
     readonly double _skewPpm;
@@ -30,19 +32,19 @@ sealed class SimulatedExchanges
             var replied = arrived + TimeSpan.FromTicks((long)(Turnaround * TimeSpan.TicksPerSecond));
             var received = replied + down.Next();
             all.Add(new SyncExchange(sent, Control(arrived), Control(replied), received));
-            // One at a time: the next exchange waits for a late reply.
+            // Exchanges do not overlap: the next one waits for a late reply.
             next = Math.Max(next + Interval, received.SinceEpoch.TotalSeconds);
         }
         All = all;
     }
 
-    /// <summary>The exchanges in the order in which they ended.</summary>
+    /// <summary>The exchanges in the order in which their replies arrived.</summary>
     public IReadOnlyList<SyncExchange> All { get; }
 
-    /// <summary>Gets γ₂ − 1 at a headset time, ppm.</summary>
+    /// <summary>Gets the true skew γ₂ − 1 at a headset time, ppm.</summary>
     public double SkewPpmAt(double seconds) => _skewPpm + DriftPpm * Math.Sin(2 * Math.PI * seconds / DriftPeriod);
 
-    /// <summary>Gets Φ at a headset time.</summary>
+    /// <summary>Gets the true offset Φ at a headset time.</summary>
     public ClockOffset TrueOffset(HeadsetTime t)
     {
         var s = t.SinceEpoch.TotalSeconds;

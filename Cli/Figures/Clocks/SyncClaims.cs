@@ -1,17 +1,17 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>The claims of Fig. 8 for exchanges whose true offset is unknown: errors are relative to the fit.</summary>
+/// <summary>Judges the claims of Fig. 8 for exchanges whose true offset is unknown. Errors are relative to the fit.</summary>
 static class SyncClaims
 {
     /// <summary>Minimum number of exchanges after the clock has settled.</summary>
     const int MinExchanges = 20;
 
-    const string Skew = "The skew converges: in the last quarter it varies less than half as much as from 2 to 10 s (RMS about the mean of the last "
-        + "quarter), and from the third quarter to the last its mean changes by less than a quarter of that.";
-    const string RoundTrip = "|ε| of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).";
+    const string Skew = Figure08Texts.SkewConverges;
+    const string RoundTrip = Figure08Texts.ShortRoundTrips;
 
     public static IReadOnlyList<Criterion> Of(IReadOnlyList<SyncStep> steps)
     {
@@ -19,7 +19,7 @@ static class SyncClaims
         var settled = known.Where(step => step.Seconds >= ClockErrors.SettledAfter).ToArray();
         return settled.Length >= MinExchanges ? [FitErrorOf(settled), SkewOf(known), RoundTripOf(settled)]
             : [.. new[] { FitErrors.Claim, Skew, RoundTrip }.Select(statement =>
-                new Criterion(statement, null, $"{settled.Length} usable exchanges after 10 s; {MinExchanges} are needed"))];
+                new Criterion(statement, null, Figure08Texts.TooFewExchanges(settled.Length, MinExchanges)))];
     }
 
     static Criterion FitErrorOf(SyncStep[] settled)
@@ -29,20 +29,20 @@ static class SyncClaims
         return new(FitErrors.Claim, share >= FitErrors.MinShare, $"{Percent(share)}; median {Text(1000 * Quantile.Of(errors, 0.5))} µs");
     }
 
-    // A skew that keeps changing at the same rate varies little in the last quarter, compared with its distance from the first values.
-    // But from quarter to quarter it changes by more than a quarter of that distance, for every length of the log.
+    // The second condition detects a skew that still changes at a constant rate. Such a skew varies little within the last quarter, but its
+    // mean changes from the third to the last quarter by more than a quarter of its distance from the early values.
     static Criterion SkewOf(SyncStep[] known)
     {
         var end = known[^1].Seconds;
         double[] Between(double from, double to) => [.. known.Where(step => step.Seconds >= from && step.Seconds < to).Select(step => step.SkewPpm.Value)];
         var (early, third, last) = (Between(ClockErrors.FirstSkew, ClockErrors.SettledAfter), Between(end / 2, 0.75 * end), Between(0.75 * end, double.MaxValue));
-        if (early.Length == 0) return new(Skew, null, "the skew was first estimated after 10 s");
-        if (third.Length == 0) return new(Skew, null, "no usable exchange in the third quarter");
+        if (early.Length == 0) return new(Skew, null, Figure08Texts.LateSkew);
+        if (third.Length == 0) return new(Skew, null, Figure08Texts.NoExchange);
         var mean = last.Average();
         double Rms(double[] skews) => Math.Sqrt(skews.Average(skew => (skew - mean) * (skew - mean)));
         var change = Math.Abs(mean - third.Average());
         return new(Skew, 2 * Rms(last) < Rms(early) && 4 * change < Rms(early),
-            $"{Text(Rms(early))} ppm, then {Text(Rms(last))} ppm; change of the mean {Text(change)} ppm");
+            Figure08Texts.SkewMeasured(Text(Rms(early)), Text(Rms(last)), Text(change)));
     }
 
     static Criterion RoundTripOf(SyncStep[] settled)

@@ -2,10 +2,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Runs a clock estimator with recorded exchanges.</summary>
+/// <summary>Feeds recorded exchanges to a clock estimator.</summary>
 static class SyncSteps
 {
-    /// <returns>One step for each exchange that the estimator did not drop as invalid.</returns>
+    /// <returns>One step for each exchange, without those that the estimator dropped as invalid.</returns>
     public static IReadOnlyList<SyncStep> Of(IEnumerable<SyncExchange> exchanges, string estimator)
     {
         var clock = new ClockSynchroniser(ClockEstimators.Create(estimator), ClockSettings.Default);

@@ -7,20 +7,20 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Figs 10 and 11: the effect of the load on L_visu, from sweeps on the display and with the camera of <c>calibrate simulate</c>.</summary>
+/// <summary>Figs 10 and 11: L_visu over the load, measured in load sweeps with the display and camera of <c>calibrate simulate</c>.</summary>
 sealed class DisplayStudy : IFigureStudy
 {
-    /// <summary>Pictures of one load take 12 s, in which starts of frames drift through several refreshes.</summary>
+    /// <summary>Number of pictures per load. They take 12 s, in which the starts of frames drift through several refreshes.</summary>
     const int PicturesPerLoad = 100;
 
-    /// <summary>Steps of 100 000 vertices, so that both loads of Fig. 10 are loads of the sweep.</summary>
+    /// <summary>Number of load steps. Each is 100 000 vertices, so that the sweep contains both loads of Fig. 10.</summary>
     const int LoadSteps = 20;
 
     const int NormalLoad = 300_000, HighLoad = 1_500_000;
 
     static readonly DisplayPipelineSettings Usual = new(refreshMs: DisplayConditions.RefreshMs);
 
-    /// <summary>Another scene: fewer vertices, each of which takes twice as long.</summary>
+    /// <summary>A display whose scene takes twice as long to render per vertex.</summary>
     static readonly DisplayPipelineSettings Costly = new(refreshMs: DisplayConditions.RefreshMs, msPerMillion: 2 * Usual.MsPerMillion);
 
     readonly int _seed;

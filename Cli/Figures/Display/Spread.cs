@@ -2,24 +2,24 @@ using MathNet.Numerics.Statistics;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Spread of the middle 95 % of values. Single frames that were slow and single misread pictures do not change it.</summary>
+/// <summary>Spread of the middle 95 % of values. Single slow frames and misread pictures do not change it.</summary>
 /// <param name="Deviation">Standard deviation of the middle 95 %.</param>
-/// <param name="Range">Largest minus smallest of the middle 95 %.</param>
+/// <param name="Range">Maximum minus minimum of the middle 95 %.</param>
 readonly record struct Spread(double Deviation, double Range)
 {
     const double Low = 0.025, High = 0.975;
 
-    /// <summary>Minimum number of values of which some are in the middle.</summary>
+    /// <summary>Minimum number of values. Of fewer, none would be in the middle.</summary>
     const int MinValues = 3;
 
-    /// <param name="values">Any number; the spread of fewer than three is 0.</param>
+    /// <param name="values">Any number of values. The spread of fewer than three is 0.</param>
     public static Spread Of(IEnumerable<double> values)
     {
         var all = values.ToArray();
         return all.Length < MinValues ? default : new(MiddleOf(all).StandardDeviation(), Quantile.Of(all, High) - Quantile.Of(all, Low));
     }
 
-    /// <summary>Gets the spread of all groups together. Each is taken relative to its own mean, so differences between the means do not count.</summary>
+    /// <summary>Gets the spread of all groups together. Each group is taken relative to its own mean, so the means can differ.</summary>
     public static Spread Within(IEnumerable<SpreadGroup> groups) => Of(groups.SelectMany(group =>
     {
         var all = group.VisuMs.ToArray();

@@ -3,7 +3,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Field;
 
-/// <summary>Figs 4 and 8: the error caused by latency, and the accuracy of the estimated latency.</summary>
+/// <summary>Figs 4 and 8: the error that a latency causes, and the accuracy of the synchronised clock.</summary>
 sealed class ClockAndFieldStudy : IFigureStudy
 {
     readonly ErrorField _field;

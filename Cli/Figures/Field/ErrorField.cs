@@ -2,10 +2,10 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Field;
 
-/// <summary>Runs hold and the predictors on motions of constant velocity, for the latencies of the paper.</summary>
+/// <summary>Computes the errors of hold and of all predictors for motions at constant velocity and the latencies of the paper.</summary>
 sealed class ErrorField
 {
-    /// <summary>T_s of a signal with negligible sampling interval, s.</summary>
+    /// <summary>A sampling interval T_s that is negligible, s.</summary>
     const double Fresh = 0.0005;
 
     static readonly double[] SpeedsMmPerS = [100, 250, 500, 750, 1000];
@@ -20,7 +20,7 @@ sealed class ErrorField
 
     public IReadOnlyList<Action> Work { get; }
 
-    /// <summary>The points, sorted by speed, then by latency.</summary>
+    /// <summary>The points, sorted by speed and then by latency.</summary>
     public IReadOnlyList<FieldPoint> Points => _points;
 
     static FieldPoint Play(FigureSettings settings, double speed, double latencyMs)

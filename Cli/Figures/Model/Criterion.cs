@@ -1,19 +1,21 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>A condition of a claim, and whether the numbers meet it.</summary>
+/// <summary>One condition of a claim, and whether the measured numbers meet it.</summary>
 /// <param name="Statement">The condition, including its thresholds.</param>
-/// <param name="IsMet">Null if the numbers were not measured.</param>
-/// <param name="Measured">The measured numbers, or why there are none.</param>
+/// <param name="IsMet">Whether the condition is met; null if it was not measured.</param>
+/// <param name="Measured">The measured numbers, or the reason why there are none.</param>
 sealed record Criterion(string Statement, bool? IsMet, string Measured)
 {
     /// <summary>
-    /// Judges a claim: it holds if all criteria are met, holds partly if some are, and does not hold if none is. Without any measured
-    /// number it is not judged.
+    /// Judges a claim. It holds if all criteria are met, holds partly if some are met, and does not hold if none is met. If no criterion was
+    /// measured, the claim is not judged.
     /// </summary>
-    /// <param name="criteria">At least one criterion.</param>
+    /// <param name="criteria">One criterion or more.</param>
     public static Verdict Judge(IReadOnlyCollection<Criterion> criteria)
     {
-        if (criteria.Count == 0) throw new ArgumentException("a claim needs at least one criterion", nameof(criteria));
+        if (criteria.Count == 0) throw new ArgumentException(FigureErrors.NoCriterion, nameof(criteria));
         if (criteria.All(c => c.IsMet == null)) return Verdict.NotMeasured;
         if (criteria.All(c => c.IsMet == true)) return Verdict.Holds;
         return criteria.Any(c => c.IsMet == true) ? Verdict.HoldsPartly : Verdict.DoesNotHold;

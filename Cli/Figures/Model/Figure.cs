@@ -1,7 +1,7 @@
 namespace Nowpose.Cli.Figures.Model;
 
 /// <summary>One recomputed figure of the paper: the paper's claim, our result and the data.</summary>
-/// <param name="Number">Number in the paper, for example "13a".</param>
+/// <param name="Number">Number of the figure in the paper, for example "13a".</param>
 sealed record Figure(string Number, string Title)
 {
     /// <summary>The paper's claim in our words.</summary>
@@ -13,21 +13,21 @@ sealed record Figure(string Number, string Title)
     /// <summary>The data for the figure's CSV file.</summary>
     public required FigureTable Table { get; init; }
 
-    /// <summary>The result of our own methods under the same conditions; null if there is none.</summary>
+    /// <summary>Results of Nowpose's own methods under the same conditions; null if there are none.</summary>
     public string Beyond { get; init; }
 
-    /// <summary>Conditions of the data, in addition to those of all figures.</summary>
+    /// <summary>Conditions of this figure, in addition to those that all figures share.</summary>
     public required string Conditions { get; init; }
 
     public IReadOnlyList<FigurePlot> Plots { get; init; } = [];
 
     public IReadOnlyList<FigureDrawing> Drawings { get; init; } = [];
 
-    /// <summary>Summary over all runs; null if the table is sufficient.</summary>
+    /// <summary>Summary of all runs; null if the figure needs none.</summary>
     public FigureSummary Summary { get; init; }
 
     public Verdict Verdict => Criterion.Judge(Criteria);
 
-    /// <summary>Name of the figure's CSV file.</summary>
+    /// <summary>Name of the CSV file.</summary>
     public string FileName { get; init; } = $"figure-{Number}.csv";
 }

@@ -1,8 +1,9 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>A figure's data, row by row.</summary>
+/// <summary>The data of a figure as rows of numbers.</summary>
 sealed class FigureTable(params FigureColumn[] columns)
 {
     readonly List<double?[]> _rows = [];
@@ -11,16 +12,16 @@ sealed class FigureTable(params FigureColumn[] columns)
 
     public IReadOnlyList<IReadOnlyList<double?>> Rows => _rows;
 
-    /// <param name="values">One value per column; null for a missing value, never NaN.</param>
+    /// <param name="values">One value per column. A missing value is null, not NaN.</param>
     public void Add(params double?[] values)
     {
         if (values.Length != Columns.Count) throw new ArgumentException($"{values.Length} values for {Columns.Count} columns", nameof(values));
         if (Array.FindIndex(values, v => v is double x && !double.IsFinite(x)) is >= 0 and var bad)
-            throw new ArgumentException($"column {Columns[bad].Header}, row {_rows.Count + 1}: {values[bad]} is not a finite number", nameof(values));
+            throw new ArgumentException(FigureErrors.NotFinite(Columns[bad].Header, _rows.Count + 1, values[bad]), nameof(values));
         _rows.Add(values);
     }
 
-    /// <summary>Gets two of the columns as a line of a plot. Rows without x are skipped.</summary>
+    /// <summary>Gets two columns as a trace of a plot. Skips rows without a value for x.</summary>
     public PlotTrace Trace(string label, string look, int x, int y)
     {
         var rows = _rows.Where(row => row[x] != null).ToArray();

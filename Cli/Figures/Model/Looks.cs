@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>Names of line styles, the same in all figures. Each has a colour, width and dash in the page's <c>looks.ts</c>.</summary>
+/// <summary>Names of the line styles, which are the same in all figures. The page's <c>looks.ts</c> defines their colour, width and dash.</summary>
 static class Looks
 {
     public const string Truth = "truth";
@@ -12,7 +12,7 @@ static class Looks
     public const string Cubic = "cubic";
     public const string Samples = "samples";
 
-    /// <summary>Gets the style of a predictor or clock estimator by its name: ours, the paper's, or others.</summary>
+    /// <summary>Gets the style for the name of a predictor or clock estimator.</summary>
     public static string Of(string method) => method switch
     {
         "default" => Adaptive,

@@ -1,4 +1,4 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>An instant with a label in a plot.</summary>
+/// <summary>A labelled position on the horizontal axis of a plot.</summary>
 readonly record struct PlotMark(string Label, double X);

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Model;
 
-/// <summary>Whether the numbers support a claim.</summary>
+/// <summary>Result of judging a claim.</summary>
 enum Verdict
 {
     Holds,

@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>The manual's pictures of the calibration methods that need no display. Simulated measurements with the real evaluation.</summary>
+/// <summary>Creates the manual's pictures of calibration methods without a display: simulated measurements, evaluated as in reality.</summary>
 static class CalibrationPictures
 {
     const double CameraHz = 60;
@@ -20,7 +20,7 @@ static class CalibrationPictures
         yield return ("nudge.svg", NudgePage.Section(marks, marks.Result()).Plots[0]);
     }
 
-    // 200 px to and fro in 2.2 s, 124 ms late, each position accurate to a pixel.
+    // Simulates a jog of 200 px back and forth in 2.2 s. The hologram is 124 ms late, and positions are accurate to 1 px.
     static SineTracks Jog()
     {
         const double Period = 2.2, Lag = 0.124;

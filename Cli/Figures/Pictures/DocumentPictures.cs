@@ -2,7 +2,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>The pictures of the documentation, drawn from the figures' data.</summary>
+/// <summary>Draws the pictures of the documentation from the figures' data.</summary>
 static class DocumentPictures
 {
     const int Narrow = 420, Wide = 620;
@@ -20,7 +20,7 @@ static class DocumentPictures
         ("visu-over-render-time.svg", "11b", 0, Narrow, ["pictures", "L_visu of the profile"]),
     ];
 
-    /// <returns>The written files; of the figures, only those that were computed.</returns>
+    /// <returns>The files that were written. Pictures of figures that were not computed are skipped.</returns>
     public static IReadOnlyList<string> Write(string folder, IReadOnlyList<Figure> figures)
     {
         var paths = new List<string>();

@@ -1,30 +1,30 @@
 using System.Text;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
 /// <summary>
-/// Draws the manual's picture of the LED matrix from <see cref="TimestampCode"/>: the front of the board with its dimensions and outputs,
-/// and one time as the control system and the headset show it.
+/// Draws the manual's picture of the LED matrix from <see cref="TimestampCode"/>: the front of the board with dimensions and outputs, and
+/// the code of one time as shown by the control system and by the headset.
 /// </summary>
 static class LedMatrixPicture
 {
     public const string File = "led-matrix.svg";
 
-    /// <summary>The time that both codes show.</summary>
+    /// <summary>Time for which both codes are drawn.</summary>
     public const int ShownMs = 12_345;
 
     const int Top = 66, Board = 34, BoardLeft = 62, Code = 24, ControlLeft = 490, HeadsetLeft = 750;
     const int Width = HeadsetLeft + 10 * Code + 12, Height = Top + 10 * Board + 56;
 
-    /// <summary>Side of an LED's diffuser, in pitches. A headset's squares have no gaps.</summary>
+    /// <summary>Side of an LED's diffuser, in pitches. The squares of a headset's code have no gaps.</summary>
     const double Diffuser = 0.8;
 
     const string Ink = "#16202c", Muted = "#55616f", Lit = "#fff", Pair = "#9ccbff", Dark = "#3a4653";
     const string Font = "font-family=\"system-ui, sans-serif\"";
 
-    const string Label = "Front of the LED matrix: 18 pairs inside a lit ring, with pitch, margin, bytes and bits; the codes of 12345 ms of the "
-        + "control system and of the headset";
+    const string Label = LedMatrixTexts.Label;
 
     public static string Draw()
     {
@@ -35,14 +35,14 @@ static class LedMatrixPicture
         Dimensions(svg);
         DrawCode(svg, "control", CodeKind.Control, ControlLeft, Diffuser, "control system, 12 345 ms");
         DrawCode(svg, "headset", CodeKind.Headset, HeadsetLeft, 1, "headset, 12 345 ms");
-        Captions(svg, ControlLeft, "two dark marks at the top", "of each pair one is lit: left for 1, right for 0");
-        Captions(svg, HeadsetLeft, "two more dark marks on the right", "no margin; a headset does not draw black");
+        Captions(svg, ControlLeft, LedMatrixTexts.TopMarks, LedMatrixTexts.Pairs);
+        Captions(svg, HeadsetLeft, LedMatrixTexts.RightMarks, LedMatrixTexts.NoMargin);
         return svg.Append("</svg>\n").ToString();
     }
 
     static void DrawBoard(StringBuilder svg)
     {
-        Background(svg, BoardLeft, Board, "front of the board");
+        Background(svg, BoardLeft, Board, LedMatrixTexts.Front);
         svg.Append("<g id=\"board\">\n");
         for (var cell = 0; cell < TimestampCode.CellCount; cell++)
             if (TimestampCode.IsRing(cell)) Cell(svg, cell, BoardLeft, Board, Diffuser, TimestampCode.IsLitRing(cell, CodeKind.Control) ? Lit : Dark);
@@ -71,7 +71,7 @@ static class LedMatrixPicture
         ? FormattableString.Invariant($"g{TimestampCode.ValueBits - 1 - pair}")
         : pair == TimestampCode.ValueBits ? "even" : "odd";
 
-    /// <summary>Draws pitch, side and margin below the board.</summary>
+    /// <summary>Draws the dimensions pitch, side and margin below the board.</summary>
     static void Dimensions(StringBuilder svg)
     {
         const int Bottom = Top + 10 * Board;

@@ -2,7 +2,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>A line style in a picture: the page's light colour with width and dash (<c>Web/src/report.css</c>, <c>looks.ts</c>).</summary>
+/// <summary>A line style in a picture. The values match the light theme of the page (<c>Web/src/report.css</c>, <c>looks.ts</c>).</summary>
 readonly record struct PictureInk(string Colour, double Width, string Dash)
 {
     public string Stroke => FormattableString.Invariant($"stroke=\"{Colour}\" stroke-width=\"{Width}\"") + (Dash.Length > 0 ? $" stroke-dasharray=\"{Dash}\"" : "");

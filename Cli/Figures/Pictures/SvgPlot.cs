@@ -4,13 +4,13 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>Writes a plot of lines as a small SVG file with light colours and without scripts, the same in every viewer.</summary>
+/// <summary>Writes a plot as a small SVG file. It has fixed light colours and no scripts, so that it looks the same in every viewer.</summary>
 /// <param name="width">Width of the picture, px.</param>
 sealed class SvgPlot(FigurePlot plot, int width)
 {
     const int Height = 280;
 
-    /// <summary>A plot with more points than this draws them small.</summary>
+    /// <summary>Number of points above which points are drawn small.</summary>
     const int ManyPoints = 200;
 
     const int Left = 52, Right = 12, Top = 34, Bottom = 42;
@@ -28,7 +28,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
         Append($"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{Height}\" viewBox=\"0 0 {width} {Height}\" role=\"img\" ");
         Append($"aria-label=\"{plot.Title}: {string.Join(", ", plot.Traces.Select(t => t.Label))}\">\n<rect width=\"{width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
         Axes();
-        // Lines are clipped at the plot's edge.
+        // Clips the lines at the edge of the plot.
         Append($"<clipPath id=\"plot\"><rect x=\"{Left}\" y=\"{Top}\" width=\"{width - Left - Right}\" height=\"{Height - Top - Bottom + 3}\"/></clipPath>\n");
         foreach (var trace in plot.Traces) Draw(trace);
         foreach (var mark in plot.Marks) Mark(mark);
@@ -84,7 +84,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
         Append($"\"/>\n");
     }
 
-    // All points in one path of dots: a thousand circles would make a large file.
+    // Draws all points as dots of one path, because a thousand circles would make the file large.
     void Points(PlotTrace trace)
     {
         Append($"<path clip-path=\"url(#plot)\" stroke=\"{PictureInk.Of(trace.Look).Colour}\" stroke-width=\"{(trace.Scattered && trace.X.Count > ManyPoints ? 3 : 5)}\" stroke-linecap=\"round\" d=\"");

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>Round numbers along an axis: four to ten steps of 1, 2 or 5 times a power of ten.</summary>
+/// <summary>Computes round numbers along an axis: four to ten steps of 1, 2 or 5 times a power of ten.</summary>
 static class Ticks
 {
     public static IEnumerable<double> Of(double low, double high)
@@ -9,10 +9,10 @@ static class Ticks
         for (var i = (int)Math.Ceiling(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) yield return i * step;
     }
 
-    /// <summary>Gets the value, or the next lower round number.</summary>
+    /// <summary>Rounds a value down to a tick.</summary>
     public static double Floor(double value, double span) => Math.Floor(value / Step(span) + 1e-9) * Step(span);
 
-    /// <summary>Gets the value, or the next higher round number.</summary>
+    /// <summary>Rounds a value up to a tick.</summary>
     public static double Ceiling(double value, double span) => Math.Ceiling(value / Step(span) - 1e-9) * Step(span);
 
     static double Step(double span)

@@ -2,14 +2,14 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>Predicts one motion by each predictor for each value of one condition.</summary>
+/// <summary>Evaluates several predictors on one motion for each value of one condition.</summary>
 sealed class PredictionSweep
 {
     readonly SweepAxis _axis;
     readonly IReadOnlyList<string> _predictors;
     readonly StudyResult[,] _results;
 
-    /// <param name="predictors">At least one predictor. Hold is added.</param>
+    /// <param name="predictors">One predictor or more. Hold is always added.</param>
     public PredictionSweep(SweepAxis axis, FigureSettings settings, AxisMotion motion, IReadOnlyList<string> predictors)
     {
         _axis = axis;

@@ -3,7 +3,7 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>The condition that a sweep changes, in ms. The other conditions are the paper's.</summary>
+/// <summary>The condition that a sweep changes, in ms. All other conditions are those of the paper.</summary>
 sealed record SweepAxis(FigureColumn Column, IReadOnlyList<double> Values, Func<StudySettings, double, StudySettings> With)
 {
     const double MsPerSecond = 1000;
@@ -16,12 +16,12 @@ sealed record SweepAxis(FigureColumn Column, IReadOnlyList<double> Values, Func<
         new FigureColumn("latency", "ms"), [0, 25, 50, 75, 100, 125, 150, 200, 250],
         (study, ms) => study with { Latency = ms / MsPerSecond });
 
-    /// <summary>Error of the latency; positive when the latency is overestimated.</summary>
+    /// <summary>Error of the end-to-end latency. Positive if the latency is overestimated.</summary>
     public static readonly SweepAxis LatencyError = new(
         new FigureColumn("latency error", "ms"), [-50, -40, -30, -20, -10, 0, 10, 20, 30, 40, 50],
         (study, ms) => study with { LatencyError = ms / MsPerSecond });
 
-    /// <summary>Half-width of a uniform error of each t_k.</summary>
+    /// <summary>Half the width of the uniform distribution of the errors of t_k.</summary>
     public static readonly SweepAxis StampError = new(
         new FigureColumn("stamp error", "ms"), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
         (study, ms) => study with { StampError = ms / MsPerSecond });

@@ -1,34 +1,35 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>RMS errors in mm by predictor over the values of a sweep.</summary>
-/// <param name="values">The swept values, ms, increasing.</param>
-/// <param name="rms">RMS errors by predictor, including <c>hold</c>; one per value.</param>
+/// <summary>RMS errors of all predictors for the values of a sweep, mm.</summary>
+/// <param name="values">Values of the changed condition, ms, increasing.</param>
+/// <param name="rms">RMS errors of each predictor, including <c>hold</c>; one per value.</param>
 sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string, double[]> rms)
 {
     public IReadOnlyList<double> Values => values;
 
     public IReadOnlyList<double> RmsMm(string predictor) => rms[predictor];
 
-    /// <summary>Gets the RMS error divided by that of hold, at the index of a value.</summary>
+    /// <summary>Gets a predictor's RMS error divided by that of hold, for the value at an index.</summary>
     public double Ratio(string predictor, int index) => rms[predictor][index] / rms["hold"][index];
 
-    /// <summary>Gets the RMS error at a swept value.</summary>
+    /// <summary>Gets a predictor's RMS error for a value.</summary>
     public double RmsAt(string predictor, double value) => rms[predictor][IndexOf(value)];
 
-    /// <summary>Gets the RMS error at one value divided by that at another.</summary>
+    /// <summary>Gets a predictor's RMS error for one value divided by its RMS error for another value.</summary>
     public double Growth(string predictor, double from, double to) => RmsAt(predictor, to) / RmsAt(predictor, from);
 
-    /// <summary>Gets the values at whose index a condition is true.</summary>
+    /// <summary>Gets the values whose index satisfies a condition.</summary>
     public double[] Where(Func<int, bool> condition) => [.. values.Where((_, i) => condition(i))];
 
-    /// <summary>Gets the predictor with the smallest RMS error at an index.</summary>
+    /// <summary>Gets the predictor with the smallest RMS error for the value at an index.</summary>
     public string Best(int index, params string[] among) => among.MinBy(name => rms[name][index]);
 
     /// <summary>
-    /// Gets the value from which on one predictor is better than another up to the last value, interpolated; null if it is not better at the last
-    /// value.
+    /// Gets the interpolated value from which on one predictor is better than another for all larger values; null if it is not better for the
+    /// last value.
     /// </summary>
     public double? Crossover(string winner, string loser)
     {
@@ -54,6 +55,6 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
     int IndexOf(double value)
     {
         for (var i = 0; i < values.Count; i++) if (values[i] == value) return i;
-        throw new ArgumentException($"{value} ms is not a value of the sweep", nameof(value));
+        throw new ArgumentException(FigureErrors.NotAValue(value), nameof(value));
     }
 }

@@ -4,14 +4,14 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Draws the real arm and, over it, the arm as the headset shows it without and with compensation.</summary>
-/// <remarks>Links are capsules between their frames, from the headset's own forward kinematics. The colours are the page's.</remarks>
+/// <summary>Draws the real arm and, on top of it, the displayed arms without and with compensation.</summary>
+/// <remarks>Draws each link as a capsule between frames from the headset's forward kinematics. Uses the page's colours.</remarks>
 sealed class ArmDrawing(YoubotSwing swing)
 {
     const int Width = 320;
     const int Height = 264;
 
-    /// <summary>Dimensions in metres: about the thickness of the youBot's links, and the finger length of its URDF.</summary>
+    /// <summary>Dimensions in metres: the approximate thickness of the youBot's links, and the finger length of its URDF.</summary>
     const double LinkThickness = 0.055;
     const double FingerThickness = 0.014;
     const double FingerLength = 0.05;
@@ -19,7 +19,7 @@ sealed class ArmDrawing(YoubotSwing swing)
     readonly Projection _view = new(425, 92, 62);
     readonly StringBuilder _svg = new();
 
-    /// <param name="look">Style of the compensated arm.</param>
+    /// <param name="look">Line style of the compensated arm.</param>
     public string Draw(in StudyFrame frame, string look, double heldMm, double predictedMm)
     {
         _svg.Clear();
@@ -36,7 +36,7 @@ sealed class ArmDrawing(YoubotSwing swing)
         return _svg.ToString();
     }
 
-    // Draws the circle of the tool for orientation.
+    // Draws the circular path of the tool for orientation.
     void Path()
     {
         var points = Enumerable.Range(0, 46).Select(i => Tool(YoubotSwing.FirstAngle + i * Math.PI / 90));
@@ -63,7 +63,7 @@ sealed class ArmDrawing(YoubotSwing swing)
 
     void Line((double X, double Y) from, (double X, double Y) to, double? thickness)
     {
-        // Skips links whose frames are at the same place, for example the palm.
+        // Skips links whose frames are at the same point, for example the palm.
         if (Math.Abs(from.X - to.X) + Math.Abs(from.Y - to.Y) < 0.05) return;
         Append($"<line x1=\"{from.X:0.0}\" y1=\"{from.Y:0.0}\" x2=\"{to.X:0.0}\" y2=\"{to.Y:0.0}\"");
         if (thickness is double metres) Append($" style=\"stroke-width:{metres * _view.Scale:0.0}\"");

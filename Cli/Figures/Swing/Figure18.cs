@@ -1,16 +1,17 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Studies;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Fig. 18: the operating points of the swing in the field of Fig. 4, without and with compensation.</summary>
+/// <summary>Fig. 18: operating points of the swing in the diagram of Fig. 4, without and with compensation.</summary>
 static class Figure18
 {
-    /// <summary>Length as in the paper, s.</summary>
+    /// <summary>Duration that the paper shows, s.</summary>
     const double Length = 1.5;
 
-    /// <summary>Below this share of the maximum speed, the latency e/v is the quotient of two small numbers.</summary>
+    /// <summary>Minimum speed as a share of the maximum. At lower speeds, the latency e/v is the quotient of two small numbers.</summary>
     const double SlowestShare = 0.05;
 
     static readonly double[] IsoErrorsMm = [5, 10, 25, 50, 100];
@@ -19,29 +20,27 @@ static class Figure18
     {
         var table = TableOf(runs);
         var (held, predicted) = (runs.Standard[0].HoldRmsMm(IsWithin), runs.Standard[0].RmsMm(IsWithin));
-        return new Figure("18", "Operating points without and with compensation")
+        return new Figure("18", Figure18Texts.Title)
         {
-            Claim = "Compensation reduces the effective latency without slowing the robot: the errors of the operating points are about 80 % smaller for t < 1500 ms.",
+            Claim = Figure18Texts.Claim,
             Criteria = Criteria(predicted / held, runs.Standard[0].HoldLatencyMs, runs.Standard[0].LatencyMs),
             Beyond = runs.Standard.Count < 2 ? null
-                : $"adaptive removes {Percent(1 - runs.Standard[1].RmsMm(IsWithin) / held)}, the quadratic {Percent(1 - predicted / held)}; "
-                + $"its median effective latency is {Text(runs.Standard[1].LatencyMs)} ms.",
-            Conditions = "The first 1500 ms of Fig. 16; the plot shows the first run, the numbers include all. A point with the error e and the velocity v is drawn at the latency e/v; "
-                + "points slower than 5 % of the maximum velocity are left out.",
+                : Figure18Texts.Beyond(Percent(1 - runs.Standard[1].RmsMm(IsWithin) / held), Percent(1 - predicted / held), Text(runs.Standard[1].LatencyMs)),
+            Conditions = Figure18Texts.Conditions,
             Table = table,
             Plots = [PlotOf(table, runs)],
-            Summary = Figure16.Reductions(runs, IsWithin, "Tool error for t < 1500 ms, all runs"),
+            Summary = Figure16.Reductions(runs, IsWithin, Figure18Texts.Summary),
         };
     }
 
-    /// <param name="ratio">RMS error with compensation divided by that without.</param>
+    /// <param name="ratio">RMS error with compensation divided by the RMS error without it.</param>
     /// <param name="heldMs">Median effective latency without compensation, ms.</param>
     /// <param name="predictedMs">Median effective latency with compensation, ms.</param>
     public static IReadOnlyList<Criterion> Criteria(double ratio, double heldMs, double predictedMs) =>
     [
-        new("75 % or more of the error is removed (RMS; about 80 % in the paper).", ratio <= 0.25, $"{Percent(1 - ratio)} is removed"),
-        new("The median effective latency is less than a third of that without compensation.", 3 * predictedMs < heldMs,
-            $"{Text(heldMs)} ms without, {Text(predictedMs)} ms with"),
+        new(Figure18Texts.ReductionCriterion, ratio <= 0.25, $"{Percent(1 - ratio)} is removed"),
+        new(Figure18Texts.LatencyCriterion, 3 * predictedMs < heldMs,
+            Figure18Texts.LatencyMeasured(Text(heldMs), Text(predictedMs))),
     ];
 
     static FigureTable TableOf(SwingSet runs)
@@ -65,10 +64,10 @@ static class Figure18
         return table;
     }
 
-    /// <summary>Whether a time since the swing's start is in the part that the paper shows.</summary>
+    /// <summary>Gets whether a time since the start of the swing is in the part that the paper shows.</summary>
     public static bool IsWithin(double t) => t >= 0 && t < Length;
 
-    /// <summary>Whether a time since the swing's start has an operating point.</summary>
+    /// <summary>Gets whether the figure shows an operating point for a time since the start of the swing.</summary>
     public static bool IsShown(YoubotSwing swing, double t) => IsWithin(t) && swing.ToolSpeedAt(t) >= SlowestShare * swing.FullSpeed;
 
     static FigurePlot PlotOf(FigureTable table, SwingSet runs) => new("Operating points", new FigureColumn("latency", "ms"), table.Columns[1],

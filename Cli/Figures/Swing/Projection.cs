@@ -2,13 +2,13 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Projects points in m in the robot's base frame to a drawing, seen from ahead and above, without perspective.</summary>
-/// <param name="scale">Units of the drawing per metre.</param>
-/// <param name="x">Horizontal position of the base frame's origin in the drawing, to the right.</param>
-/// <param name="y">Vertical position of the origin, downwards.</param>
+/// <summary>Projects points in the robot's base frame, m, to a drawing. The view is from ahead and above, without perspective.</summary>
+/// <param name="scale">Length of one metre in units of the drawing.</param>
+/// <param name="x">Horizontal position of the base frame's origin in the drawing; positive to the right.</param>
+/// <param name="y">Vertical position of the base frame's origin in the drawing; positive downwards.</param>
 sealed class Projection(double scale, double x, double y)
 {
-    // From ahead of the robot, slightly to its right, and high enough that the swing is recognisable.
+    // The viewpoint is in front of the robot, slightly to its right, and high enough that the swing is recognisable.
     const double Azimuth = -25 * Math.PI / 180;
     const double Elevation = 48 * Math.PI / 180;
 

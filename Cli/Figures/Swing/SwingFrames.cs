@@ -2,29 +2,29 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>The frames of the swing as shown by one predictor.</summary>
-/// <param name="Phases">The frames of each run; times are in seconds since the start of the swing.</param>
+/// <summary>The displayed frames of the swing for one predictor.</summary>
+/// <param name="Phases">Frames of each run. Their times are in seconds since the start of the swing.</param>
 sealed record SwingFrames(string Predictor, SwingScenario Scenario, YoubotSwing Swing, IReadOnlyList<StudyFrame[]> Phases)
 {
-    /// <summary>The run that is drawn, the same for all predictors.</summary>
+    /// <summary>Frames of the run that is drawn. It is the same run for all predictors.</summary>
     public StudyFrame[] Shown => Phases[0];
 
-    /// <summary>Gets the RMS error of the tool centre point, mm, over the frames of all runs that satisfy a condition on the time.</summary>
+    /// <summary>Gets the RMS error of the tool centre point over the frames of all runs whose time satisfies a condition, mm.</summary>
     public double RmsMm(Func<double, bool> when) => Rms(when, f => f.Predicted);
 
-    /// <inheritdoc cref="RmsMm"/>
+    /// <summary>Gets the RMS error without compensation over the frames of all runs whose time satisfies a condition, mm.</summary>
     public double HoldRmsMm(Func<double, bool> when) => Rms(when, f => f.Held);
 
-    /// <summary>RMS error with compensation divided by that without, over all frames. It includes the overshoot after a stop.</summary>
+    /// <summary>RMS error with compensation divided by the RMS error without it, over all frames, including the overshoot after each stop.</summary>
     public double ErrorRatio => RmsMm(_ => true) / HoldRmsMm(_ => true);
 
-    /// <summary>RMS error where the velocity has been constant for the time span of a prediction, mm.</summary>
+    /// <summary>RMS error while the velocity has been constant for at least the time span of a prediction, mm.</summary>
     public double SteadyRmsMm => RmsMm(Swing.IsSteadyAt);
 
-    /// <summary>RMS error where the velocity changes within the time span of a prediction, mm.</summary>
+    /// <summary>RMS error while the velocity has changed within the time span of a prediction, mm.</summary>
     public double CurvedRmsMm => RmsMm(Swing.IsCurvedAt);
 
-    /// <summary>Gap with compensation divided by that without, at each of the <see cref="SwingMoment"/>s, RMS over all runs.</summary>
+    /// <summary>RMS gap over all runs with compensation divided by the gap without it, at each <see cref="SwingMoment"/>.</summary>
     public IReadOnlyList<double> GapRatios
     {
         get
@@ -36,10 +36,10 @@ sealed record SwingFrames(string Predictor, SwingScenario Scenario, YoubotSwing 
         }
     }
 
-    /// <summary>Median of the effective latency e/v over the frames of all runs that Fig. 18 shows, ms.</summary>
+    /// <summary>Median effective latency e/v over the frames that Fig. 18 shows, in all runs, ms.</summary>
     public double LatencyMs => Latency(f => f.Predicted);
 
-    /// <inheritdoc cref="LatencyMs"/>
+    /// <summary>Median effective latency e/v without compensation over the frames that Fig. 18 shows, in all runs, ms.</summary>
     public double HoldLatencyMs => Latency(f => f.Held);
 
     double Latency(Func<StudyFrame, double> shown) => Quantile.Of(

@@ -1,12 +1,13 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>An instant of the first move that Figs 16 and 17 name.</summary>
+/// <summary>An instant of the first move that is named in Figs 16 and 17.</summary>
 /// <param name="Index">Index of the frame in <see cref="SwingFrames.Shown"/>.</param>
 sealed record SwingMoment(string Name, string Words, int Index)
 {
-    /// <summary>Gets the instants: A at the start of full speed, B half-way, C where the speed has dropped to half.</summary>
+    /// <summary>Gets the three instants: A when full speed is reached, B half-way, C when the speed has dropped to half.</summary>
     public static IReadOnlyList<SwingMoment> Of(YoubotSwing swing, IReadOnlyList<StudyFrame> frames)
     {
         var full = swing.FullSpeed;
@@ -14,9 +15,9 @@ sealed record SwingMoment(string Name, string Words, int Index)
         int First(Func<double, bool> when) => move.First(i => when(frames[i].Time));
         return
         [
-            new("A", "full speed is reached", First(t => swing.ToolSpeedAt(t) >= 0.999 * full)),
+            new("A", Figure17Texts.FullSpeed, First(t => swing.ToolSpeedAt(t) >= 0.999 * full)),
             new("B", "half-way", First(t => t >= swing.MoveSeconds / 2)),
-            new("C", "the speed has fallen to half", move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
+            new("C", Figure17Texts.HalfSpeed, move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
         ];
     }
 }

@@ -2,7 +2,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>The swing as the motion of all joints of a simulated robot, repeated without end.</summary>
+/// <summary>The swing as a motion of all joints of a simulated robot, repeated endlessly.</summary>
 sealed class SwingMotion(YoubotSwing swing) : IMotion
 {
     public IReadOnlyList<string> JointNames { get; } = [.. swing.Robot.MovingJoints.Select(joint => joint.Name)];

@@ -1,6 +1,7 @@
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Demo.Virtual;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Simulation;
@@ -9,8 +10,8 @@ using Nowpose.Studies;
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>
-/// Plays the swing through the whole chain in virtual time: sampling and stamps in the control system, a simulated network, the clock by
-/// RANSAC, L_visu from pictures of the simulated display, the session's prediction and forward kinematics.
+/// Plays the swing through the complete processing chain in virtual time: sampling and time stamps in the control system, a simulated
+/// network, clock synchronisation by RANSAC, L_visu from pictures of the simulated display, prediction and forward kinematics.
 /// </summary>
 sealed class SwingRuns
 {
@@ -32,10 +33,10 @@ sealed class SwingRuns
             select (Action)(() => _frames[s, p, run] = Play(s, Predicted[p], run))];
     }
 
-    /// <summary>The paper's predictor first, then ours.</summary>
+    /// <summary>The evaluated predictors, the paper's first.</summary>
     public static IReadOnlyList<string> Predicted { get; } = [PaperScenario.Predictor, .. FigureSettings.OurPredictors];
 
-    /// <summary>The conditions of all runs. They are those of a plant like the paper's, so that L is 100 to 150 ms.</summary>
+    /// <summary>Conditions of all runs. They give an L of 100 to 150 ms, as in the paper's plant.</summary>
     static DemoSettings Conditions { get; } = new()
     {
         Network = NetworkProfile.Wifi, Acquisition = new MillisecondRange(55, 105), VisualisationMs = 40,
@@ -45,10 +46,10 @@ sealed class SwingRuns
 
     public IReadOnlyList<Action> Work { get; }
 
-    /// <summary>The profile of the display; measured when it is first needed.</summary>
+    /// <summary>The profile of the display. It is measured when it is first read.</summary>
     public LatencyProfile Profile => _profile.Value;
 
-    /// <summary>The frames for the figures: those after other moves, and those of all scenarios.</summary>
+    /// <summary>The frames for the figures: those of the standard scenario, and those of all scenarios.</summary>
     public SwingSet Set
     {
         get
@@ -65,11 +66,11 @@ sealed class SwingRuns
 
     StudyFrame[] Play(int scenario, string predictor, int run)
     {
-        // Each run has a different phase of the swing relative to samples and frames.
+        // In each run, the swing has a different phase relative to samples and frames.
         var swing = Scenarios[scenario].SwingAfter(PaperScenario.SamplingMs / 1000 * run / _settings.Phases);
         var given = Conditions with { Seconds = swing.Motion.Seconds, Seed = _settings.Seed * 1000 + run, Profile = Profile };
         var settings = PaperScenario.Of(given, swing) with { Predictor = predictor };
         return new PaperRun(run + 1, VirtualStage.Play(settings, hasScene: false), swing).Swings?.Phases.Single()
-            ?? throw new DemoFailedException($"run {run + 1} of the swing with {predictor} has no whole swing");
+            ?? throw new DemoFailedException(FigureErrors.NoSwing(run + 1, predictor));
     }
 }

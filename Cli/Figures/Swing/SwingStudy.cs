@@ -2,7 +2,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Figs 16 to 18: the paper's proof of concept, a gripper on a swinging robot.</summary>
+/// <summary>Figs 16 to 18: the paper's proof of concept, a virtual gripper on a swinging robot.</summary>
 sealed class SwingStudy(FigureSettings settings) : IFigureStudy
 {
     readonly SwingRuns _runs = new(settings);

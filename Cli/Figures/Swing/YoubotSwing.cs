@@ -5,11 +5,11 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>The youBot turns its first axis by a quarter turn, arm out, and back: a motion like that of the paper's Fig. 16.</summary>
+/// <summary>A quarter turn of the youBot's first axis with extended arm, and back: a motion like that of the paper's Fig. 16.</summary>
 /// <remarks>
-/// The paper gives neither stroke nor limits. Here, it is a quarter turn at 90 % of the URDF's speed, which is reached within 0.3 s as
-/// in the profile of Figs 12 to 14. The whole move then takes 1.4 s, the time shown in the paper's Fig. 18.
-/// Times are seconds since the swing's start unless stated otherwise.
+/// The paper states neither the stroke nor the limits of the motion. Here, the maximum speed is 90 % of the URDF's limit and is reached
+/// within 0.3 s, as in the profile of Figs 12 to 14. A move then takes 1.4 s, the duration shown in the paper's Fig. 18.
+/// Times are in seconds since the start of the swing unless stated otherwise.
 /// </remarks>
 sealed class YoubotSwing
 {
@@ -22,13 +22,13 @@ sealed class YoubotSwing
     /// <summary>Speed divided by acceleration, and acceleration divided by jerk, s.</summary>
     const double RampTime = 0.2, JerkTime = 0.1;
 
-    /// <summary>Time from a prediction's oldest sample to the frame, s: (n + 1)·T_s + L for the quadratic.</summary>
+    /// <summary>Time span from the oldest sample of a prediction to the display time, s: (n + 1)·T_s + L for the quadratic.</summary>
     const double Span = 0.250;
 
-    // rad. Shorter moves before the swing, like those of a working robot. They end where the swing begins.
+    // Strokes of the shorter moves before the swing, rad, like those of a working robot. They end where the swing begins.
     static readonly double[] Rehearsal = [0.6, -1.0, 0.9, -0.5];
 
-    // rad. The arm reaches out; the gripper points forward and down, and is open.
+    // Joint positions in rad or m: the arm is extended; the gripper points forward and down and is open.
     static readonly (string Name, double Position)[] Pose =
     [
         ("arm_joint_2", 2.0345), ("arm_joint_3", -1.9482), ("arm_joint_4", 2.389), ("arm_joint_5", 2.9234), ("gripper_finger_joint_l", 0.0115),
@@ -41,7 +41,7 @@ sealed class YoubotSwing
     readonly double _headingAhead;
     readonly int _turnSign;
 
-    /// <param name="isCold">Whether the swing is the first motion that is received; otherwise a few shorter moves precede it.</param>
+    /// <param name="isCold">Whether the swing is the first motion. If not, a few shorter moves precede it.</param>
     /// <param name="firstRest">Rest before the first move, s.</param>
     public YoubotSwing(bool isCold, double firstRest = 1)
     {
@@ -67,34 +67,34 @@ sealed class YoubotSwing
 
     public RobotModel Robot { get; }
 
-    /// <summary>Radius of the circle of the tool centre point, m.</summary>
+    /// <summary>Radius of the tool centre point's circular path, m.</summary>
     public double Radius { get; }
 
-    /// <summary>Position of the first axis in rad, over seconds since the motion's start.</summary>
+    /// <summary>Position of the first axis, rad, over the time since the start of the motion, s.</summary>
     public AxisMotion Motion { get; }
 
-    /// <summary>Start of the swing, s since the motion's start.</summary>
+    /// <summary>Start of the swing, s since the start of the motion.</summary>
     public double Start { get; }
 
-    /// <summary>Length of the move one way, s.</summary>
+    /// <summary>Duration of the move in one direction, s.</summary>
     public double MoveSeconds { get; }
 
-    /// <summary>Position of the first axis at the swing's start, rad.</summary>
+    /// <summary>Position of the first axis at the start of the swing, rad.</summary>
     public static double FirstAngle => Ahead - Stroke / 2;
 
     /// <summary>Maximum speed of the tool centre point, mm/s.</summary>
     public double FullSpeed => ToolSpeedAt(MoveSeconds / 2);
 
-    /// <summary>Whether the robot moves at constant velocity, and has done so for the time span of a prediction.</summary>
+    /// <summary>Gets whether the robot moves, and its velocity has been constant for the time span of a prediction.</summary>
     public bool IsSteadyAt(double t) => IsStraightAt(t) && IsStraightAt(t - Span);
 
-    /// <summary>Whether the robot moves, and its velocity has changed within the time span of a prediction.</summary>
+    /// <summary>Gets whether the robot moves, and its velocity has changed within the time span of a prediction.</summary>
     public bool IsCurvedAt(double t) => VelocityAt(t) != 0 && !IsSteadyAt(t);
 
-    /// <summary>Gets the speed of the tool centre point, mm/s, 0 or more.</summary>
+    /// <summary>Gets the speed of the tool centre point, mm/s; never negative.</summary>
     public double ToolSpeedAt(double t) => 1000 * Radius * Math.Abs(VelocityAt(t));
 
-    /// <summary>Gets all link poses for an angle of the first axis, rad.</summary>
+    /// <summary>Gets the poses of all links for a position of the first axis, rad.</summary>
     public RigidTransform[] LinksAt(double angle)
     {
         var positions = (double[])_pose.Clone();
@@ -104,25 +104,25 @@ sealed class YoubotSwing
         return links;
     }
 
-    /// <summary>Gets the positions of all moving joints, rad or m; allocates nothing.</summary>
-    /// <param name="sinceMotion">Time since the motion's start, s.</param>
+    /// <summary>Gets the positions of all moving joints, rad or m. Does not allocate.</summary>
+    /// <param name="sinceMotion">Time since the start of the motion, s.</param>
     public void PositionsAt(double sinceMotion, Span<double> positions)
     {
         _pose.CopyTo(positions);
         positions[_axis] = AngleAt(sinceMotion);
     }
 
-    /// <summary>Gets the angle of the first axis from the position of the tool in the base frame, m.</summary>
+    /// <summary>Gets the position of the first axis, rad, from the position of the tool in the base frame, m.</summary>
     public double AngleOf(double x, double y)
     {
         var turn = Math.IEEERemainder(HeadingOf(x, y) - _headingAhead, 2 * Math.PI);
         return Ahead + _turnSign * turn;
     }
 
-    /// <summary>Gets the distance of the tool centre points at two angles, mm.</summary>
+    /// <summary>Gets the distance between the tool centre points at two positions of the first axis, mm.</summary>
     public double GapMm(double angle, double other) => 2000 * Radius * Math.Abs(Math.Sin((angle - other) / 2));
 
-    /// <summary>Gets the distance along the circle from the swing's start, mm.</summary>
+    /// <summary>Gets the distance along the circular path from the start of the swing, mm.</summary>
     public double WayMm(double angle) => 1000 * Radius * (angle - FirstAngle);
 
     void Add(double stroke, ref double time, ref double angle)
@@ -161,7 +161,7 @@ sealed class YoubotSwing
 
     RigidTransform ToolAt(double angle) => LinksAt(angle)[Robot.IndexOfLink(Robot.ToolLink.Name)];
 
-    // Around the first joint's own axis, which is not the base frame's.
+    // The first joint's axis does not pass through the origin of the base frame.
     double RadiusOf(in RigidTransform tool) => Math.Sqrt(Math.Pow(tool.X - AxisOrigin.X, 2) + Math.Pow(tool.Y - AxisOrigin.Y, 2));
 
     double HeadingOf(double x, double y) => Math.Atan2(y - AxisOrigin.Y, x - AxisOrigin.X);

@@ -4,12 +4,13 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Status.Cell;
 
-/// <summary>The objects and signals of the cell with their states. Thread-safe.</summary>
-/// <remarks>What a source has published stays listed after its end, so that its absence is visible, until another source publishes it.</remarks>
-/// <param name="reports">The reports of the adapters, which explain missing data.</param>
+/// <summary>The frames and signals of the cell with their states. Thread-safe.</summary>
+/// <remarks>A frame or signal stays listed after its source has ended, so that the status shows that its data are missing.</remarks>
+/// <param name="time">Time source for the age of poses.</param>
+/// <param name="reports">The adapters' reports, which give the reasons for missing data.</param>
 sealed class CellBoard(TimeProvider time, CellReports reports)
 {
-    /// <summary>State of a frame on /tf_static, and state of a frame or signal whose data are current.</summary>
+    /// <summary>The state "stationary" of a frame on /tf_static, and the state "live" of a tracked frame or a signal with current data.</summary>
     internal const string Stationary = "stationary", Live = "live";
 
     /// <summary>Time without a pose after which a tracked frame is stale.</summary>
@@ -43,7 +44,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
             }
     }
 
-    /// <summary>Records that the source of signals has ended.</summary>
+    /// <summary>Records that the source of these signals has ended.</summary>
     public void End(HubSource source, IReadOnlyCollection<string> signals)
     {
         lock (_gate)
@@ -51,7 +52,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
                 if (_signals.TryGetValue(name, out var signal)) signal.IsEnded = true;
     }
 
-    /// <summary>Gets all frames by name.</summary>
+    /// <summary>Gets all frames in the order of their names.</summary>
     public IReadOnlyList<FrameView> Frames(ControlTime now)
     {
         lock (_gate)
@@ -66,7 +67,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
         }
     }
 
-    /// <summary>Gets all signals by name.</summary>
+    /// <summary>Gets all signals in the order of their names.</summary>
     public IReadOnlyList<SignalView> Signals(ControlTime now)
     {
         lock (_gate)
@@ -81,11 +82,12 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
         }
     }
 
-    // Poses that still arrive come from another source, or the report is older than the newest pose.
+    // Adds the adapter's reason to a stale frame. If poses still arrive, they come from another source or are newer than the report.
     static FrameView Explained(FrameView frame, CellReport report) =>
         report == null || frame.State != "stale" ? frame : frame with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
 
-    // The last value of a signal stays, so only the report of its own source shows that it is not current.
+    // Adds the adapter's reason to a signal. A signal does not become stale by itself, so only a report shows that its value is not current.
+    // The report of another adapter than its source does not apply to a live signal.
     static SignalView Explained(SignalView signal, CellReport report) => report == null || signal.Source != report.Adapter && signal.State == Live
         ? signal : signal with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
 
@@ -93,7 +95,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
 
     static double Seconds(TimeSpan age) => Math.Round(age.TotalSeconds, 3);
 
-    // Those without a source give way when there are too many.
+    // Finds or adds an entry. At the limit, a new entry replaces one without a source.
     static bool TryGet<T>(SortedDictionary<string, T> all, string name, int limit, Predicate<T> isEnded, out T found)
         where T : new()
     {

@@ -2,20 +2,20 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Cell;
 
-/// <summary>State of a frame or a signal as an adapter reports it.</summary>
+/// <summary>An adapter's report about a frame or a signal.</summary>
 sealed record CellReport(string Name, string Adapter, AdapterReport Report);
 
-/// <summary>The adapters' newest reports of their frames and signals. Thread-safe.</summary>
-/// <remarks>A silent adapter is reported as such, and its source ends with its connection, so its old reports are not used.</remarks>
+/// <summary>The adapters' newest reports about their frames and signals. Thread-safe.</summary>
+/// <remarks>Reports expire, because a silent adapter is a fault of its own, and its frames and signals end with its connection.</remarks>
 sealed class CellReports(TimeProvider time)
 {
-    /// <summary>Maximum number of adapters. A gateway has few; diagnostics with invented names must not use unlimited memory.</summary>
+    /// <summary>Maximum number of adapters. The limit bounds the memory that a faulty client can use by sending many names.</summary>
     internal const int MaxAdapters = 16;
 
     readonly Lock _lock = new();
     readonly Dictionary<string, (long At, IReadOnlyList<KeyValuePair<string, AdapterReport>> Reports)> _adapters = [];
 
-    /// <summary>Takes the diagnostics of an adapter, with a key for each frame and signal of its configuration.</summary>
+    /// <summary>Stores the diagnostics of an adapter, which have a key for each configured frame and signal.</summary>
     public void Add(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values)
     {
         var reports = Read(values, AdapterReport.FramePrefix, ProtocolLimits.Frames).Concat(Read(values, AdapterReport.SignalPrefix, ProtocolLimits.Signals)).ToList();
@@ -27,7 +27,7 @@ sealed class CellReports(TimeProvider time)
         }
     }
 
-    /// <summary>Gets those that are neither live nor at rest.</summary>
+    /// <summary>Gets the reports about frames or signals that are neither live nor at rest.</summary>
     /// <param name="kind"><see cref="AdapterReport.FramePrefix"/> or <see cref="AdapterReport.SignalPrefix"/>.</param>
     public IReadOnlyList<CellReport> Troubled(string kind)
     {

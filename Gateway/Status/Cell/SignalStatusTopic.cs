@@ -1,27 +1,33 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Cell;
 
-/// <summary>Publishes the signals that are not current on /nowpose/signal_status, on each change: their source has ended, or its adapter reports why.</summary>
+/// <summary>
+/// Publishes the list of signals without current values on /nowpose/signal_status after each change of the list. These are the signals whose
+/// source has ended, and those that an adapter reports with a fault.
+/// </summary>
 /// <remarks>
-/// A signal that is published on change is silent for hours, so a headset cannot see from its silence that its value is no longer current.
-/// Works under the hub's lock, one call at a time.
+/// Headsets need the list, because a signal that is published only on change may be silent for hours and still be current. All methods run
+/// under the hub's lock.
 /// </remarks>
 sealed class SignalStatusTopic : IDisposable
 {
     const int MaxReasonLength = 64;
 
-    /// <summary>Maximum length of all names and reasons, which leaves room for the JSON around them within the maximum of a message.</summary>
+    /// <summary>
+    /// Maximum length of all names and reasons together, in bytes. The rest of the maximum message length is for the JSON around them.
+    /// </summary>
     const int MaxBytes = 48 * 1024;
 
     readonly MessageHub _hub;
     readonly IControlClock _clock;
     readonly Func<DateTimeOffset> _utcNow;
     readonly HubSource _source;
-    // In the order in which they ended.
+    // Signals whose source has ended, in the order of their end.
     readonly List<Row> _ended = [];
     IReadOnlyList<CellReport> _reported = [];
 
@@ -34,7 +40,7 @@ sealed class SignalStatusTopic : IDisposable
         _source = hub.OpenSource();
         hub.SignalsEnded += End;
         hub.SignalsBegan += Begin;
-        // For headsets that still show the state of an earlier run. The clock may not be available yet.
+        // Publishes an empty list for headsets that still show the list of an earlier run. Its stamp is zero, because the clock may be unknown.
         Publish(default, default);
     }
 
@@ -45,7 +51,7 @@ sealed class SignalStatusTopic : IDisposable
         _source.Dispose();
     }
 
-    /// <summary>Takes the signals that adapters report as not current.</summary>
+    /// <summary>Updates the signals that adapters report with a fault.</summary>
     public void Report(IReadOnlyList<CellReport> reports, DateTimeOffset utcNow) => _hub.Exclusively(() =>
     {
         if (reports.Select(Key).SequenceEqual(_reported.Select(Key))) return;
@@ -61,7 +67,7 @@ sealed class SignalStatusTopic : IDisposable
     void End(HubSource source, IReadOnlyCollection<string> signals)
     {
         var now = _clock.Now;
-        var reason = InputException.OneLine($"its source {source.Title} has ended", MaxReasonLength);
+        var reason = InputException.OneLine(EventTexts.SourceEnded(source.Title), MaxReasonLength);
         _ended.RemoveAll(one => signals.Contains(one.Signal));
         _ended.AddRange(signals.Select(signal => new Row(signal, JointDataState.Stale, now, reason)));
         if (_ended.Count > ProtocolLimits.Signals) _ended.RemoveRange(0, _ended.Count - ProtocolLimits.Signals);
@@ -70,7 +76,7 @@ sealed class SignalStatusTopic : IDisposable
 
     void Publish(ControlTime now, DateTimeOffset utcNow)
     {
-        // Those that ended last have priority.
+        // If the list is too long, the signals that ended last have priority.
         var bytes = 0;
         var reported = _reported.Select(one => new Row(
             one.Name, one.Report.State, now - (utcNow - one.Report.Since), InputException.OneLine(one.Report.Reason, MaxReasonLength)));

@@ -1,8 +1,9 @@
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Records each step of the control clock. Called by one thread at a time.</summary>
+/// <summary>Adds an event for each step of the control clock. Not thread-safe.</summary>
 sealed class ClockSteps(PlantClocks plant, EventList events)
 {
     (string Source, int Steps)? _last;
@@ -12,9 +13,9 @@ sealed class ClockSteps(PlantClocks plant, EventList events)
         if (plant.Control is not { } control) return;
         var now = (Source: control.Name, control.Model.Steps);
         if (_last is { } last && last.Source == now.Source && now.Steps > last.Steps)
-            events.Note(new Condition("clock", now.Source, "was stepped", "time stamps from before the step are on another time line", Level.Warning)
+            events.Note(new Condition("clock", now.Source, "was stepped", EventTexts.OtherTimeLine, Level.Warning)
             {
-                Headline = $"the control clock {now.Source} was stepped",
+                Headline = EventTexts.ClockStepped(now.Source),
             });
         _last = now;
     }

@@ -12,27 +12,28 @@ enum Level
 /// <summary>A fault that exists at present.</summary>
 /// <param name="Kind">The category: joint, frame, signal, adapter, clock, headset, recording, source, limit or certificate.</param>
 /// <param name="Which">Name of the joint, adapter, headset or file.</param>
-/// <param name="What">Predicate of the sentence, for example "is refused".</param>
-/// <param name="Reason">May be empty, and may change while the condition lasts.</param>
-/// <param name="Blocks">Whether the gateway is not ready because of it.</param>
+/// <param name="What">Predicate of a sentence whose subject is the kind and the name, for example "is refused".</param>
+/// <param name="Reason">The reason; may be empty, and may change while the condition lasts.</param>
+/// <param name="Blocks">Whether the gateway is not ready while the condition lasts.</param>
+/// <param name="Since">Start of the condition; null if it is unknown.</param>
 sealed record Condition(
     string Kind, string Which, string What, string Reason, Level Level, bool Blocks = false, DateTimeOffset? Since = null)
 {
-    /// <summary>Fault and place as one clause.</summary>
+    /// <summary>The fault and its place as one clause.</summary>
     public string Headline { get => field ?? $"{Kind} {Which} {What}"; init; }
 
-    /// <summary>Advice as a sentence; empty where the reason contains it.</summary>
+    /// <summary>Instruction for the operator as a sentence; empty if the reason contains it.</summary>
     public string Remedy { get; init; } = "";
 
-    /// <summary>Whether it is normal for a short time after the start of the gateway.</summary>
+    /// <summary>Whether the condition is normal for a short time after the start of the gateway.</summary>
     public bool IsNormalAtStart { get; init; }
 
-    /// <summary>Two conditions with the same key are the same event.</summary>
+    /// <summary>Identifies the event. Conditions with the same key belong to the same event.</summary>
     public (string, string, string) Key => (Kind, Which, What);
 
     public string Text => Compose("");
 
-    /// <summary><see cref="Text"/> with the time at which it began.</summary>
+    /// <summary><see cref="Text"/> with the start of the condition.</summary>
     public string TextWithSince => Compose(
         Since is { } since ? $" (since {since.UtcDateTime.ToString("yyyy-MM-dd HH:mm:ss 'UTC'", CultureInfo.InvariantCulture)})" : "");
 

@@ -2,23 +2,23 @@ using System.Globalization;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Keeps the newest events with their start and end, and logs both. Thread-safe.</summary>
+/// <summary>Keeps the newest events, and logs the start and end of each event. Thread-safe.</summary>
 sealed class EventList(TimeProvider time, Action<string> log)
 {
     internal const int MaxEvents = 500;
 
-    /// <summary>Time after the start in which conditions that are normal at the start cause no event.</summary>
+    /// <summary>Time after the start of the gateway in which conditions that are normal at the start cause no event.</summary>
     internal static readonly TimeSpan StartGrace = TimeSpan.FromSeconds(3);
 
     readonly long _started = time.GetTimestamp();
-    // Conditions that have no event yet because of this time, with their start.
+    // Start of each condition that has no event yet because of StartGrace.
     readonly Dictionary<(string, string, string), DateTimeOffset> _pending = [];
     readonly Lock _lock = new();
-    // The oldest first.
+    // In the order of their start, the oldest first.
     readonly List<StatusEvent> _events = [];
     long _lastId;
 
-    /// <summary>Starts the events of new conditions and ends those of conditions that are over.</summary>
+    /// <summary>Starts an event for each new condition, and ends the event of each condition that is over.</summary>
     public void Update(IReadOnlyCollection<Condition> present)
     {
         List<string> lines = [];
@@ -45,7 +45,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
         lines.ForEach(log);
     }
 
-    /// <summary>Adds an instantaneous event.</summary>
+    /// <summary>Adds an event without a duration.</summary>
     public void Note(Condition condition)
     {
         string line;
@@ -58,13 +58,14 @@ sealed class EventList(TimeProvider time, Action<string> log)
         log(line);
     }
 
-    /// <summary>Gets the newest events and all active ones, the newest first.</summary>
+    /// <summary>Gets the newest events and all active events, the newest first.</summary>
+    /// <param name="newest">Number of newest events.</param>
     public IReadOnlyList<StatusEvent> Read(int newest = MaxEvents)
     {
         lock (_lock) return [.. Enumerable.Reverse(_events).Where((one, i) => i < newest || one.Until == null)];
     }
 
-    /// <summary>Adds the start of their events to the current conditions. A condition without an event starts now.</summary>
+    /// <summary>Sets the start of each current condition from its event. A condition without an event and without a start starts now.</summary>
     public IReadOnlyList<Condition> Date(IReadOnlyList<Condition> present)
     {
         lock (_lock)
@@ -78,7 +79,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
 
     string Begin(Condition condition, DateTimeOffset since, DateTimeOffset? until)
     {
-        // An active event is more important than an older one that is over.
+        // Removes the oldest event that is over, because active events are more important.
         if (_events.Count >= MaxEvents) _events.RemoveAt(Math.Max(0, _events.FindIndex(known => known.Until != null)));
         _events.Add(new StatusEvent(++_lastId, condition, since, until));
         return $"event {_lastId}: {condition.Text}";

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>An event in the form of /operations/state and /operations/events.</summary>
+/// <summary>An event as sent by /operations/state and /operations/events.</summary>
 /// <param name="Level">ok, warning or error.</param>
 /// <param name="UntilUtc">End of the event; null while it lasts.</param>
 /// <param name="Text">The fault with its place, reason and remedy as text.</param>

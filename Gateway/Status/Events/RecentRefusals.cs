@@ -2,12 +2,12 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Sources whose samples are refused because another source publishes one of their joints. Thread-safe; bounded.</summary>
+/// <summary>Sources whose samples were recently refused because another source publishes one of their joints. Thread-safe; bounded.</summary>
 sealed class RecentRefusals(TimeProvider time)
 {
     const int MaxRefusals = 64;
 
-    /// <summary>Time after its last attempt for which a source counts as refused.</summary>
+    /// <summary>Time for which a source counts as refused after its last refused sample.</summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
     readonly Lock _lock = new();
@@ -17,7 +17,7 @@ sealed class RecentRefusals(TimeProvider time)
     {
         lock (_lock)
         {
-            // Keyed by the title: a client that reconnects is the same source.
+            // Keyed by title, so that a client that reconnects counts as the same source.
             var key = (source.Title, joint);
             if (_refusals.Count < MaxRefusals || _refusals.ContainsKey(key)) _refusals[key] = (time.GetTimestamp(), owner.Title);
         }

@@ -1,7 +1,7 @@
 namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>A condition with its start and end.</summary>
-/// <param name="Id">Counts from 1 at each start of the gateway.</param>
+/// <param name="Id">Number of the event, counted from 1 since the start of the gateway.</param>
 /// <param name="Until">End of the event; null while it lasts.</param>
 sealed record StatusEvent(long Id, Condition Condition, DateTimeOffset Since, DateTimeOffset? Until)
 {

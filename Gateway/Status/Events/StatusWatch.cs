@@ -1,9 +1,10 @@
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Gateway.Status.Events;
 
-/// <summary>Checks for faults several times per second, for the list of events and for headsets.</summary>
+/// <summary>Checks for faults five times per second, and updates the list of events and the joint status for headsets.</summary>
 sealed class StatusWatch : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.2);
@@ -21,7 +22,7 @@ sealed class StatusWatch : IDisposable
         Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, PlantClocks plant, TimeProvider time, Action<string> log)
     {
         (_conditions, _events, _joints, _topic, _steps) = (conditions, events, joints, topic, new ClockSteps(plant, events));
-        _look = new GuardedTask(LookNow, "status: the state could not be updated", log);
+        _look = new GuardedTask(LookNow, EventTexts.NotUpdated, log);
         _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
     }
 

@@ -1,22 +1,24 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>State of every joint and source, from the adapters' reports and the received samples. Thread-safe; bounded.</summary>
+/// <summary>The state of each joint per source, from the adapters' reports and the received samples. Thread-safe; bounded.</summary>
 /// <remarks>
-/// A joint in an adapter's configuration stays until the adapter reports without it. A joint that was only published is removed when it
-/// has been silent for <see cref="ForgottenAfter"/> and its source ended normally. If its source did not end normally, its data have failed,
-/// and the joint stays until it is published again.
-/// A joint of the described robot's arm that no source publishes is missing as soon as a source publishes another one.
+/// A joint in an adapter's configuration stays listed until the adapter reports without this joint. Any other joint is removed when its source
+/// has ended normally and no sample has arrived for <see cref="ForgottenAfter"/>. If its source has ended in another way, the joint stays
+/// listed as failed until samples arrive again. An arm joint of the described robot that no source publishes is listed as missing as soon as a
+/// source publishes another arm joint.
 /// </remarks>
-/// <param name="robot">Gets the described robot; null for none.</param>
+/// <param name="time">Time source.</param>
+/// <param name="robot">Returns the described robot; null if no robot is described.</param>
 sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;
 
-    /// <summary>Time without samples after which a joint is stale, unless its adapter explains it.</summary>
+    /// <summary>Time without samples after which a joint is stale, unless its adapter reports another state.</summary>
     internal static readonly TimeSpan StaleAfter = TimeSpan.FromSeconds(1.8);
 
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromMinutes(10);
@@ -28,8 +30,10 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
     readonly Dictionary<string, Joint> _joints = [];
     readonly UnpublishedJoints _unpublished = new(time);
 
+    /// <summary>Adds a published sample.</summary>
     /// <param name="source">The source; null for the gateway's own.</param>
-    /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
+    /// <param name="names">Joints of the sample.</param>
+    /// <param name="age">Control time at the arrival of the sample minus its stamp.</param>
     public void Add(HubSource source, string[] names, TimeSpan age)
     {
         lock (_lock)
@@ -41,10 +45,12 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
     {
         lock (_lock)
             if (_joints.TryGetValue(name, out var joint))
-                joint.Rows.Find(row => row.Source == source.Name)?.Refuse($"the source {owner.Title} already publishes this joint; each joint has one source");
+                joint.Rows.Find(row => row.Source == source.Name)?.Refuse(JointReasons.Taken(owner.Title));
     }
 
-    /// <summary>Adds a sample that was dropped for its content. It counts for all joints that the source publishes or names.</summary>
+    /// <summary>
+    /// Adds a sample that was dropped because of its content. All joints that the source publishes, and all joints in the sample, count as refused.
+    /// </summary>
     public void Refuse(HubSource source, string[] names, string reason)
     {
         lock (_lock)
@@ -60,7 +66,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
         }
     }
 
-    /// <summary>Adds the diagnostics of an adapter, with a key for each joint of its configuration.</summary>
+    /// <summary>Adds the diagnostics of an adapter, which have a key for each configured joint.</summary>
     /// <param name="source">The adapter's connection; null if unknown.</param>
     public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
     {
@@ -93,7 +99,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
                 if (joint.IsPublishedBy(source)) joint.Flow.Leave();
     }
 
-    /// <summary>Gets all joints sorted by name and source.</summary>
+    /// <summary>Gets the state of all joints, sorted by name and source.</summary>
     public IReadOnlyList<JointStatus> Read()
     {
         var expected = robot?.Invoke();
@@ -116,7 +122,8 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
         return _joints[name] = new Joint(name, time);
     }
 
-    // Names invented by a source never displace a configured or live joint. Joints of a source that ended normally are removed first.
+    // Removes the joint that has been silent for the longest time, and prefers joints whose source ended normally. Does not remove configured or
+    // live joints, so that a source with many names cannot displace them.
     void DropOldest()
     {
         var oldest = _joints.Values.Where(joint => !joint.IsConfigured && !joint.Flow.IsFlowing).MaxBy(joint => (joint.Flow.HasLeft, joint.Flow.Silence));
@@ -142,7 +149,8 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
 
         public bool IsPublishedBy(HubSource source) => Flow.HasAny && Flow.Source == source;
 
-        /// <summary>Records that an adapter reports without the joint. Returns whether it had the joint until now.</summary>
+        /// <summary>Records that an adapter no longer reports the joint.</summary>
+        /// <returns>Whether the adapter reported the joint until now.</returns>
         public bool EndReports(string adapter) => Rows.Find(row => row.Source == adapter)?.EndReports() == true;
 
         public JointRow RowOf(string source, TimeProvider time)
@@ -159,7 +167,8 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
             return Rows.Select(row => row.Judge(row == owner ? Flow : null));
         }
 
-        // An adapter that has just reconnected has not sent its name yet: its samples count for the joint's only adapter.
+        // Gets the row of the source that publishes the joint. An adapter that has just reconnected has not sent its name yet. If one adapter has
+        // the joint in its configuration, the samples are assigned to that adapter.
         public JointRow OwnerRow(TimeProvider time)
         {
             var configured = Rows.FindAll(row => row.IsConfigured);

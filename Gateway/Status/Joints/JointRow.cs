@@ -1,8 +1,9 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>One joint of one source: the adapter's report, the received samples, and the resulting state.</summary>
+/// <summary>One joint of one source. Derives the joint's state from the adapter's report and the received samples.</summary>
 sealed class JointRow(string joint, string source, TimeProvider time)
 {
     JointDataState? _last;
@@ -17,7 +18,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>Whether an adapter has this joint in its configuration.</summary>
     public bool IsConfigured { get; private set; }
 
-    /// <summary>Whether the gateway refused a sample of the joint recently.</summary>
+    /// <summary>Whether the gateway has recently refused a sample of the joint.</summary>
     public bool IsRefused => _refusal != null && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter;
 
     public void Report(in AdapterReport report)
@@ -25,7 +26,8 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
     }
 
-    /// <summary>Records that the adapter no longer has the joint. Returns whether it had it until now.</summary>
+    /// <summary>Records that the adapter no longer reports the joint.</summary>
+    /// <returns>Whether the adapter reported the joint until now.</returns>
     public bool EndReports()
     {
         var had = IsConfigured;
@@ -36,7 +38,8 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>Records that the gateway refused a sample of the joint.</summary>
     public void Refuse(string reason) => (_refusal, _refusedAt) = (reason, time.GetTimestamp());
 
-    /// <param name="flow">The samples of this source; null if the joint's samples come from another source.</param>
+    /// <summary>Determines the current state of the joint.</summary>
+    /// <param name="flow">The joint's samples; null if they come from another source.</param>
     public JointStatus Judge(SampleFlow flow)
     {
         var (state, since, reason) = StateOf(flow);
@@ -58,9 +61,9 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         if (isReportFresh && _report.State != JointDataState.Live) return (_report.State, _report.Since, _report.Reason);
         if (isFlowing) return (JointDataState.Live, null, "");
         if (flow is not { HasAny: true }) return (JointDataState.Missing, null, isReportFresh
-            ? "the adapter reports a live joint, but no sample has arrived at the gateway" : "the adapter stopped reporting before the first sample");
+            ? JointReasons.NoSample : JointReasons.NoReport);
         if (IsConfigured && !isReportFresh)
-            return (JointDataState.Stale, flow.LastUtc, $"samples stopped arriving, and the adapter {Source} does not report");
-        return (JointDataState.Stale, flow.LastUtc, isReportFresh ? "samples stopped arriving; the adapter reports a live joint" : "samples stopped arriving");
+            return (JointDataState.Stale, flow.LastUtc, JointReasons.Silent(Source));
+        return (JointDataState.Stale, flow.LastUtc, isReportFresh ? JointReasons.SamplesStopped : "samples stopped arriving");
     }
 }

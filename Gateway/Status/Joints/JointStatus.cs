@@ -2,14 +2,14 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>State of one joint of one source at an instant.</summary>
+/// <summary>The state of one joint of one source at an instant.</summary>
 /// <param name="Age">Control time minus the newest sample's stamp; null before the first sample.</param>
-/// <param name="RateHz">Samples per second; 0 after they have stopped.</param>
-/// <param name="Reason">One sentence; empty for a live joint.</param>
+/// <param name="RateHz">Samples per second; 0 after the samples have stopped.</param>
+/// <param name="Reason">The reason for the state as one sentence; empty for a live joint.</param>
 readonly record struct JointStatus(
     string Name, string Source, JointDataState State, DateTimeOffset Since, TimeSpan? Age, double RateHz, string Reason)
 {
-    /// <summary>The reason why it is uncertain that the joint rests; empty for none.</summary>
+    /// <summary>The reason why a joint assumed at rest may not be at rest; empty for none.</summary>
     public string Uncertainty { get; init; } = "";
 
     public bool IsGood => State.IsGood();

@@ -1,23 +1,26 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>Publishes the joints that are not live on /nowpose/joint_status: on each change, and every second while there are any.</summary>
-/// <remarks>Called by one thread at a time.</remarks>
+/// <summary>
+/// Publishes the list of joints that are not live on /nowpose/joint_status: after each change, and every second while the list is not empty. Not
+/// thread-safe.
+/// </summary>
 sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider time) : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
     const int MaxReasonLength = 200;
 
-    // Limit of all reasons together. With the names, the message stays below the 64 KiB that clients read.
+    // Maximum length of all reasons together. The message with all names is then shorter than the 64 KiB that clients accept.
     const int MaxReasonsLength = 16 * 1024;
 
-    // Bridges to other gateways search for this text.
-    const string Uncertain = "may not be at rest: ";
+    // The broker adapter, which forwards this topic to another gateway, searches for this text.
+    const string Uncertain = EventTexts.UncertainRest + ": ";
 
     readonly HubSource _source = hub.OpenSource();
     List<(string Name, JointDataState State, string Reason)> _sent;
@@ -25,11 +28,11 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
 
     public void Publish(IReadOnlyList<JointStatus> joints)
     {
-        // If two sources have a joint, the better state applies: the other's samples are refused.
-        // A joint without any source is left out: headsets notice it themselves, and another gateway behind a bridge may have its source.
+        // For a joint with two sources, uses the better state, because the samples of the other source are refused.
+        // Omits a joint without a source: headsets detect it themselves, and if two gateways are bridged, the other one may have its source.
         var troubled = joints.Where(row => row.Source != UnpublishedJoints.NoSource).GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
             .Where(row => row.State != JointDataState.Live).ToList();
-        // Recent failures have priority over those from long ago.
+        // If there are too many joints, the most recent failures have priority.
         if (troubled.Count > ProtocolLimits.Joints)
             troubled = [.. troubled.OrderBy(row => row.IsGood).ThenByDescending(row => row.Since).Take(ProtocolLimits.Joints).OrderBy(row => row.Name, StringComparer.Ordinal)];
         var content = troubled.ConvertAll(row => (row.Name, row.State, ReasonOf(row)));
@@ -39,7 +42,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
         var now = (Control: clock.Now, Utc: time.GetUtcNow());
         var longest = Math.Min(MaxReasonLength, MaxReasonsLength / Math.Max(1, troubled.Count));
         var values = troubled.ConvertAll(row => KeyValuePair.Create(row.Name, ValueOf(row, now.Control - (now.Utc - row.Since), longest)));
-        // 0 for none, 1 if all of them are at rest, 2 otherwise.
+        // Level 0 for an empty list, 1 if all joints in it are assumed at rest, 2 otherwise.
         var level = troubled.Count == 0 ? 0 : troubled.TrueForAll(row => row.IsGood) ? 1 : 2;
         _source.PublishJointStatus(new DiagnosticsMessage(now.Control, "gateway", values, level, "joints"));
     }

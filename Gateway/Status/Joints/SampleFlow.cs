@@ -2,10 +2,10 @@ using Nowpose.Gateway.Hub;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>Arrival of one joint's samples at the gateway: their rate and age, and the time since the last one.</summary>
+/// <summary>The flow of one joint's samples at the gateway: their rate, their age, and the time since the last sample.</summary>
 sealed class SampleFlow(TimeProvider time)
 {
-    // Weight of a new interval in the mean interval. A few bursts over TCP do not change the rate.
+    // Weight of a new interval in the mean interval, so small that a few bursts over TCP hardly change the rate.
     const double Weight = 0.05;
 
     long _last;
@@ -19,7 +19,7 @@ sealed class SampleFlow(TimeProvider time)
 
     public bool HasAny { get; private set; }
 
-    /// <summary>Whether the source of the newest sample has since ended normally.</summary>
+    /// <summary>Whether the source of the newest sample has ended normally.</summary>
     public bool HasLeft { get; private set; }
 
     /// <summary>Time since the newest sample arrived.</summary>
@@ -35,12 +35,14 @@ sealed class SampleFlow(TimeProvider time)
     /// <summary>Records that the source ended normally.</summary>
     public void Leave() => HasLeft = true;
 
-    /// <param name="age">Control time minus the sample's stamp at its arrival.</param>
+    /// <summary>Adds a sample that has just arrived.</summary>
+    /// <param name="source">Source of the sample.</param>
+    /// <param name="age">Control time at the arrival minus the sample's stamp.</param>
     public void Add(HubSource source, TimeSpan age)
     {
         var now = time.GetTimestamp();
         var interval = time.GetElapsedTime(_last, now).TotalSeconds;
-        // The pause before this sample is not an interval between samples.
+        // Restarts the mean after a pause, which is not a sampling interval.
         if (!IsFlowing) _meanSeconds = 0;
         else _meanSeconds = _meanSeconds == 0 ? interval : _meanSeconds + Weight * (interval - _meanSeconds);
         (HasAny, HasLeft) = (true, false);

@@ -1,23 +1,25 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Session;
 
 namespace Nowpose.Gateway.Status.Joints;
 
-/// <summary>Joints of a robot's arm that no source publishes while another joint of the arm has a source. Not thread-safe.</summary>
-/// <remarks>Headsets cannot show a current pose without them. A gripper's joints and mimic joints may have no source.</remarks>
+/// <summary>Finds the arm joints of a robot that no source publishes although another arm joint has a source. Not thread-safe.</summary>
+/// <remarks>Headsets cannot show a current pose without these joints. Gripper joints and mimic joints need no source.</remarks>
 sealed class UnpublishedJoints(TimeProvider time)
 {
-    /// <summary>The source that is named for these joints.</summary>
+    /// <summary>Text shown as the source of these joints.</summary>
     internal const string NoSource = "no source";
 
-    /// <summary>Time for several sources of one arm to start one after the other.</summary>
+    /// <summary>Time after which an unpublished joint is reported. In this time, all sources of one arm can start one after the other.</summary>
     internal static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(1);
 
     readonly Dictionary<string, (long Count, DateTimeOffset Utc)> _since = [];
 
+    /// <summary>Gets the unpublished joints.</summary>
     /// <param name="robot">The described robot; null for none.</param>
-    /// <param name="hasSource">Whether a source publishes a joint, or an adapter has it in its configuration.</param>
+    /// <param name="hasSource">Returns whether a source publishes a joint or an adapter has the joint in its configuration.</param>
     public IEnumerable<JointStatus> Judge(RobotModel robot, Func<string, bool> hasSource)
     {
         var names = robot == null ? [] : NamesOf(robot);
@@ -25,9 +27,9 @@ sealed class UnpublishedJoints(TimeProvider time)
         foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
         foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
         return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointStatus(
-            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, "the robot description has this joint, but no source publishes it"));
+            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, JointReasons.NotPublished));
     }
 
-    /// <summary>Gets the names of the joints whose positions have to be published to show the arm.</summary>
+    /// <summary>Gets the names of the joints whose positions headsets need to show the arm.</summary>
     internal static List<string> NamesOf(RobotModel robot) => [.. ToolJoints.Of(robot).Select(joint => robot.MovingJoints[joint].Name)];
 }

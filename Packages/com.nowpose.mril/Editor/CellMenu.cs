@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
 using UnityEditor;
@@ -70,8 +71,7 @@ namespace Nowpose.Editor
             var asset = prefab.Load<GameObject>();
             if (asset == null)
             {
-                ConsoleLog.Fail(null, "The prefab '" + prefab.Name + "' (GUID " + prefab.Guid
-                    + ") is not in this project; reinstall the package com.nowpose.mril.");
+                ConsoleLog.Fail(null, SetupTexts.PrefabMissing(prefab.Name, prefab.Guid));
                 return null;
             }
             return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command);

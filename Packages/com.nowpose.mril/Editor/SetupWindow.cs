@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using UnityEditor;
 using UnityEngine;
@@ -17,7 +18,7 @@ namespace Nowpose.Editor
         const int PartsInRow = 4;
 
         static readonly HeadsetPlatform[] Platforms = { HeadsetPlatform.HoloLens2, HeadsetPlatform.AndroidHeadset };
-        static readonly string[] PlatformNames = { "HoloLens 2", "Android headset (Quest, Magic Leap 2)" };
+        static readonly string[] PlatformNames = { "HoloLens 2", SetupTexts.AndroidHeadset };
         static readonly string[] Signs = { "✓ ", "○ ", "✗ ", "? " };
         static readonly string[] Words = { "", "advised: ", "missing: ", "unknown: " };
 
@@ -84,7 +85,7 @@ namespace Nowpose.Editor
         static int DrawParts()
         {
             var clicked = -1;
-            EditorGUILayout.LabelField("Add to the scene, below the selected object", EditorStyles.boldLabel);
+            EditorGUILayout.LabelField(SetupTexts.AddToScene, EditorStyles.boldLabel);
             for (var first = 0; first < CellMenu.Entries.Length; first += PartsInRow)
                 using (new EditorGUILayout.HorizontalScope())
                     for (var i = first; i < Math.Min(first + PartsInRow, CellMenu.Entries.Length); i++)
@@ -121,7 +122,7 @@ namespace Nowpose.Editor
         }
 
         static string Summary(int missing, HeadsetPlatform platform) => missing == 0
-            ? "Nothing is missing for " + platform.Headset + "."
+            ? SetupTexts.Complete(platform.Headset)
             : missing + (missing == 1 ? " point is" : " points are") + " missing for " + platform.Headset + ".";
 
         bool Draw(int index)

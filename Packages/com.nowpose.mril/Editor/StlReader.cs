@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Nowpose.Editor.Import;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor
 {
@@ -34,7 +35,7 @@ namespace Nowpose.Editor
         {
             var length = new FileInfo(path).Length;
             if (length > MaxFileBytes)
-                throw new InputException(sourceName + ": " + length + " bytes; the maximum is " + MaxFileBytes + "; simplify the mesh");
+                throw new InputException(StlMessages.FileTooLong(sourceName, length, MaxFileBytes));
             return Read(File.ReadAllBytes(path), sourceName);
         }
 
@@ -45,11 +46,11 @@ namespace Nowpose.Editor
             var triangles = StlBinary.Recognises(content) ? StlBinary.Read(content, sourceName) : StlText.Read(content, sourceName);
             if (triangles.Count > 0) return triangles;
             throw new InputException(sourceName + ": " + (triangles.Degenerate == 0
-                ? "the mesh has no triangles"
-                : "none of its " + triangles.Degenerate + " triangles has an area"));
+                ? StlMessages.NoTriangles
+                : StlMessages.NoArea(triangles.Degenerate)));
         }
 
         internal static InputException TooMany(string where, long count) =>
-            new InputException(where + ": " + count + " triangles or more; the maximum is " + MaxTriangles + "; simplify the mesh");
+            new InputException(StlMessages.TooMany(where, count, MaxTriangles));
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Nowpose.Editor.Import;
+using Nowpose.Editor.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using Nowpose.Unity.Robot;
@@ -61,7 +62,7 @@ namespace Nowpose.Editor
             var path = ProjectFiles.FullPath(assetPath);
             var length = new FileInfo(path).Length;
             if (length > MaxFileBytes)
-                throw new InputException(Path.GetFileName(assetPath) + ": " + length + " bytes; the maximum is " + MaxFileBytes);
+                throw new InputException(MeshMessages.UrdfTooLong(Path.GetFileName(assetPath), length, MaxFileBytes));
             return File.ReadAllText(path);
         }
 

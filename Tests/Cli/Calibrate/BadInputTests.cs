@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Invalid input of a calibration gives one line with the reason and leaves the last valid profile unchanged, byte for byte.</summary>
+/// <summary>Tests invalid input of calibrations. Each prints one line with the reason and leaves the existing profile unchanged.</summary>
 public sealed class BadInputTests : CalibrationFolder
 {
     const int Width = 640, Height = 360, Side = 128;
@@ -33,7 +33,7 @@ public sealed class BadInputTests : CalibrationFolder
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(_good));
     }
 
-    // Results of rejected pictures go to stdout, like those of valid ones.
+    // The results of rejected pictures are printed to stdout, like those of valid pictures.
     async Task RejectedWith(string message, params string[] arguments)
     {
         var run = await CliRun.OfAsync(["calibrate", .. arguments, "--out", Out]);
@@ -44,7 +44,7 @@ public sealed class BadInputTests : CalibrationFolder
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(_good));
     }
 
-    /// <summary>Renders a picture of the two codes side by side with an L_visu of 40 ms; <paramref name="change"/> modifies the shot.</summary>
+    /// <summary>Renders a picture of both codes side by side with an L_visu of 40 ms. <paramref name="change"/> modifies the shot.</summary>
     string Picture(string name, Func<Shot, Shot> change = null, double scale = 1)
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))) Assert.Ignore("Node.js was missing when this was built");
@@ -67,10 +67,10 @@ public sealed class BadInputTests : CalibrationFolder
             [[left, top], [left + size, top], [left + size, top + size], [left, top + size]], [.. lit.Select(each => each ? 1.0 : 0)], 0.6, 0, panel);
     }
 
-    // Removes the scene as well, because its edges could be taken for a code at first.
+    // Also removes the scene, because its edges can look like a code at first.
     static Shot WithoutCodes(Shot shot) => shot with { Codes = [], SceneLight = 0 };
 
-    // Half of one code is outside the picture, on the left; the other code is complete.
+    // Half of one code is outside the left edge of the picture. The other code is complete.
     static Shot Halved(Shot shot, CodeKind kind)
     {
         var (half, whole) = kind == CodeKind.Control ? (shot.Codes[0], shot.Codes[1]) : (shot.Codes[1], shot.Codes[0]);
@@ -78,9 +78,9 @@ public sealed class BadInputTests : CalibrationFolder
         return shot with { Codes = [whole, half with { Corners = [.. half.Corners.Select(corner => new[] { corner[0] - middle, corner[1] })] }] };
     }
 
-    // The reference for the other tests: without their changes the pictures are accepted.
+    // Reference for the other tests: without their changes, the pictures are accepted.
     [Test]
-    public async Task Pictures_Valid_WriteAProfile()
+    public async Task Vlc_ValidPictures_WritesAProfile()
     {
         var run = await CliRun.OfAsync("calibrate", "vlc", Picture("a.png"), Picture("b.png"), "--out", Out);
 
@@ -89,22 +89,22 @@ public sealed class BadInputTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Picture_WithoutACode_IsReported() => await RejectedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
+    public async Task Vlc_PictureWithoutCode_ReportsIt() => await RejectedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
 
     [Test]
-    public async Task Pictures_AllWithoutACode_AreCounted() => await RejectedWith(
+    public async Task Vlc_AllPicturesWithoutCode_ReportsTheirCount() => await RejectedWith(
         "none of 2 pictures could be read; 2 of them: no code found", "vlc", Picture("a.png", WithoutCodes), Picture("b.png", WithoutCodes));
 
     [TestCase(CodeKind.Control, "two.png: two control codes")]
     [TestCase(CodeKind.Headset, "two.png: two headset codes")]
-    public async Task Picture_WithTwoCodesOfAKind_IsRejected(object kind, string message) =>
+    public async Task Vlc_TwoCodesOfTheSameKind_RejectsThePicture(object kind, string message) =>
         await RejectedWith(message, "vlc", Picture("two.png", shot => Doubled(shot, (CodeKind)kind)));
 
     [Test]
-    public async Task Picture_Mirrored_IsReportedAsMirrored() => await RejectedWith("mirror.png: mirrored", "vlc", Picture("mirror.png", Mirrored));
+    public async Task Vlc_MirroredPicture_ReportsMirroring() => await RejectedWith("mirror.png: mirrored", "vlc", Picture("mirror.png", Mirrored));
 
     [Test]
-    public async Task Pictures_OneWithTwoCodesAndOneOfAnotherFormat_AreListedWithTheirReasons()
+    public async Task Vlc_TwoUnusablePictures_ListsBothWithTheirReasons()
     {
         var folder = Directory.CreateDirectory(Path.Combine(Folder, "mixed")).FullName;
         Picture("mixed/a.png");
@@ -124,9 +124,9 @@ public sealed class BadInputTests : CalibrationFolder
         Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("two.png").And.Contain("z.HEIC"));
     }
 
-    // Alone, before and after others, and with two workers: the result of a picture is its own.
+    // Reads each picture alone, together with others in both orders, and with two workers: the results must be independent of each other.
     [Test]
-    public void Pictures_InAnyOrder_HaveTheSameCodes()
+    public void Read_PicturesInAnotherOrder_GivesTheSameCodes()
     {
         string[] files =
         [
@@ -153,7 +153,7 @@ public sealed class BadInputTests : CalibrationFolder
     static Shot Moved(Shot shot) =>
         shot with { Codes = [.. shot.Codes.Select(code => code with { Corners = [.. code.Corners.Select(corner => new[] { corner[0] + 9, corner[1] - 6 })] })] };
 
-    // A smaller copy between the codes.
+    // Adds a smaller copy of a code between the two codes.
     static Shot Doubled(Shot shot, CodeKind kind)
     {
         var code = shot.Codes[kind == CodeKind.Control ? 0 : 1];
@@ -167,11 +167,11 @@ public sealed class BadInputTests : CalibrationFolder
 
     [TestCase(CodeKind.Control, "half.png: control code partly outside the picture")]
     [TestCase(CodeKind.Headset, "half.png: no headset code found")]
-    public async Task Picture_WithHalfACode_NamesTheCode(object half, string message) =>
+    public async Task Vlc_HalfACodeOutsideThePicture_NamesTheCode(object half, string message) =>
         await RejectedWith(message, "vlc", Picture("half.png", shot => Halved(shot, (CodeKind)half)));
 
     [Test]
-    public async Task Folder_Empty_IsReported() =>
+    public async Task Vlc_EmptyFolder_ReportsIt() =>
         await RefusedWith("nothing: contains no pictures", "vlc", Directory.CreateDirectory(Path.Combine(Folder, "nothing")).FullName);
 
     string ProfileOfAnother(string device)
@@ -188,32 +188,32 @@ public sealed class BadInputTests : CalibrationFolder
         return path;
     }
 
-    // The picture file is empty, so this error shows that the profile is checked before the pictures are read.
+    // The picture file is empty, so this error shows that the profile is checked before any picture is read.
     [Test]
-    public async Task Vlc_EarlierProfileOfAnotherVersion_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
+    public async Task Vlc_EarlierProfileHasAnotherVersion_FailsBeforeReadingPictures() => await RefusedWith(
         "earlier.json: the latency profile has version 2; this Nowpose reads up to version 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
 
     [Test]
-    public async Task Vlc_EarlierProfileOfAnotherDeviceThanTheSweeps_IsRefusedBeforeThePicturesAreRead() => await RefusedWith(
-        "earlier.json: latency profile is of device 'Quest 3', this one is 'HoloLens 2'",
+    public async Task Vlc_EarlierProfileOfAnotherDevice_FailsBeforeReadingPictures() => await RefusedWith(
+        "earlier.json: latency profile was measured on device 'Quest 3', this device is 'HoloLens 2'",
         "vlc", Write("a.png", []), "--sweep", Write("sweep.csv", [SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]),
         "--profile", ProfileOfAnother("Quest 3"));
 
     [Test]
-    public async Task Sine_EarlierProfileOfAnotherVersion_IsRefused() => await RefusedWith(
+    public async Task Sine_EarlierProfileHasAnotherVersion_Fails() => await RefusedWith(
         "the latency profile has version 2", "sine", Write("jog.csv", []), "--told-ms", "40", "--profile", ProfileOfAnotherVersion());
 
     [Test]
-    public async Task Nudge_EarlierProfileOfAnotherVersion_IsRefused() =>
+    public async Task Nudge_EarlierProfileHasAnotherVersion_Fails() =>
         await RefusedWith("the latency profile has version 2", [.. Nudge, "--profile", ProfileOfAnotherVersion()]);
 
     [Test]
-    public async Task Nudge_EarlierProfileOfAnotherDevice_IsRefused() => await RefusedWith(
-        "latency profile is of device 'Quest 3', this one is 'HoloLens 2'",
+    public async Task Nudge_EarlierProfileOfAnotherDevice_Fails() => await RefusedWith(
+        "latency profile was measured on device 'Quest 3', this device is 'HoloLens 2'",
         [.. Nudge, "--device", "HoloLens 2", "--profile", ProfileOfAnother("Quest 3")]);
 
     [TestCase("0")]
     [TestCase("NaN")]
-    public async Task Range_InvalidRenderTimes_NameFileLineAndField(string renderMs) => await RefusedWith(
+    public async Task Range_InvalidRenderTime_NamesFileLineAndField(string renderMs) => await RefusedWith(
         "pairs.csv:2: render_ms: ", "range", Write("pairs.csv", ["render_ms,visu_ms", .. Enumerable.Repeat(renderMs + ",40", 30)]));
 }

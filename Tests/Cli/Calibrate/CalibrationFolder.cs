@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>A folder of measurements and results that is deleted after each test.</summary>
+/// <summary>Base of tests that need a folder for measurements and results. The folder is deleted after each test.</summary>
 public abstract class CalibrationFolder
 {
     protected string Folder { get; private set; }
@@ -24,8 +24,8 @@ public abstract class CalibrationFolder
         return path;
     }
 
-    /// <summary>Runs a calibration that must fail because of its input.</summary>
-    /// <returns>The single line on stderr.</returns>
+    /// <summary>Runs a calibration that must fail because of invalid input.</summary>
+    /// <returns>The only line on stderr.</returns>
     protected async Task<string> RefusalOf(params string[] arguments)
     {
         var run = await CliRun.OfAsync(["calibrate", .. arguments, "--out", Out]);

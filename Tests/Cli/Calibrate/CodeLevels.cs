@@ -4,12 +4,14 @@ using Nowpose.Vision;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Codes as found in a picture, computed from the lit cell of each pair.</summary>
+/// <summary>Creates codes as they are found in pictures, from the lit cell of each pair.</summary>
 static class CodeLevels
 {
     public const double Light = 0.4;
 
-    /// <param name="signOf">For each pair: 1 if the left cell is lit, −1 if the right one is, in between if both share the exposure.</param>
+    /// <param name="signOf">
+    /// Gets, for each pair, 1 if the left cell is lit, −1 if the right cell is lit, or a value in between if both share the exposure.
+    /// </param>
     public static FoundCode Of(CodeKind kind, Func<int, double> signOf, double top = 300)
     {
         var lit = new double[TimestampCode.CellCount];
@@ -26,6 +28,6 @@ static class CodeLevels
 
     public static FoundCode Of(CodeKind kind, int value) => Of(kind, pair => CodeWords.SignOf(value, pair));
 
-    /// <summary>The code of LEDs that are exposed from <paramref name="start"/> for <paramref name="length"/>, both in ms.</summary>
+    /// <summary>Creates the code of LEDs whose exposure starts at <paramref name="start"/> and takes <paramref name="length"/>, in ms.</summary>
     public static FoundCode Run(double start, double length) => Of(CodeKind.Control, pair => CodeWords.MeanSign(pair, start, length));
 }

@@ -14,7 +14,7 @@ public sealed class ControlCodeTests
     [TestCase(2.3)]
     [TestCase(5.0)]
     [TestCase(8.0)]
-    public void Reading_ExposureOverSeveralCodes_ReturnsTheirMean(double exposureMs)
+    public void Read_ExposureOverSeveralCodes_ReturnsTheMeanTime(double exposureMs)
     {
         for (var start = 3.07; start < TimestampCode.PeriodMs; start += 611.37)
         {
@@ -27,7 +27,7 @@ public sealed class ControlCodeTests
     }
 
     [Test]
-    public void Reading_AcrossTheEndOfThePeriod_IsCloseToTheTrueTime()
+    public void Read_ExposureAcrossTheEndOfThePeriod_IsCloseToTheTrueTime()
     {
         var reading = Read(65_534.5, 3);
 
@@ -37,7 +37,7 @@ public sealed class ControlCodeTests
     [TestCase(0)]
     [TestCase(9)]
     [TestCase(17)]
-    public void Reading_OnePairInverted_IsRefused(int wrong)
+    public void Read_OnePairInverted_IsRejected(int wrong)
     {
         for (var value = 40; value < TimestampCode.PeriodMs; value += 997)
         {
@@ -48,7 +48,7 @@ public sealed class ControlCodeTests
     }
 
     [Test]
-    public void Reading_OnePairBlank_ReturnsNoOtherTime()
+    public void Read_OnePairBlank_NeverReturnsAWrongTime()
     {
         for (var value = 40; value < TimestampCode.PeriodMs; value += 997)
             for (var blank = 0; blank < TimestampCode.PairCount; blank++)
@@ -62,7 +62,7 @@ public sealed class ControlCodeTests
     }
 
     [Test]
-    public void Reading_RollingShutter_ReturnsTheTimeOfTheMiddle()
+    public void Read_RollingShutter_ReturnsTheTimeAtTheMiddleOfTheCode()
     {
         double[] delays = [.. Enumerable.Range(0, TimestampCode.PairCount).Select(pair => 0.8 * (pair / 3 - 2.5))];
         var code = CodeLevels.Of(CodeKind.Control, pair => CodeWords.MeanSign(pair, 1022.3 + delays[pair], 2));

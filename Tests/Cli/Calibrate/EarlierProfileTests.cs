@@ -38,7 +38,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
     }
 
     [Test]
-    public void Read_SweepOfAnotherApiThanTheProfile_Warns()
+    public void Read_SweepWithAnotherGraphicsApi_Warns()
     {
         var path = Saved(new DisplayConditions(graphicsApi: "Direct3D11"));
 
@@ -50,7 +50,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
     }
 
     [Test]
-    public void With_AnotherLVisu_KeepsConditionsLimitAndHeadMotion()
+    public void With_NewLVisu_KeepsConditionsLimitAndHeadMotion()
     {
         var earlier = EarlierProfile.Read(Saved(new DisplayConditions("HoloLens 2", renderPipeline: "built-in")), Vulkan);
 
@@ -63,7 +63,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
     }
 
     [Test]
-    public void SweepTable_ConditionsOfTheLog_ComeFromHeaderAndRows()
+    public void SweepTable_Conditions_CombineHeaderAndRows()
     {
         var path = Write("sweep.csv", ["# graphics_api: Vulkan", "# reprojection: depth", SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]);
 

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>A filmed load sweep: every fourth frame, both codes side by side in front of a dark wall.</summary>
+/// <summary>A filmed load sweep. The video shows every fourth frame, with both codes side by side in front of a dark wall.</summary>
 [NonParallelizable]
 public class FilmedCodesTests : VideoFolder
 {
@@ -59,7 +59,7 @@ public class FilmedCodesTests : VideoFolder
     static void Draw(byte[] picture, int value, CodeKind kind, int left)
     {
         const int Top = 56;
-        // The squares on the display touch each other; the LEDs have gaps.
+        // The squares on the display touch each other. The LEDs have gaps between them.
         var gap = kind == CodeKind.Control ? 1 : 0;
         Span<bool> lit = stackalloc bool[TimestampCode.CellCount];
         TimestampCode.Draw(value, kind, lit);
@@ -71,7 +71,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoOfASweep_JoinsItsLog()
+    public async Task Vlc_VideoAndSweepLog_FindsTheLimit()
     {
         var run = await CliRun.OfAsync("calibrate", "vlc", _video, "--sweep", _sweep, "--json", "--out", Out);
 
@@ -86,7 +86,7 @@ public class FilmedCodesTests : VideoFolder
         Assert.That(File.ReadLines(Path.Combine(Out, "pairs.csv")).Count(), Is.EqualTo(1 + _truth.Count));
         var profile = LatencyProfileFile.Load(ProfilePath);
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(1));
-        // The loads are coarse: the limit can be anywhere between the two loads next to it, plus the scatter of the render times.
+        // The loads are coarse, so the limit can be anywhere between the loads below and above it. The render times also scatter.
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.InRange(14.1, 1.02 * TrueLimitMs));
         Assert.That((profile.Device, profile.Range.Source), Is.EqualTo(("HoloLens 2", RenderTimeSourceKind.EngineGpuTime)));
     }
@@ -105,7 +105,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoWithoutFfmpeg_NamesTheRemedyAndKeepsTheFormerProfile()
+    public async Task Vlc_FfmpegMissing_SuggestsToInstallItAndKeepsTheProfile()
     {
         File.WriteAllText(Path.Combine(Directory.CreateDirectory(Out).FullName, "profile.json"), "good");
         UninstallFfmpeg();
@@ -124,7 +124,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_TruncatedVideo_ReadsTheWholePicturesAndReportsIt()
+    public async Task Vlc_TruncatedVideo_ReadsCompletePicturesAndWarns()
     {
         const int Whole = 10;
         Script("ffmpeg", $"head -c {Whole * 3 * Width * Height + 1000} '{FramesPath}'; echo 'partial file' >&2; exit 1");
@@ -137,6 +137,6 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_VideoAndPictures_IsRefused() =>
+    public async Task Vlc_VideoTogetherWithPictures_Fails() =>
         Assert.That(await RefusalOf("vlc", _video, Write("a.jpg", [])), Does.Contain("sweep.mp4: a video must be the only file"));
 }

@@ -10,7 +10,7 @@ public class FilmedJogTests : VideoFolder
     const int Width = 320, Height = 160, Frames = 200, Patch = 32;
     const double Fps = 60, LagMs = 96, Reach = 50;
 
-    // The tool moves along a slanting line; positions in pixels with fractions.
+    // The tool moves along an oblique line. Positions are in pixels and can be fractions.
     static (double X, double Y) RobotAt(double time) => (160 + Reach * Swing(time), 36 + 10 * Swing(time));
 
     static (double X, double Y) HologramAt(double time) => (160 + Reach * Swing(time - LagMs / 1000), 112 + 10 * Swing(time - LagMs / 1000));
@@ -39,7 +39,7 @@ public class FilmedJogTests : VideoFolder
         return picture;
     }
 
-    // A smooth spot, so that it can lie between pixels. Robot and hologram have different patterns.
+    // Draws a smooth spot, which can be at fractions of a pixel. Robot and hologram have different patterns.
     static double Spot(double x, double y, int sign) =>
         sign * 90 * Math.Exp(-(x * x + y * y) / 120) * Math.Cos(x / 4 + sign * y / 5);
 
@@ -56,7 +56,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_FfmpegBefore51_UsesTheOldOption()
+    public async Task Sine_FfmpegOlderThan51_UsesTheFormerOption()
     {
         var video = Video();
         Script(
@@ -71,7 +71,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_VideoWithInvalidBoxes_NamesThem()
+    public async Task Sine_InvalidBoxes_NamesTheBoxes()
     {
         var video = Video();
 
@@ -84,12 +84,12 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_PatchDisappears_NamesPictureAndPatch()
+    public async Task Sine_PatchDisappears_NamesThePictureAndThePatch()
     {
         var video = Video();
         using (var raw = File.OpenWrite(FramesPath))
         {
-            // Replaces everything from the hundredth picture on with noise.
+            // All pictures from the hundredth one on contain only noise.
             const int Bytes = 3 * Width * Height;
             raw.Position = 100L * Bytes;
             var noise = new byte[Bytes];
@@ -102,7 +102,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_VideoWithoutFfmpeg_NamesTheRemedy()
+    public async Task Sine_FfmpegMissing_SuggestsToInstallIt()
     {
         var video = Video();
         UninstallFfmpeg();

@@ -4,12 +4,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Latency of head motion and age of the content, each separately, from simulated readings with known truth.</summary>
+/// <summary>Tests the latency for head motion and L_visu, which are estimated independently, with simulated readings of known truth.</summary>
 public sealed class HeadResultTests
 {
     static HeadResult ResultOf(SwungPictures pictures) => new(new VlcResult(pictures.Take()));
 
-    // With late-stage reprojection a few ms remain; without it, all of L_visu. A runtime that predicts too far gives a negative latency.
+    // With late-stage reprojection, a few ms remain; without it, all of L_visu. If a runtime predicts too far, the latency is negative.
     [Test]
     public void HeadResult_AnyLatencyAndLVisu_EstimatesThemSeparately(
         [Values(-3, 0, 2, 5, 20, 40)] double latencyMs, [Values(25, 40, 60)] double visuMs, [Values(1, 2)] int seed)
@@ -22,7 +22,7 @@ public sealed class HeadResultTests
     }
 
     [Test]
-    public void HeadResult_TwoHundredRecordings_UncertaintyCoversTheTruthIn95Percent()
+    public void HeadResult_TwoHundredRecordings_UncertaintyCoversTheTruthIn95PercentOfThem()
     {
         var covered = Enumerable.Range(0, 200).Count(seed =>
         {
@@ -57,9 +57,9 @@ public sealed class HeadResultTests
         Assert.That(result.Used, Has.Count.InRange(200, 270));
     }
 
-    // A hologram that follows the head, as with Body Follow enabled.
+    // The hologram follows the head, as with the component Body Follow.
     [Test]
-    public void HeadResult_HologramFollowsTheHead_IsRefused()
+    public void HeadResult_HologramFollowsTheHead_Throws()
     {
         Assert.That(() => ResultOf(new SwungPictures { Scale = 0 }),
             Throws.TypeOf<InputException>().With.Message.Contains("both must stay at the same place in the room: disable Body Follow"));
@@ -73,7 +73,7 @@ public sealed class HeadResultTests
     ];
 
     [TestCaseSource(nameof(TooLittle))]
-    public void HeadResult_TooLittleMotion_IsRefused(object pictures, string message)
+    public void HeadResult_TooLittleMotion_Throws(object pictures, string message)
     {
         Assert.That(() => ResultOf((SwungPictures)pictures), Throws.TypeOf<InputException>().With.Message.Contains(message));
     }

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>End to end from rendered pictures of a moving headset to a profile. Needs Node.js, like the build.</summary>
+/// <summary>Tests the verb from rendered pictures of a moving headset to a profile. Needs Node.js, like the build.</summary>
 public sealed class HeadVerbTests : CalibrationFolder
 {
     async Task<string> TakenAsync(string name, params string[] more)
@@ -26,9 +26,9 @@ public sealed class HeadVerbTests : CalibrationFolder
         return path;
     }
 
-    // With late-stage reprojection. HeadResultTests cover other latencies with simulated readings.
+    // Uses a headset with late-stage reprojection. HeadResultTests covers other latencies with simulated readings.
     [Test]
-    public async Task Head_RenderedPictures_EstimatesLatencyAndLVisuAndKeepsTheFormerLVisu()
+    public async Task Head_RenderedPictures_AddsTheLatencyToTheProfile()
     {
         var pictures = await TakenAsync("moving", "--pictures", "120", "--head-latency-ms", "2");
 
@@ -50,7 +50,7 @@ public sealed class HeadVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Vlc_MovingPictures_AreRefusedAndHeadRefusesStillOnes()
+    public async Task VlcAndHead_PicturesOfTheOtherKind_AreRejected()
     {
         var moving = await TakenAsync("moving", "--pictures", "8", "--head-latency-ms", "2");
         var still = await TakenAsync("still", "--pictures", "4", "--load-steps", "0");

@@ -12,14 +12,14 @@ public sealed class HeadsetCodeTests
         Read(pair => shareOfFirst * CodeWords.SignOf(first, pair) + (1 - shareOfFirst) * CodeWords.SignOf(second, pair));
 
     [Test]
-    public void Reading_OneFrame_ReturnsItsTime([Values(0, 1, 32_767, 32_768, 65_535, 12_345)] int value)
+    public void Read_OneFrame_ReturnsItsTime([Values(0, 1, 32_767, 32_768, 65_535, 12_345)] int value)
     {
         Assert.That(Read(pair => CodeWords.SignOf(value, pair)).Ms, Is.EqualTo(value));
     }
 
     [TestCase(0.75)]
     [TestCase(0.25)]
-    public void Reading_TwoFramesInOneExposure_ReturnsTheBrighter(double shareOfFirst)
+    public void Read_TwoFramesInOneExposure_ReturnsTheBrighterFrame(double shareOfFirst)
     {
         for (var value = 5; value < TimestampCode.PeriodMs; value += 499)
         {
@@ -30,21 +30,21 @@ public sealed class HeadsetCodeTests
     }
 
     [Test]
-    public void Reading_TwoEquallyBrightFrames_IsRefused()
+    public void Read_TwoEquallyBrightFrames_IsRejected()
     {
         for (var value = 5; value < TimestampCode.PeriodMs; value += 499)
             Assert.That(ReadBoth(value, value + 17, 0.52).Fault, Is.Not.Null, $"{value} ms");
     }
 
     [Test]
-    public void Reading_OnePairWrong_IsRefused([Range(0, TimestampCode.PairCount - 1)] int wrong)
+    public void Read_OneWrongPair_IsRejected([Range(0, TimestampCode.PairCount - 1)] int wrong)
     {
         foreach (var said in new[] { -1.0, -0.4, 0, 0.1 })
             Assert.That(Read(pair => pair == wrong ? said * CodeWords.SignOf(9_999, pair) : CodeWords.SignOf(9_999, pair)).Fault, Is.Not.Null, $"{said}");
     }
 
     [Test]
-    public void Reading_HalfCovered_IsRefused()
+    public void Read_HalfOfTheCodeCovered_IsRejected()
     {
         var whole = CodeLevels.Of(CodeKind.Headset, 9_999);
         var covered = whole with { Levels = [.. whole.Levels.Select((level, cell) => cell / TimestampCode.Side is > 3 and < 7 ? 0.9 : level)] };

@@ -8,19 +8,19 @@ public sealed class MovingPicturesTests
 {
     static IReadOnlyList<PictureResult> Still(int count) => new SwungPictures { Count = count, AmplitudePx = 0, NoisePx = 1 }.Take();
 
-    // Pictures taken 20 s after the still ones.
+    // These pictures are taken 20 s after the still ones.
     static IEnumerable<PictureResult> Moving(int count) =>
         new SwungPictures { Count = count }.Take()
             .Select(picture => picture with { LedMs = picture.LedMs + 20_000, HeadsetMs = picture.HeadsetMs + 20_000 });
 
     [Test]
-    public void Rejected_StillHeadset_KeepsAll()
+    public void Rejected_StillHeadset_KeepsAllPictures()
     {
         Assert.That(MovingPictures.Rejected(Still(100), out _), Has.All.Matches<PictureResult>(picture => picture.IsRead));
     }
 
     [Test]
-    public void Rejected_SomeTakenInMotion_AreRejectedWithAReasonAndStillOnesKept()
+    public void Rejected_SomeTakenInMotion_RejectsOnlyThese()
     {
         var rejected = MovingPictures.Rejected([.. Still(100), .. Moving(40)], out _);
 
@@ -30,7 +30,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_CameraMovedOnce_KeepsAll()
+    public void Rejected_CameraMovedOnce_KeepsAllPictures()
     {
         PictureResult Elsewhere(PictureResult picture) => picture with { Places = picture.Places with { Control = (300, 200) } };
 
@@ -40,7 +40,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_ReversedOrShuffled_RejectsTheSamePictures()
+    public void Rejected_PicturesReversedOrShuffled_RejectsTheSamePictures()
     {
         PictureResult[] pictures = [.. Still(100), .. Moving(40)];
         string[] Moved(IEnumerable<PictureResult> given) =>
@@ -59,9 +59,9 @@ public sealed class MovingPicturesTests
         }
     }
 
-    // A hand-held camera drifts, and pictures of all periods of the codes have the same times within the period.
+    // A hand-held camera drifts, and pictures from all periods of the codes have the same times within the period.
     [Test]
-    public void Rejected_SeveralPeriodsOfTheCodes_KeepsAll()
+    public void Rejected_StillHeadsetOverSeveralPeriods_KeepsAllPictures()
     {
         PictureResult At(int i) => Still(1)[0] with
         {
@@ -74,7 +74,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_MostTakenInMotion_RejectsAllAndNamesTheSuitableVerb()
+    public void Rejected_MostTakenInMotion_RejectsAllAndSuggestsCalibrateHead()
     {
         var rejected = MovingPictures.Rejected([.. Still(40), .. Moving(100)], out var refusal);
 
@@ -84,7 +84,7 @@ public sealed class MovingPicturesTests
 
     // The camera shakes by a few pixels after it was relocated.
     [Test]
-    public void Rejected_RelocatedCameraThatShakes_KeepsAll()
+    public void Rejected_RelocatedShakingCamera_KeepsAllPictures()
     {
         (double X, double Y)[] places = [(400, 300), (402, 300), (700, 320), (704, 321), (703, 320)];
         var still = Still(places.Length);

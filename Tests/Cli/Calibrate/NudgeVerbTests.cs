@@ -10,7 +10,7 @@ public class NudgeVerbTests : CalibrationFolder
     [Test]
     public async Task Nudge_OffsetsInBothDirections_CorrectsLVisuAndBase()
     {
-        // True 46 ms, stated 40 ms: 6 ms at 250 mm/s are 1.5 mm. The base is 0.4 mm too far back.
+        // The true L_visu is 46 ms, the configured one 40 ms: 6 ms at 250 mm/s are 1.5 mm. The base is displaced by 0.4 mm.
         var run = await CliRun.OfAsync(
             "calibrate", "nudge", "--speed-mm-s", "250", "--told-ms", "40", "--forward-mm", "1.8", "2.0", "--backward-mm", "-1.2", "-1.0", "--json", "--out", Out);
 
@@ -35,7 +35,7 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_ExistingProfileHasALimit_WritesTheNewProfileBesideIt()
+    public async Task Nudge_ExistingProfileHasALimit_WritesASecondFile()
     {
         LatencyProfileFile.Save(ProfilePath, new LatencyProfile(
             40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 9, 15.1, RenderTimeSourceKind.GpuCompletion));
@@ -59,7 +59,7 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_ExistingFileIsInvalid_IsReplaced()
+    public async Task Nudge_ExistingProfileIsInvalid_ReplacesIt()
     {
         Directory.CreateDirectory(Out);
         await File.WriteAllTextAsync(ProfilePath, "{");
@@ -70,7 +70,7 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(LatencyProfileFile.Load(ProfilePath).Method, Is.EqualTo(CalibrationMethod.Nudge));
     }
 
-    [TestCase("--speed-mm-s 250 --forward-mm 2", "backward has no mark")]
+    [TestCase("--speed-mm-s 250 --forward-mm 2", "backward direction has no mark")]
     [TestCase("--forward-mm 2 --backward-mm -2", "--speed-mm-s is missing")]
     [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
     [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "nudge: offset: 2000 mm is out of range")]

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 public sealed class PictureFilesTests : CalibrationFolder
 {
     [Test]
-    public void Folder_OfNumberedPictures_IsInNumericOrder()
+    public void Of_FolderWithNumberedPictures_ReturnsNumericOrder()
     {
         string[] expected =
             ["a.png", "frame1.png", "frame2.png", "frame9.png", "frame10.png", "frame0011.png", "frame60.png", "img_2_10.png", "img_10_2.png"];
@@ -16,7 +16,7 @@ public sealed class PictureFilesTests : CalibrationFolder
     }
 
     [Test]
-    public void Arguments_OfAnotherPictureFormat_AreListed()
+    public void Of_UnsupportedPictureFormats_ReturnsThemToo()
     {
         var heic = Write("a.HEIC", []);
 
@@ -25,7 +25,7 @@ public sealed class PictureFilesTests : CalibrationFolder
     }
 
     [Test]
-    public void Names_LeadingZerosOrManyDigits_AreOrdered()
+    public void Compare_LeadingZerosOrManyDigits_OrdersByNumber()
     {
         var order = new NumberedNames();
         var names = new[] { "p1", "p01", "p001", "p2", "p" + new string('9', 40), "p1" + new string('0', 40), "p", "" };

@@ -14,7 +14,7 @@ public sealed class PictureReaderTests
     [TestCase(10_000, 10_040, 40)]
     [TestCase(65_520, 24, 40)]
     [TestCase(24, 65_534, -26)]
-    public void Picture_BothCodes_ReturnsTheirDifference(int headset, int control, double expected)
+    public void Read_BothCodes_ReturnsTheirDifference(int headset, int control, double expected)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
 
@@ -24,7 +24,7 @@ public sealed class PictureReaderTests
 
     [TestCase(0, 501, "codes more than 500 ms apart")]
     [TestCase(1000, 900, "headset code more than 50 ms ahead of the control code: if the control code is displayed late, state the delay with --control-delay-ms")]
-    public void Picture_OfContradictingCodes_IsRejected(int headset, int control, string fault)
+    public void Read_ImplausibleDifferenceOfTheCodes_IsRejected(int headset, int control, string fault)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
 
@@ -38,7 +38,7 @@ public sealed class PictureReaderTests
     [TestCase(1, 0, "no headset code found")]
     [TestCase(0, 1, "no control code found")]
     [TestCase(0, 0, "no code found")]
-    public void Picture_WithoutExactlyOneCodeOfEachKind_IsRejected(int controls, int headsets, string fault)
+    public void Read_NotExactlyOneCodeOfEachKind_IsRejected(int controls, int headsets, string fault)
     {
         var result = Read(
             new PictureReader(0, 0),
@@ -49,11 +49,11 @@ public sealed class PictureReaderTests
 
     [TestCase(CodeKind.Control)]
     [TestCase(CodeKind.Headset)]
-    public void Picture_WithAWeakSecondCode_IsRejectedIfThatCodeCanBeRead(object kind)
+    public void Read_WeakSecondCode_IsRejectedOnlyIfItIsReadable(object kind)
     {
         FoundCode[] codes = [CodeLevels.Run(10_040, 1), CodeLevels.Of(CodeKind.Headset, 10_000)];
         var second = codes.Single(code => code.Kind == (CodeKind)kind) with { IsWeak = true };
-        // A part of another object: its pairs agree with no code.
+        // Part of another object. Its pairs match no code.
         var other = CodeLevels.Of((CodeKind)kind, pair => pair % 2 == 0 ? 1 : 0.4) with { IsWeak = true };
 
         Assert.That(Read(new PictureReader(0, 0), [.. codes, second]).Fault, Does.StartWith("two "));
@@ -64,7 +64,7 @@ public sealed class PictureReaderTests
     [TestCase(-20, "headset code partly outside the picture")]
     [TestCase(Height - 76, null)]
     [TestCase(Height - 60, "headset code partly outside the picture")]
-    public void Picture_OfACodeAtTheEdge_IsRejectedBeyondHalfACell(double top, string fault)
+    public void Read_CodeMoreThanHalfACellOutside_IsRejected(double top, string fault)
     {
         var headset = CodeLevels.Of(CodeKind.Headset, pair => CodeWords.SignOf(10_000, pair), top);
 
@@ -73,7 +73,7 @@ public sealed class PictureReaderTests
 
     [TestCase(0, "headset code partly covered")]
     [TestCase(1, "headset code disturbed by a bright background or a reflection")]
-    public void Picture_OfAPairWithBothCellsAlike_NamesTheCause(double light, string fault)
+    public void Read_BothCellsOfAPairEqual_NamesTheCause(double light, string fault)
     {
         var headset = CodeLevels.Of(CodeKind.Headset, 10_000);
         var (levels, cell) = (headset.Levels.ToArray(), TimestampCode.CellOf(7));
@@ -85,7 +85,7 @@ public sealed class PictureReaderTests
     [TestCase(0, 3, "partly dark: covered, or only a part was lit during the exposure")]
     [TestCase(4, 2, "partly dark: covered, or only a part was lit during the exposure")]
     [TestCase(1, 2, "partly covered")]
-    public void Picture_OfACodeWithDarkRows_NamesAScanAsACauseIfTheyAreAtAnEdge(int first, int count, string fault)
+    public void Read_DarkRowsAtTheEdgeOfTheCode_SuggestsAPartlyLitCode(int first, int count, string fault)
     {
         var headset = CodeLevels.Of(CodeKind.Headset, 10_000);
         double[] levels = [.. headset.Levels.Select((level, cell) => cell / TimestampCode.Side - 1 is var row && row >= first && row < first + count ? 0 : level)];
@@ -94,18 +94,18 @@ public sealed class PictureReaderTests
     }
 
     [Test]
-    public void Picture_OfARollingShutter_IsCorrectedByTheDifferenceInHeight()
+    public void Read_RollingShutter_CorrectsForTheHeightOfTheCodes()
     {
         var headset = CodeLevels.Of(CodeKind.Headset, _ => 1, top: 480) with { Levels = CodeLevels.Of(CodeKind.Headset, 10_000).Levels };
 
         var result = Read(new PictureReader(20, 0), CodeLevels.Run(10_040, 1), headset);
 
-        // The code is 180 px lower; 720 px take 20 ms.
+        // The code is 180 px lower, and the readout of 720 px takes 20 ms.
         Assert.That(result.VisuMs, Is.EqualTo(45).Within(0.5));
     }
 
     [Test]
-    public void Picture_OfAMonitor_HasItsDelayAdded()
+    public void Read_MonitorWithDelay_AddsTheDelay()
     {
         var result = Read(new PictureReader(0, 25), CodeLevels.Of(CodeKind.Control, 10_015), CodeLevels.Of(CodeKind.Headset, 10_000));
 
@@ -115,7 +115,7 @@ public sealed class PictureReaderTests
     [TestCase(1)]
     [TestCase(2.3)]
     [TestCase(5)]
-    public void Picture_OfLedsWithDelay_HasTheirDelayAdded(double exposureMs)
+    public void Read_LedsWithDelay_AddsTheDelay(double exposureMs)
     {
         for (var start = 10_020.2; start < 10_040; start += 0.7)
         {
@@ -128,7 +128,7 @@ public sealed class PictureReaderTests
     [TestCase(4)]
     [TestCase(7)]
     [TestCase(17)]
-    public void Picture_MonitorBetweenTwoFrames_ReturnsOneFrameOrIsRejected(int step)
+    public void Read_MonitorBetweenTwoFrames_ReturnsOneFrameOrIsRejected(int step)
     {
         var read = 0;
         for (var value = 10_020; value < 10_060; value++)
@@ -141,16 +141,16 @@ public sealed class PictureReaderTests
 
                 if (!result.IsRead) continue;
                 read++;
-                // At most half a frame from the brighter one.
+                // The error is at most half a frame relative to the brighter frame.
                 var brighter = value - 10_000 + (share < 0.5 ? 0 : step);
                 Assert.That(result.VisuMs, Is.EqualTo(brighter).Within(Math.Max(2, step / 2.0)), $"{value} ms, {share}");
             }
-        // Only the shares 0.1, 0.3 and 0.8 are read: for the others the two frames are about equally bright.
+        // Only the shares 0.1, 0.3 and 0.8 can be read. With the others, both frames are about equally bright.
         Assert.That(read, Is.GreaterThanOrEqualTo(40 * 3));
     }
 
     [Test]
-    public void Picture_WithoutACode_NamesTheMissingOne()
+    public void Read_CodeMissing_NamesTheMissingCode()
     {
         var reader = new PictureReader(0, 0);
 

@@ -21,17 +21,17 @@ public class RangeFitTests
 
     [TestCase(30)]
     [TestCase(100)]
-    public void Fit_SweepsOverTheLimit_FindTheLimitWithinSixPercentBelowAndTwoAbove(int perLoad)
+    public void Fit_SweepAcrossTheLimit_ErrsByMinusSixToPlusTwoPercent(int perLoad)
     {
         var near = CountNear(new SimulatedPictures { PerLoad = perLoad }, out var limits);
 
         Assert.That(near, Is.GreaterThanOrEqualTo(95), limits);
     }
 
-    // The render time of a picture is that of the newest finished frame, so around the limit it does not tell which frames are late.
+    // The render time of a picture is that of the newest finished frame. Near the limit, it does not show which frames are late.
     [TestCase(30, 85)]
     [TestCase(100, 95)]
-    public void Fit_RenderTimesOfEarlierFrames_FindTheLimitWithinSixPercentBelowAndTwoAbove(int perLoad, int minCount)
+    public void Fit_RenderTimesOfEarlierFrames_ErrsByMinusSixToPlusTwoPercent(int perLoad, int minCount)
     {
         var limits = Enumerable.Range(2000, 100).Select(seed =>
         {
@@ -53,11 +53,11 @@ public class RangeFitTests
         Assert.That(CountNear(coarse, out var limits), Is.GreaterThanOrEqualTo(95), limits);
     }
 
-    // All pictures of one load have nearly the same render time, so the gap around the limit is as wide as one load step.
+    // All pictures at one load have nearly the same render time, so the gap around the limit is as wide as a load step.
     [TestCase(0.001)]
     [TestCase(0.003)]
     [TestCase(0.01)]
-    public void Fit_CoarseLoadsOfSteadyRenderTime_FindsTheLimit(double scatter)
+    public void Fit_CoarseLoadsWithConstantRenderTimes_FindsTheLimit(double scatter)
     {
         var steady = new SimulatedPictures
         {
@@ -93,7 +93,7 @@ public class RangeFitTests
         }
     }
 
-    // On a display that is lit all the time, each frame is seen up to half a refresh before or after its middle.
+    // On a display that is lit continuously, a frame is seen up to half a refresh interval before or after its middle.
     [Test]
     public void Fit_LatencyScattersByHalfARefresh_FindsTheLimit()
     {
@@ -105,7 +105,7 @@ public class RangeFitTests
     [TestCase(30, 0.02, 0.01)]
     [TestCase(30, 0.05, 0.01)]
     [TestCase(100, 0.02, 0.03)]
-    public void Fit_LoadsBelowTheLimit_FindsNoLimit(int perLoad, double misread, double spikeChance)
+    public void Fit_AllLoadsBelowTheLimit_FindsNoLimit(int perLoad, double misread, double spikeChance)
     {
         var plateau = new SimulatedPictures { PerLoad = perLoad, Loads = BelowTheLimit, Misread = misread, Display = new DisplayPipelineSettings(spikeChance: spikeChance) };
 
@@ -121,7 +121,7 @@ public class RangeFitTests
     }
 
     [Test]
-    public void Fit_Sweeps_FindThePlateauAndItsSpread()
+    public void Fit_Sweep_FindsThePlateauAndItsSpread()
     {
         foreach (var seed in Enumerable.Range(1, 20))
         {
@@ -134,7 +134,7 @@ public class RangeFitTests
     }
 
     [Test]
-    public void Fit_StepOfTheLatency_IsFoundBetweenTheNeighbouringPairs()
+    public void Fit_StepInTheLatency_PutsTheLimitAtTheStep()
     {
         var pairs = Enumerable.Range(0, 200).Select(i => new LatencyPair(5 + 0.1 * i, i < 100 ? 40 : 57)).ToArray();
 
@@ -147,7 +147,7 @@ public class RangeFitTests
     }
 
     [Test]
-    public void Fit_PlateauToTheEnd_IsValidToTheMaximumRenderTime()
+    public void Fit_LatencyConstantEverywhere_IsValidUpToTheMaximumRenderTime()
     {
         var fit = RangeFit.Fit(Enumerable.Range(0, 60).Select(i => new LatencyPair(4 + 0.1 * i, 40 + i % 3)).ToArray());
 
@@ -159,11 +159,11 @@ public class RangeFitTests
     public void Fit_TooFewPairs_StatesTheMinimum() =>
         Assert.That(() => RangeFit.Fit(new LatencyPair[19]), Throws.TypeOf<InputException>().With.Message.Contains("19").And.Message.Contains("20"));
 
-    // A source that counts whole milliseconds or frames: the limit must not lie within a group of equal render times.
+    // Some sources count whole milliseconds or frames. The limit must not be within a group of equal render times.
     [TestCase(1)]
     [TestCase(2)]
     [TestCase(1000 / 60.0)]
-    public void Fit_RenderTimesInSteps_SplitsOnlyBetweenSteps(double stepMs)
+    public void Fit_RoundedRenderTimes_PutsTheLimitBetweenTwoValues(double stepMs)
     {
         foreach (var seed in Enumerable.Range(1, 20))
         {
@@ -172,7 +172,7 @@ public class RangeFitTests
 
             var limit = RangeFit.Fit(pairs).LimitRenderMs;
 
-            // The last step entirely within the limit, or the next one if most of it is within; plus at most a small part of the gap after it.
+            // The limit is at the last value completely within the range, or at the next one if most of it is within, plus a small part of the gap.
             var (before, after) = (Math.Floor(TrueLimitMs / stepMs) * stepMs, Math.Ceiling(TrueLimitMs / stepMs) * stepMs);
             Assert.That(limit, Is.InRange(before - 1e-9, 1.021 * after), "seed " + seed);
         }
@@ -190,7 +190,7 @@ public class RangeFitTests
         }
         catch (InputException)
         {
-            // A plateau would not be correct either.
+            // A profile without a limit would not be correct, either.
         }
 
         Assert.That(limit, Is.Null);
@@ -207,7 +207,7 @@ public class RangeFitTests
 
     [TestCase(21, false)]
     [TestCase(5, true)]
-    public void Fit_LoadsFarApart_StatesTheRangeOfTheLimit(int loads, bool isOpen)
+    public void Fit_FewLoads_StatesTheRangeOfTheLimit(int loads, bool isOpen)
     {
         var pictures = new SimulatedPictures { Loads = Enumerable.Range(0, loads).Select(i => 2e6 * i / (loads - 1)).ToArray() };
 
@@ -220,9 +220,9 @@ public class RangeFitTests
         }
     }
 
-    // Any input gives either a plausible result or one line that states why there is none.
+    // Any input must give a plausible result or a message that states why there is none.
     [Test]
-    public void Fit_AnyPairs_ReturnsAResultWithinThemOrThrows()
+    public void Fit_RandomPairs_ReturnsAPlausibleResultOrThrows()
     {
         var refused = 0;
         for (var seed = 0; seed < 500; seed++)

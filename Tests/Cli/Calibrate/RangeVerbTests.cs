@@ -26,7 +26,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_SweepOverTheLimit_WritesProfilePageAndJson()
+    public async Task Range_SweepAcrossTheLimit_WritesProfilePageAndJson()
     {
         var file = Write("pairs.csv", Sweep(7, 2));
 
@@ -51,7 +51,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_SweepBelowTheLimit_ReportsThatItWasNotReached()
+    public async Task Range_AllLoadsBelowTheLimit_ReportsThatNoLimitWasReached()
     {
         var file = Write("pairs.csv", Sweep(8, 1));
 
@@ -65,7 +65,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_RenderTimeIndependentOfTheLoad_IsRefused()
+    public async Task Range_RenderTimeIndependentOfTheLoad_Fails()
     {
         var blind = Sweep(7, 2).Select((line, i) => i == 0 ? line : string.Join(',', line.Split(',') is var fields ? [fields[0], fields[1], "3.1", fields[3]] : []));
 
@@ -101,7 +101,7 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Range_InvalidTable_KeepsTheFormerProfile()
+    public async Task Range_InvalidTable_KeepsTheExistingProfile()
     {
         await CliRun.OfAsync("calibrate", "range", Write("good.csv", Sweep(9, 2)), "--out", Out);
         var before = await File.ReadAllBytesAsync(ProfilePath);
@@ -115,7 +115,7 @@ public class RangeVerbTests : CalibrationFolder
     [TestCase("NaN", "NaN ms")]
     [TestCase("-4.2", "-4.2 ms")]
     [TestCase("1001", "1001 ms")]
-    public async Task Range_OneInvalidRenderTime_IsNamedAndTheFormerProfileKept(string renderMs, string named)
+    public async Task Range_OneInvalidRenderTime_NamesItAndKeepsTheProfile(string renderMs, string named)
     {
         var good = Sweep(9, 2).ToArray();
         await CliRun.OfAsync("calibrate", "range", Write("good.csv", good), "--out", Out);

@@ -7,7 +7,7 @@ public sealed class SimulateVerbTests
 {
     [TestCase("--readout-ms=0", "--seed=11")]
     [TestCase("--readout-ms=15", "--seed=1")]
-    public async Task Check_SomeUnreadablePictures_MeetsTheLimits(string readout, string seed)
+    public async Task Simulate_CheckWithDefectivePictures_MeetsTheLimits(string readout, string seed)
     {
         var run = await CliRun.OfAsync("calibrate", "simulate", "--check", "--pictures", "12", "--spoiled", "0.1", readout, seed);
 
@@ -15,9 +15,11 @@ public sealed class SimulateVerbTests
         Assert.That(run.Output, Does.Contain("12 pictures").And.Contain(" 0 misread"));
     }
 
-    /// <summary>Thirty places with different scenes, sizes, lights, LEDs and squares. Fails if one place in ten can no longer be read.</summary>
+    /// <summary>
+    /// Thirty camera positions with different scenes, sizes, lights, LEDs and squares. Fails if more than one in ten cannot be read.
+    /// </summary>
     [Test]
-    public void Check_ManyPlaces_ReadsNinetyPercentWithoutMisreadings()
+    public void SimulationCheck_ThirtyCameraPositions_Reads90PercentWithoutMisreading()
     {
         var check = SimulationCheck.Run(new SimulationSettings { Pictures = 30, PicturesPerPlace = 1, Seed = 1 }, CancellationToken.None);
 
@@ -30,7 +32,7 @@ public sealed class SimulateVerbTests
     }
 
     [Test]
-    public async Task Out_FolderWithOtherPictures_KeepsThem()
+    public async Task Simulate_FolderWithOtherPictures_KeepsThem()
     {
         var folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
         var taken = Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "pictures")).FullName, "picture-00007.jpg");

@@ -4,12 +4,12 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Pairs of a sweep as from a camera: a simulated display of which about one frame in three is pictured, some of them misread.</summary>
+/// <summary>Creates the pairs of a sweep: pictures of about every third frame of a simulated display, some of them misread.</summary>
 sealed class SimulatedPictures
 {
     const double PlateauMs = 40;
 
-    /// <summary>Loads of the sweep, in vertices.</summary>
+    /// <summary>Loads of the sweep in vertices.</summary>
     public double[] Loads { get; set; } = Enumerable.Range(0, 21).Select(i => 100_000.0 * i).ToArray();
 
     public int PerLoad { get; set; } = 30;
@@ -38,7 +38,7 @@ sealed class SimulatedPictures
                     : frame.Visualisation.TotalMilliseconds + NoiseMs * Normal(random);
                 pairs.Add(new LatencyPair(frame.RenderTime.TotalMilliseconds, visuMs));
             }
-        // The pictures of a camera may be in any order.
+        // Pictures can be in any order.
         return pairs.OrderBy(_ => random.Next()).ToArray();
     }
 

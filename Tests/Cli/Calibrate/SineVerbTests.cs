@@ -10,7 +10,7 @@ public class SineVerbTests : CalibrationFolder
 {
     const double Fps = 60;
 
-    /// <summary>A filmed jog: positions of robot and hologram in pixels, each with one pixel of noise.</summary>
+    /// <summary>A filmed jog: positions of robot and hologram in pixels, each with noise of one pixel.</summary>
     sealed record Jog(double LagMs)
     {
         public int Seed { get; init; } = 1;
@@ -18,7 +18,7 @@ public class SineVerbTests : CalibrationFolder
         public double Amplitude { get; init; } = 150;
         public double Seconds { get; init; } = 10;
 
-        /// <summary>Sampling interval during which the hologram stands still, in ms; 0 for continuous motion.</summary>
+        /// <summary>Time for which the hologram stays at each position, ms; 0 if it moves continuously.</summary>
         public double SamplingMs { get; init; }
 
         public double Scale { get; init; } = 1;
@@ -47,7 +47,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_AnySlowJog_IsWithinThreeMilliseconds()
+    public async Task Sine_SlowJog_ErrsByLessThanThreeMilliseconds()
     {
         for (var seed = 1; seed <= 24; seed++)
         {
@@ -64,11 +64,11 @@ public class SineVerbTests : CalibrationFolder
         }
     }
 
-    // Half a picture interval is 8.3 ms; the sign of the error cannot be determined.
+    // The error is up to half the interval between pictures, 8.3 ms, with an unknown sign.
     [TestCase(50, 8.3)]
     [TestCase(41.667, 4.2)]
     [TestCase(47, 0)]
-    public async Task Sine_GhostInStepWithThePictures_StatesTheUncertainty(double samplingMs, double mayBeOff)
+    public async Task Sine_SamplesSynchronousWithPictures_StatesTheUncertainty(double samplingMs, double mayBeOff)
     {
         for (var seed = 1; seed <= 8; seed++)
         {
@@ -88,9 +88,9 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_OfTheGhost_SubtractsTheDelayOfItsSamples()
+    public async Task Sine_UncompensatedGhost_SubtractsTheDelayOfTheSamples()
     {
-        // 60 ms on the way, up to 47 ms until the next sample replaces it, and 40 ms in the display.
+        // The lag consists of 60 ms to the arrival of a sample, up to 47 ms until the next one replaces it, and 40 ms in the display.
         var result = await Measured(new Jog(100) { SamplingMs = 47, Seconds = 12 }, "--app-ms", "60", "--sampling-ms", "47");
 
         Assert.That(result.GetProperty("visu_ms").GetDouble(), Is.EqualTo(40).Within(3));
@@ -100,7 +100,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_OfTheGripper_AddsTheRemainingLagToTheUsedLVisu()
+    public async Task Sine_CompensatedGripper_AddsTheMeasuredLagToTheUsedLVisu()
     {
         var result = await Measured(new Jog(12), "--told-ms", "30");
 
@@ -124,7 +124,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_NoLatencyGiven_ReportsTheTotalWithoutAProfile()
+    public async Task Sine_NoLatencyOption_ReportsTheTotalLatencyOnly()
     {
         var result = await Measured(new Jog(120));
 
@@ -134,7 +134,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_ControlPositionsOnTheCamerasClock_GiveTheSameResult()
+    public async Task Sine_RobotPositionsFromTheControlSystem_GiveTheSameResult()
     {
         var both = new Jog(90).Lines().Skip(1).Select(line => line.Split(',')).ToArray();
         var control = Write("control.csv", both.Select(row => $"{row[0]},{row[1]},0").Prepend("t,axis_1,axis_2"));
@@ -155,7 +155,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_JogTooFast_IsAmbiguous() =>
+    public async Task Sine_JogTooFast_FailsAsAmbiguous() =>
         Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90) { Period = 0.3 }.Lines())), Does.Contain("repeats after 0.30 s").And.Contain("jog more slowly"));
 
     [TestCase("t_s,a,b\n0,1,2\n1,1,2", "at least 60")]
@@ -165,7 +165,7 @@ public class SineVerbTests : CalibrationFolder
         Assert.That(await RefusalOf("sine", Write("jog.csv", [text])), Does.Contain(named));
 
     [Test]
-    public async Task Sine_RobotAtRest_IsReported()
+    public async Task Sine_RobotAtRest_ReportsIt()
     {
         var rest = Enumerable.Range(0, 600).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i / Fps:0.####},640,{i % 7}"));
 
@@ -173,6 +173,6 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_BothMethods_AreExclusive() =>
+    public async Task Sine_OptionsOfBothMethods_Fails() =>
         Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--told-ms", "40"), Does.Contain("exclude each other"));
 }

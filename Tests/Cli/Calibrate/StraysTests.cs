@@ -9,7 +9,7 @@ public sealed class StraysTests
         [.. Enumerable.Range(0, count).Select(i => new PictureResult("p" + i, 0, i, 40 + i % 3, null)), .. strays.Select(visu => new PictureResult("stray", 0, 0, visu, null))];
 
     [Test]
-    public void Rejected_OneOutlier_IsRejectedWithTheReason()
+    public void Rejected_OneOutlier_RejectsItWithTheReason()
     {
         var checkedOnes = Strays.Rejected([PictureResult.Not("blurred", "no code found"), .. Series(30, 426)]);
 
@@ -19,9 +19,9 @@ public sealed class StraysTests
     }
 
     [Test]
-    public void Rejected_QueuedFrames_AreKept() =>
+    public void Rejected_QueuedFrames_KeepsThem() =>
         Assert.That(Strays.Rejected(Series(30, 90, 140, 220)).All(picture => picture.IsRead), Is.True);
 
     [Test]
-    public void Rejected_TooFewPictures_AreKept() => Assert.That(Strays.Rejected(Series(8, 426)).All(picture => picture.IsRead), Is.True);
+    public void Rejected_TooFewPictures_KeepsAllPictures() => Assert.That(Strays.Rejected(Series(8, 426)).All(picture => picture.IsRead), Is.True);
 }

@@ -9,7 +9,7 @@ public sealed class SweepJoinTests
 {
     const long StartNs = 1_000_000_000_000;
 
-    /// <summary>Five periods of the codes. Frames start up to 1 ms early or late, so the same codes occur in every period.</summary>
+    /// <summary>A sweep over five periods of the codes. Frames start up to 1 ms early or late, so the same codes occur in every period.</summary>
     static readonly IReadOnlyList<SweepRow> Rows = RowsOf(new Random(3), 20_000);
 
     static List<SweepRow> RowsOf(Random jitter, int count) => [.. Enumerable.Range(0, count).Select(i => new SweepRow(
@@ -38,7 +38,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_RenderTimeOfAnotherSource_IsNone()
+    public void Join_RenderTimeOfAnotherSource_IsNull()
     {
         var joined = new SweepJoin(Rows, RenderTimeSourceKind.GpuCompletion).Join([PictureOf(3)]);
 
@@ -46,7 +46,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_PictureUnreadOrNotOfTheSweep_IsExcluded()
+    public void Join_PictureUnreadOrNotInTheSweep_ExcludesIt()
     {
         var before = PictureAt("before", Rows[0].FrameStart - TimeSpan.FromMilliseconds(5));
 
@@ -57,7 +57,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_SweepShorterThanAPeriodInAnyOrder_AssignsAllPictures()
+    public void Join_ShortSweepInAnyOrder_AssignsAllPictures()
     {
         var rows = Rows.Take(3_900).ToList();
         var shuffled = Enumerable.Range(0, 70).Select(i => PictureOf(55 * i)).ToArray();
@@ -69,7 +69,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_LongSweepReversed_AssignsAllPictures()
+    public void Join_LongSweepInReverseOrder_AssignsAllPictures()
     {
         int[] rows = [.. Enumerable.Range(0, 200).Select(i => 90 * i)];
 
@@ -79,7 +79,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_CameraStartsInAnyPeriod_FindsItsFrames([Values(0, 4_100, 8_300, 12_500)] int first)
+    public void Join_CameraStartsInALaterPeriod_FindsTheFrames([Values(0, 4_100, 8_300, 12_500)] int first)
     {
         int[] rows = [.. Enumerable.Range(0, 60).Select(i => first + 40 * i)];
 
@@ -107,7 +107,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_MisreadCodesAndUnloggedFrames_DoNotAffectOthers()
+    public void Join_MisreadCodesAndUnloggedFrames_AssignsTheOtherPictures()
     {
         for (var seed = 1; seed <= 20; seed++)
         {
@@ -125,7 +125,7 @@ public sealed class SweepJoinTests
 
             foreach (var picture in joined.Where(picture => picture.File != "astray"))
                 Assert.That("p" + picture.Vertices, Is.EqualTo(picture.File), "seed " + seed);
-            // A wrong picture that happens to fit may replace a neighbour.
+            // A wrong picture whose frame fits by chance can replace a neighbouring picture.
             Assert.That(joined.Count(picture => picture.File != "astray"), Is.InRange(right - 2, right), "seed " + seed);
         }
     }

@@ -31,7 +31,7 @@ public sealed class SweepLogReaderTests
     [TestCase(RenderTimeSourceKind.GpuCompletion, null, "HoloLens 2")]
     [TestCase(RenderTimeSourceKind.CameraCpu, 0.6251, "")]
     [TestCase(RenderTimeSourceKind.EngineGpuTime, 16.6667, "PC \"lab\", left")]
-    public void Row_Written_RoundTrips(RenderTimeSourceKind source, double? renderMs, string device)
+    public void Read_WrittenRow_ReturnsTheSameValues(RenderTimeSourceKind source, double? renderMs, string device)
     {
         var row = Row(renderMs, source, device);
 
@@ -48,7 +48,7 @@ public sealed class SweepLogReaderTests
     }
 
     [Test]
-    public void Conditions_Written_AreReadExceptRowValues()
+    public void Read_WrittenConditions_ReturnsThoseOfTheHeader()
     {
         var written = new DisplayConditions(
             "HoloLens 2", 60, "Direct3D11", "MultiThreaded", "built-in", false, "PrioritizeRendering", ReprojectionMode.Depth);
@@ -60,7 +60,7 @@ public sealed class SweepLogReaderTests
     }
 
     [Test]
-    public void Conditions_FieldsOfANewerVersion_AreIgnored()
+    public void Read_UnknownConditions_IgnoresThem()
     {
         var read = Read("# future: 5\n# a remark\n" + Text(DisplayConditions.Unknown, Row()));
 
@@ -69,13 +69,13 @@ public sealed class SweepLogReaderTests
 
     [TestCase("# reprojection: sideways\n", "sweep.csv: reprojection: 'sideways'")]
     [TestCase("# graphics_api: Vulkan\nother\n", "sweep.csv:2: the header is 'other'")]
-    public void Conditions_Invalid_AreRefused(string text, string message)
+    public void Read_InvalidConditions_Throws(string text, string message)
     {
         Assert.That(() => Read(text + Header), Throws.TypeOf<InputException>().With.Message.StartsWith(message));
     }
 
     [Test]
-    public void Text_OtherLineEndsAndUnknownDisplayRate_IsRead()
+    public void Read_OtherLineEndsAndUnknownDisplayRate_Succeeds()
     {
         var read = Read(Header.Replace("\n", "\r\n") + "5,0,,,,\r\n\r\n");
 
@@ -97,7 +97,7 @@ public sealed class SweepLogReaderTests
     [TestCase(Header + "5,0,4,gpu,x,60\n", "sweep.csv:2: source: 'gpu'")]
     [TestCase(Header + "5,0,4,,x,60\n", "sweep.csv:2: render_ms: ")]
     [TestCase(Header + "5,0,4,camera_cpu,x,0\n", "sweep.csv:2: display rate: 0 Hz")]
-    public void Text_Invalid_IsRefusedInOneLineWithItsPlace(string text, string message)
+    public void Read_InvalidText_ThrowsWithFileLineAndField(string text, string message)
     {
         var fault = Assert.Throws<InputException>(() => Read(text));
 

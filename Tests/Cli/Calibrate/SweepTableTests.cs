@@ -12,7 +12,7 @@ public sealed class SweepTableTests : CalibrationFolder
         + string.Concat(deviceAndRate.Select((each, i) => $"{1_000_000_000 + i * 16_666_667},0,5.5,display_gpu_time,{each}\n"));
 
     [Test]
-    public void Read_CompressedLog_ReadsTheSame()
+    public void Read_CompressedLog_ReturnsTheSameRows()
     {
         var path = Path.Combine(Folder, "sweep.csv.gz");
         using (var text = new StreamWriter(new GZipStream(File.Create(path), CompressionLevel.Fastest)))
@@ -22,7 +22,7 @@ public sealed class SweepTableTests : CalibrationFolder
     }
 
     [Test]
-    public void Read_UncompressedFileNamedGz_ThrowsInOneLine()
+    public void Read_UncompressedFileNamedGz_ThrowsWithOneLine()
     {
         var path = Path.Combine(Folder, "sweep.csv.gz");
         File.WriteAllText(path, Log("HoloLens 2,60"));
@@ -31,7 +31,7 @@ public sealed class SweepTableTests : CalibrationFolder
     }
 
     [Test]
-    public void DisplayHz_ReportedAfterSomeFrames_IsKnown()
+    public void DisplayHz_ReportedAfterSomeFrames_ReturnsTheRate()
     {
         var rows = SweepTable.Read(Write("sweep.csv", [Log("HoloLens 2,", "HoloLens 2,", "HoloLens 2,60")]), out _);
 
@@ -41,7 +41,7 @@ public sealed class SweepTableTests : CalibrationFolder
 
     [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep must be from one headset")]
     [TestCase("HoloLens 2,60", "HoloLens 2,72", "frames at 60 Hz and at 72 Hz")]
-    public void Read_LogOfTwoHeadsets_IsRefused(string first, string second, string named)
+    public void Read_LogOfTwoHeadsets_Throws(string first, string second, string named)
     {
         var path = Write("sweep.csv", [Log(first, second)]);
 

@@ -2,7 +2,7 @@ using Nowpose.Cli.Calibrate.Vlc;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Simulated readings of pictures of a headset that swings back and forth with its camera, computed without rendering.</summary>
+/// <summary>Simulates the readings of pictures of a headset that swings back and forth with its camera, without rendering the pictures.</summary>
 sealed record SwungPictures
 {
     const double RefreshMs = 1000 / 59.94, LitMs = 4, Side = 120;
@@ -15,23 +15,23 @@ sealed record SwungPictures
 
     public double PeriodSeconds { get; init; } = 3;
 
-    /// <summary>Standard deviation of both positions.</summary>
+    /// <summary>Standard deviation of both positions, px.</summary>
     public double NoisePx { get; init; } = 0.3;
 
-    /// <summary>Delay of the exposure of the headset code's rows against those of the control code.</summary>
+    /// <summary>Delay between the exposures of the control code's and the headset code's rows.</summary>
     public double LaterMs { get; init; }
 
-    /// <summary>The hologram's motion in the picture divided by that of the control code; not 1 at another distance to the camera.</summary>
+    /// <summary>Motion of the hologram in the picture divided by that of the control code; not 1 if their distances to the camera differ.</summary>
     public double Scale { get; init; } = 1;
 
-    /// <summary>Change of the offset per px² of the position: distortion of lens or display.</summary>
+    /// <summary>Distortion of lens or display: change of the distance between the codes per px² of the position.</summary>
     public double Distortion { get; init; }
 
     public int Count { get; init; } = 300;
 
     public int Seed { get; init; } = 1;
 
-    /// <summary>Returns the readings: 30 pictures a second; the headset's code has a resolution of 1 ms.</summary>
+    /// <summary>Gets the readings of 30 pictures per second. The headset's code has a resolution of 1 ms.</summary>
     public IReadOnlyList<PictureResult> Take()
     {
         var random = new Random(Seed);

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Videos from stand-ins for ffmpeg and ffprobe that output the pictures drawn by the test.</summary>
+/// <summary>Base of tests with videos. Substitutes for ffmpeg and ffprobe output the pictures that the test has drawn.</summary>
 [Platform(Exclude = "Win", Reason = "the stand-ins are shell scripts")]
 public abstract class VideoFolder : CalibrationFolder
 {
@@ -19,13 +19,13 @@ public abstract class VideoFolder : CalibrationFolder
     [TearDown]
     public void RestorePath() => Environment.SetEnvironmentVariable("PATH", _path);
 
-    /// <summary>Path of the raw pictures as ffmpeg outputs them, one after the other: red, green and blue of each pixel.</summary>
+    /// <summary>Path of the raw pictures in the format of ffmpeg's output: red, green and blue of each pixel, picture after picture.</summary>
     protected string FramesPath => Path.Combine(Folder, "frames.rgb");
 
-    /// <returns>The path of the video.</returns>
-    /// <param name="frames">Grey, row by row.</param>
+    /// <returns>Path of the video.</returns>
+    /// <param name="frames">Grey values of each picture, row by row.</param>
     /// <param name="times">Time of each picture, s.</param>
-    /// <param name="colour">Share of red, green and blue in the light.</param>
+    /// <param name="colour">Shares of red, green and blue in the light.</param>
     protected string Video(string name, int width, int height, IEnumerable<byte[]> frames, IEnumerable<double> times, double[] colour = null)
     {
         using (var raw = File.Create(FramesPath))
@@ -52,7 +52,7 @@ public abstract class VideoFolder : CalibrationFolder
         if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
     }
 
-    /// <summary>Leaves only node on the path, because it is still needed.</summary>
+    /// <summary>Removes all programs except node from the path.</summary>
     protected void UninstallFfmpeg()
     {
         var node = (_path ?? "").Split(Path.PathSeparator).First(folder => File.Exists(Path.Combine(folder, "node")));

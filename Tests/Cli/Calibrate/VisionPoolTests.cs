@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Uses a stand-in for the picture reader; it exits at pictures with a certain name.</summary>
+/// <summary>Tests the pool with a substitute for the picture reader that exits when it gets a picture with a certain name.</summary>
 [NonParallelizable]
 public sealed class VisionPoolTests
 {
@@ -42,7 +42,7 @@ public sealed class VisionPoolTests
     static IEnumerable<PictureRequest> Files(params string[] names) => names.Select(PictureRequest.File);
 
     [Test]
-    public void Look_PictureCrashesAWorker_IsRejectedAndOthersAreRead()
+    public void Look_PictureCrashesAWorker_RejectsOnlyThatPicture()
     {
         var seen = Look(Files("a.png", "deadly.png", "b.png", "deadly.png", "deadly.png", "c.png"));
 
@@ -51,7 +51,7 @@ public sealed class VisionPoolTests
     }
 
     [Test]
-    public void Look_WorkerEndsAtStart_ThrowsWithItsOutput()
+    public void Look_WorkerExitsAtStart_ThrowsWithItsOutput()
     {
         var script = Path.ChangeExtension(_script, ".once.mjs");
         File.WriteAllText(script, "console.error('no memory'); process.exit(7);");
@@ -70,20 +70,20 @@ public sealed class VisionPoolTests
         }
     }
 
-    // The second worker gets a picture at some time.
+    // The second worker also gets a picture, at any time.
     static IEnumerable<PictureRequest> WithoutEnd()
     {
         while (true) yield return PictureRequest.File("a.png");
     }
 
     [Test]
-    public void Look_WorkerEndsAtEveryPicture_Throws()
+    public void Look_WorkerExitsAtEveryPicture_Throws()
     {
         Assert.That(() => Look(Files("deadly1.png", "deadly2.png", "deadly3.png", "deadly4.png")), Throws.InstanceOf<InvalidOperationException>());
     }
 
     [Test]
-    public void Look_FaultAfterCancellation_ReturnsTheReadPictures()
+    public void Look_FaultAfterCancellation_ReturnsThePicturesReadSoFar()
     {
         using var cancellation = new CancellationTokenSource();
         IEnumerable<PictureRequest> Interrupted()

@@ -9,12 +9,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Evaluation of pictures that have been read.</summary>
+/// <summary>Tests the evaluation of readings.</summary>
 public sealed class VlcEvaluationTests
 {
     const double TrueMs = 40;
 
-    /// <summary>A sweep across the limit: every frame is logged, one in four is photographed.</summary>
+    /// <summary>A sweep across the limit. Every frame is in the log, and one in four has a picture.</summary>
     static (List<SweepRow> Rows, VlcResult Result) Sweep(
         Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60, int framesPerLoad = 120)
     {
@@ -42,7 +42,7 @@ public sealed class VlcEvaluationTests
     static DisplayConditions Conditions(IReadOnlyList<SweepRow> sweep) => new(SweepTable.Device(sweep), SweepTable.DisplayHz(sweep));
 
     [Test]
-    public void Sweep_SourceRespondsToLoad_HasLVisuAndLimit()
+    public void Profile_SourceRespondsToLoad_HasLVisuAndLimit()
     {
         var (rows, result) = Sweep(ms => ms);
 
@@ -56,7 +56,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_SourceDoesNotRespondToLoad_HasTheSameLVisuWithoutLimit()
+    public void Profile_SourceDoesNotRespondToLoad_HasLVisuWithoutLimit()
     {
         var (rows, result) = Sweep(_ => 2);
 
@@ -71,7 +71,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_SourceChangesTemporarily_HasTheLimitOfTheMostFrequentSource()
+    public void Profile_SourceChangesTemporarily_HasTheLimitOfTheMostFrequentSource()
     {
         var (rows, result) = Sweep(ms => ms);
         var mixed = rows.Select((row, i) => i % 10 != 0 ? row : new SweepRow(
@@ -87,7 +87,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Device_NotGiven_IsEmpty()
+    public void Profile_DeviceNotGiven_HasAnEmptyDevice()
     {
         var (rows, result) = Sweep(ms => ms, device: "", displayHz: double.NaN);
 
@@ -102,7 +102,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Pictures_WithoutASweep_ExcludeLateFrames()
+    public void Profile_NoSweep_ExcludesLateFrames()
     {
         PictureResult[] pictures = [.. Enumerable.Range(0, 50).Select(i => new PictureResult("p" + i, 0, i, i % 10 == 9 ? 56.7 : 40 + i % 3 - 1, null))];
 
@@ -114,7 +114,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Sweep_OfAnotherRecording_IsRefused()
+    public void Evaluation_SweepOfAnotherRecording_Throws()
     {
         var (rows, result) = Sweep(ms => ms);
         var other = rows.Select(row => new SweepRow(
@@ -124,9 +124,9 @@ public sealed class VlcEvaluationTests
             Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of only").And.Message.Contains("the log of the sweep that the pictures show"));
     }
 
-    /// <summary>With the default settings of a load sweep, 126 s.</summary>
+    /// <summary>Uses the default duration of a load sweep, 126 s.</summary>
     [Test]
-    public void Sweep_LongerThanThePeriodOfTheCodes_NeedsTheOrderOfThePictures()
+    public void Evaluation_LongSweep_RequiresPicturesInOrder()
     {
         var (rows, result) = Sweep(ms => ms, framesPerLoad: 360);
         PictureResult[] shuffled = [.. result.Pictures];
@@ -138,7 +138,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Pictures_OfSeveralLoadsWithoutSweep_CauseAWarning()
+    public void Evaluation_SeveralLoadsWithoutSweep_AddsAWarning()
     {
         var (_, result) = Sweep(ms => ms);
 
@@ -149,7 +149,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Pictures_ScatteringWidely_HaveNoProfile()
+    public void Profile_LargeScatter_IsNull()
     {
         var random = new Random(2);
         PictureResult[] pictures = [.. Enumerable.Range(0, 100).Select(i => new PictureResult("p" + i, 0, i, 20 + 60 * random.NextDouble(), null))];
@@ -162,7 +162,7 @@ public sealed class VlcEvaluationTests
 
     /// <summary>L_visu scatters too much for a profile, and a quarter of the pictures is late.</summary>
     [Test]
-    public void Json_WithoutAProfile_HasTheMeanWithoutLatePictures()
+    public void Json_NoProfile_HasTheMeanWithoutLatePictures()
     {
         PictureResult[] pictures = [.. Enumerable.Range(0, 40).Select(i => new PictureResult("p" + i, 0, i, i < 10 ? 400 : 30 + 2 * i, null))];
         var result = new VlcResult(pictures);
@@ -175,7 +175,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Picture_Single_HasNoProfile()
+    public void Profile_SinglePicture_IsNull()
     {
         var evaluation = Evaluate(new VlcResult([new PictureResult("p", 0, 0, 40, null)]), null);
 

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>End to end from pictures to a profile. Needs Node.js, like the build.</summary>
+/// <summary>Tests the verb from pictures to a profile. Needs Node.js, like the build.</summary>
 public sealed class VlcVerbTests
 {
     string _folder;
@@ -27,7 +27,7 @@ public sealed class VlcVerbTests
     Task<CliRun> Run(params string[] arguments) => CliRun.OfAsync(["calibrate", "vlc", "--out", In("out"), .. arguments]);
 
     [Test]
-    public async Task Json_OfASimulatedSweep_HasTheTrueLatencyOfEachPicture()
+    public async Task Vlc_SimulatedSweep_ReturnsTheTrueLatencyOfEachPicture()
     {
         var run = await Run(In("pictures"), "--sweep", In("sweep.csv"), "--json");
 
@@ -50,7 +50,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Table_OfPicturesAlone_WritesAProfileWithoutALimit()
+    public async Task Vlc_NoSweep_WritesAProfileWithoutLimit()
     {
         string[] pictures = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(8)];
 
@@ -63,7 +63,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_NotAPicture_IsReportedInOneLineAndTheFormerProfileKept()
+    public async Task Vlc_FileIsNotAPicture_ReportsItAndKeepsTheProfile()
     {
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
@@ -80,7 +80,7 @@ public sealed class VlcVerbTests
     [TestCase("0", "0 ms")]
     [TestCase("NaN", "NaN ms")]
     [TestCase("1001", "1001 ms")]
-    public async Task Sweep_OneInvalidRenderTime_IsNamedAndTheFormerProfileKept(string renderMs, string named)
+    public async Task Vlc_OneInvalidRenderTime_NamesItAndKeepsTheProfile(string renderMs, string named)
     {
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
@@ -97,7 +97,7 @@ public sealed class VlcVerbTests
 
     [TestCase(new byte[] { 0xff, 0xd8, 0xff }, "the file is incomplete")]
     [TestCase(new byte[] { 0x89, 0x50 }, "neither a PNG nor a JPEG")]
-    public async Task Picture_OfAFewBytes_StatesTheReason(byte[] bytes, string expected)
+    public async Task Vlc_PictureOfAFewBytes_StatesTheReason(byte[] bytes, string expected)
     {
         File.WriteAllBytes(In("short.jpg"), bytes);
 
@@ -105,12 +105,12 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_TruncatedOrDamaged_IsReported()
+    public async Task Vlc_TruncatedOrDamagedPicture_ReportsIt()
     {
         var whole = File.ReadAllBytes(In("pictures/picture-00001.jpg"));
         var tables = whole.AsSpan().IndexOf([(byte)0xff, (byte)0xc4]);
         File.WriteAllBytes(In("a.jpg"), whole[..(tables + 6)]);
-        // Decoders would invent the missing lower half.
+        // A decoder would invent the missing lower half.
         File.WriteAllBytes(In("b.jpg"), whole[..(whole.Length / 2)]);
         whole.AsSpan(tables + 4, 60).Fill(0x11);
         File.WriteAllBytes(In("c.jpg"), whole);
@@ -124,7 +124,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_OfTooManyPixels_IsRejectedAndOthersAreRead()
+    public async Task Vlc_PictureWithTooManyPixels_RejectsOnlyThatPicture()
     {
         var huge = new byte[64];
         byte[] start = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 13, .. "IHDR"u8, 0, 0, 0x75, 0x30, 0, 0, 0x75, 0x30, 1];
@@ -139,9 +139,9 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_OfAnotherSize_IsRejectedWithBothSizes()
+    public async Task Vlc_PictureOfAnotherSize_RejectsItAndStatesBothSizes()
     {
-        // A grey PNG of one pixel, before the others.
+        // A grey PNG of one pixel, which comes before the other pictures.
         File.WriteAllBytes(In("a.png"), Convert.FromBase64String(
             "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="));
         string[] good = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(5)];
@@ -152,9 +152,9 @@ public sealed class VlcVerbTests
         Assert.That(run.Errors, Does.Contain("a.png: 1x1 px, but most pictures have 1280x720 px"));
     }
 
-    // The whole result: means and reasons, with pictures that are rejected alone, by their neighbours and by their size.
+    // Compares the complete result, including pictures that are rejected because of their neighbours or their size.
     [Test]
-    public async Task Json_OfShuffledPictures_IsTheSame()
+    public async Task Vlc_ShuffledPictures_GiveTheSameJson()
     {
         string[] files = [.. Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).Take(14), In("none.jpg")];
         File.WriteAllBytes(In("none.jpg"), []);
@@ -177,7 +177,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Json_NoPictureReadable_HasTheReasonsAndThePageNamesAll()
+    public async Task Vlc_NoPictureReadable_ListsAllPicturesWithTheirReasons()
     {
         var folder = Directory.CreateDirectory(In("heic")).FullName;
         for (var i = 0; i < 30; i++) File.WriteAllText(Path.Combine(folder, $"a-rather-long-name-{i}.HEIC"), "0000ftypheic");
@@ -197,7 +197,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Picture_Alone_FailsBecauseNoProfileIsWritten()
+    public async Task Vlc_SinglePicture_FailsWithoutAProfile()
     {
         var one = Directory.GetFiles(In("pictures")).Order(StringComparer.Ordinal).First();
 
@@ -213,7 +213,7 @@ public sealed class VlcVerbTests
     [TestCase("empty", "contains no pictures")]
     [TestCase("sweep.csv", "neither a picture")]
     [TestCase("broken.png", "broken.png: unreadable")]
-    public async Task Arguments_WithoutPictures_AreReportedInOneLine(string name, string expected)
+    public async Task Vlc_NoPictures_ReportsItInOneLine(string name, string expected)
     {
         Directory.CreateDirectory(In("empty"));
         File.WriteAllBytes(In("broken.png"), [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0]);

@@ -2,6 +2,7 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Field;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Sync;
 using NUnit.Framework;
 
@@ -12,7 +13,7 @@ public class ClockFigureTests
     static readonly FigureSettings Settings = new() { Phases = 2, ClockRuns = 4, ClockSeconds = 60, Seed = 11 };
 
     [Test]
-    public void Exchanges_Wifi_LieWithinTheirRoundTripsOfTheTruth()
+    public void Exchanges_Wifi_ErrByAtMostHalfTheRoundTripTime()
     {
         var log = new SimulatedExchanges(Settings.Seed, 60);
 
@@ -22,7 +23,7 @@ public class ClockFigureTests
     }
 
     [Test]
-    public void Exchanges_Skew_IsTheSlopeOfTheOffset()
+    public void SkewPpmAt_Exchanges_EqualsTheSlopeOfTheOffset()
     {
         var log = new SimulatedExchanges(Settings.Seed, 60);
 
@@ -32,7 +33,7 @@ public class ClockFigureTests
     }
 
     [Test]
-    public void Figures4And8_PaperEstimator_StaysBelowAMillisecond()
+    public void Figures4And8_PaperEstimator_ErrsByLessThanAMillisecond()
     {
         var study = new ClockAndFieldStudy(Settings);
         Parallel.ForEach(study.Work, work => work());
@@ -64,10 +65,10 @@ public class ClockFigureTests
         Assert.That(steps.Min(step => step.RoundTripMs), Is.GreaterThan(3), "two ways of 1.5 ms");
     }
 
-    // 5.5 % of the exchanges of this WiFi are in a burst of delays of 5 to 30 ms. The halved difference of two gamma distributed jitters
-    // (shape 1.2, scale 0.6 ms) is 1 ms or more in 4.6 % of the others.
+    // In this network, 5.5 % of the exchanges are in a burst with delays of 5 to 30 ms. For 4.6 % of the others, half the difference of two
+    // gamma-distributed jitters (shape 1.2, scale 0.6 ms) is 1 ms or more.
     [Test]
-    public void FitErrors_WithTheTrueOffset_AreThoseOfTheNetwork()
+    public void FitErrors_TrueOffset_MatchTheNetworksDelays()
     {
         double[] errors = [.. Enumerable.Range(1, 20).Select(seed => new SimulatedExchanges(seed, 60))
             .SelectMany(log => FitErrors.OfExchanges(SyncSteps.Of(log.All, "ransac"), log.All[0].Offset, log.TrueOffset))];
@@ -75,9 +76,9 @@ public class ClockFigureTests
         Assert.That(FitErrors.ShareBelow(errors), Is.EqualTo(0.945 * 0.954).Within(0.015));
     }
 
-    // Replies before their requests have negative round-trip times, the shortest of all; the others are exchanges that are logged twice.
+    // Adds exchanges whose reply precedes the request, with negative round-trip times, and exchanges that are logged twice.
     [Test]
-    public void SyncSteps_InvalidExchanges_ChangeNothing()
+    public void SyncSteps_InvalidExchanges_AreIgnored()
     {
         var log = new SimulatedExchanges(Settings.Seed, 60);
         IEnumerable<SyncExchange> WithInvalid(SyncExchange each, int i) => i % 25 == 0
@@ -90,7 +91,7 @@ public class ClockFigureTests
 
     [TestCase(0, false)]
     [TestCase(700, true)]
-    public void SyncFigure_SlowFirstExchange_DoesNotSetTheScale(double firstMs, bool isLimited)
+    public void SyncFigure_SlowFirstExchange_LimitsTheVerticalAxis(double firstMs, bool isLimited)
     {
         SyncStep[] steps = [.. Steps(0.05, 0.8, 3, 0.5).Select((step, i) => i == 0 ? step with { OffsetMs = firstMs } : step)];
 
@@ -109,7 +110,7 @@ public class ClockFigureTests
     [TestCase(0.94, 312, 88, 7, 280, 12_300, "holds partly")]
     [TestCase(0.96, 1312, 88, 7, 280, 12_300, "holds partly")]
     [TestCase(0.94, 1312, 88, 50, 280, 400, "does not hold")]
-    public void Figure8_Numbers_ChangeTheVerdict(
+    public void Figure8_MeasuredValues_DecideTheVerdict(
         double fitShare, double maxUs, double early, double late, double shortUs, double longUs, string verdict)
     {
         var criteria = Figure08.Criteria(fitShare, new ClockErrors(50, 200, maxUs, early, late), new RoundTrips(shortUs, longUs));
@@ -120,7 +121,7 @@ public class ClockFigureTests
     [TestCase(30.2, "holds")]
     [TestCase(31, "holds partly")]
     [TestCase(3, "does not hold")]
-    public void Figure4_ErrorOfHold_ChangesTheVerdict(double freshMm, string verdict)
+    public void Figure4_ErrorOfHold_DecidesTheVerdict(double freshMm, string verdict)
     {
         Assert.That(Criterion.Judge(Figure04.Criteria([new FieldPoint(1000, 30, freshMm, 55, [])])).Words(), Is.EqualTo(verdict));
     }
@@ -137,21 +138,21 @@ public class ClockFigureTests
     [TestCase(1.2, 3, 3, 0.5, new[] { false, true, true })]
     [TestCase(0.05, 0.8, 3, 2, new[] { true, false, true })]
     [TestCase(0.5, 0.8, 3, 0.5, new[] { true, true, false })]
-    public void SyncClaims_Numbers_ChangeTheVerdict(double shortMs, double longMs, double earlyPpm, double latePpm, bool[] areMet)
+    public void SyncClaims_MeasuredValues_DecideTheVerdict(double shortMs, double longMs, double earlyPpm, double latePpm, bool[] areMet)
     {
         var claims = SyncClaims.Of(Steps(shortMs, longMs, earlyPpm, latePpm));
 
         Assert.That(claims.Select(claim => claim.IsMet), Is.EqualTo(areMet), string.Join("; ", claims.Select(claim => claim.Measured)));
     }
 
-    // The skew goes from 10 ppm to 35 ppm: at a constant rate, or exponentially as if it converged.
+    // The skew changes from 10 to 35 ppm, either at a constant rate or exponentially, as if it converged.
     [TestCase(20, double.PositiveInfinity, false)]
     [TestCase(60, double.PositiveInfinity, false)]
     [TestCase(600, double.PositiveInfinity, false)]
     [TestCase(60, 30, true)]
     [TestCase(60, 8, true)]
     [TestCase(600, 60, true)]
-    public void SyncClaims_Skew_ConvergesOnlyIfItsChangesBecomeSmaller(double seconds, double timeConstant, bool isMet)
+    public void SyncClaims_ChangingSkew_ConvergesOnlyIfTheChangesDecrease(double seconds, double timeConstant, bool isMet)
     {
         double SkewAt(double t) => double.IsInfinity(timeConstant) ? 10 + 25 * t / seconds : 35 - 25 * Math.Exp(-t / timeConstant);
         SyncStep[] steps = [.. Enumerable.Range(0, (int)(5 * seconds)).Select(i => new SyncStep(i * 0.2, 0.1, 0, SkewAt(i * 0.2), 0, 4))];
@@ -163,7 +164,7 @@ public class ClockFigureTests
 
     [TestCase(30, 45)]
     [TestCase(0, 10)]
-    public void SyncClaims_SkewUnknownForAWhile_IsNotMeasured(double from, double to)
+    public void SyncClaims_SkewTemporarilyUnknown_IsNotMeasured(double from, double to)
     {
         var steps = Steps(0.05, 0.8, 3, 0.5).Select(step => step.Seconds >= from && step.Seconds < to ? step with { FitMs = null, SkewPpm = null } : step);
 

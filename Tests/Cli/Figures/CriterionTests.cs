@@ -5,7 +5,7 @@ namespace Nowpose.Headless.Tests.Cli.Figures;
 
 public class CriterionTests
 {
-    // "+" is met, "-" is not, "?" was not measured.
+    // "+" is a criterion that is met, "-" one that is not met, "?" one that was not measured.
     [TestCase("+", "holds")]
     [TestCase("+++", "holds")]
     [TestCase("+-+", "holds partly")]
@@ -14,7 +14,7 @@ public class CriterionTests
     [TestCase("--", "does not hold")]
     [TestCase("-?", "does not hold")]
     [TestCase("??", "not measured")]
-    public void Judge_Criteria_DependsOnHowManyAreMet(string each, string verdict)
+    public void Judge_Criteria_DependsOnTheNumberMet(string each, string verdict)
     {
         var criteria = each.Select(sign => new Criterion("it is so", sign == '?' ? null : sign == '+', "1")).ToArray();
 
@@ -22,7 +22,7 @@ public class CriterionTests
     }
 
     [Test]
-    public void Judge_NoCriterion_IsRefused()
+    public void Judge_NoCriterion_Throws()
     {
         Assert.That(() => Criterion.Judge([]), Throws.ArgumentException.With.Message.Contains("at least one criterion"));
     }

@@ -4,15 +4,16 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Display;
 using Nowpose.Cli.Figures.Model;
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>Figs 10 and 11: what the simulated display shows on every seed, and made-up numbers that change the verdicts.</summary>
+/// <summary>Tests Figs 10 and 11 with the simulated display on several seeds, and with artificial values that change the verdicts.</summary>
 public class DisplayFigureTests
 {
     const double StoredMs = 40, LimitMs = 15.2;
 
-    /// <summary>Half widths of an even scatter, ms: a camera's, a refresh interval's, and one between that is neither.</summary>
+    /// <summary>Half the width of a uniform scatter, ms: of a camera, of a refresh interval, and of a value in between.</summary>
     const double Still = 1, Refresh = 8.3, Between = 5;
 
     static readonly Dictionary<int, Figure[]> Seeds = [];
@@ -31,14 +32,14 @@ public class DisplayFigureTests
     [TestCase("10")]
     [TestCase("11a")]
     [TestCase("11b")]
-    public void Criteria_SimulatedDisplay_AreMetOnEachSeed(string number)
+    public void Criteria_SimulatedDisplay_AreMetForEachSeed(string number)
     {
         foreach (var (seed, figures) in Seeds)
             foreach (var criterion in figures.Single(each => each.Number == number).Criteria)
                 Assert.That(criterion.IsMet, Is.True, $"seed {seed}: {criterion.Measured}");
     }
 
-    // From the data that the figure shows.
+    // Computed from the data that the figure shows.
     [Test]
     public void Figure10_EachSeed_DeviatesThreeTimesAsMuchAtTheHighLoad()
     {
@@ -51,9 +52,9 @@ public class DisplayFigureTests
         }
     }
 
-    // A picture is taken at any time within the 4 ms in which its frame is lit, and the headset's code has whole milliseconds.
+    // A picture is taken at any time within the 4 ms in which its frame is lit. The headset's code has a resolution of 1 ms.
     [Test]
-    public void Figure10_NormalLoad_ScattersByTheLightAndTheCode()
+    public void Figure10_NormalLoad_ScattersByLitTimeAndCodeResolution()
     {
         var expected = Math.Sqrt((4 * 4 + 1 * 1) / 12.0);
         foreach (var (seed, figures) in Seeds)
@@ -67,7 +68,7 @@ public class DisplayFigureTests
         }
     }
 
-    // Computed in another way: in steps three times as narrow, each with its own variance.
+    // Computed independently: in steps three times as narrow, each with its own variance.
     [Test]
     public void Figure11_EachSeed_DeviatesThreeTimesAsMuchAboveTheLimit()
     {
@@ -86,7 +87,7 @@ public class DisplayFigureTests
         }
     }
 
-    // Evenly scattered around the middle, and in no order.
+    // Creates values that are distributed uniformly around the middle, in random order.
     static IEnumerable<MeasuredPicture> Pictures(double millions, double renderMs, double visuMs, double halfWidthMs) => Enumerable.Range(0, 100)
         .Select(i => new MeasuredPicture(null, (int)(1e6 * millions), renderMs, visuMs + halfWidthMs * (i * 37 % 100 - 49.5) / 50));
 
@@ -95,16 +96,16 @@ public class DisplayFigureTests
     [TestCase(Between, Refresh, "holds partly")]
     [TestCase(Between, Between, "does not hold")]
     [TestCase(Between, 0, "does not hold")]
-    public void Figure10_Scatter_ChangesTheVerdict(double normalMs, double highMs, string verdict)
+    public void Figure10_Scatter_DecidesTheVerdict(double normalMs, double highMs, string verdict)
     {
         var criteria = Figure10.Criteria([.. Pictures(0.3, 6.5, 40, normalMs)], [.. Pictures(1.5, 17, 65, highMs)]);
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
-    // The plateau of a display that starts every frame at a refresh: later, and as constant.
+    // On a display that starts every frame at a refresh, L_visu is longer at the high load but still constant.
     [Test]
-    public void Figure10_SecondPlateau_DoesNotScatter()
+    public void Figure10_SecondPlateau_IsNotScatter()
     {
         var criteria = Figure10.Criteria([.. Pictures(0.3, 6.5, 40, Still)], [.. Pictures(1.5, 17, 73.3, Still)]);
 
@@ -112,7 +113,7 @@ public class DisplayFigureTests
     }
 
     [Test]
-    public void Figure10_OneSlowFrame_DoesNotScatter()
+    public void Figure10_OneSlowFrame_IsNotScatter()
     {
         var high = Pictures(1.5, 17, 56.7, Still).ToArray();
         high[40] = high[40] with { VisuMs = 200 };
@@ -131,7 +132,7 @@ public class DisplayFigureTests
         Assert.That(Criterion.Judge(Figure10.Criteria(normal, [.. Pictures(1.5, 17, 65, Refresh)])), Is.EqualTo(Verdict.Holds));
     }
 
-    // Two loads inside, one between the limit and a refresh, and two beyond a refresh.
+    // Two loads within the range, one between the limit and a refresh interval, and two beyond a refresh interval.
     static IEnumerable<MeasuredPicture> Sweep(double insideMs, double secondMs, double lateMs, double beyondMs, double lastMs) =>
     [
         .. Pictures(0, 4, StoredMs, insideMs), .. Pictures(1, 12.5, secondMs, insideMs), .. Pictures(1.4, 15.9, 56.7, lateMs),
@@ -140,20 +141,20 @@ public class DisplayFigureTests
 
     [TestCase(Still, 40.5, Refresh, "holds")]
     [TestCase(Still, 42, Refresh, "holds partly", TestName = "Figure11a_MedianMoves_HoldsPartly")]
-    [TestCase(Still, 40.5, Between, "holds partly", TestName = "Figure11a_LessThanARefresh_HoldsPartly")]
+    [TestCase(Still, 40.5, Between, "holds partly", TestName = "Figure11a_ScatterBelowARefresh_HoldsPartly")]
     [TestCase(Still, 40.5, Still, "holds partly", TestName = "Figure11a_ConstantBeyond_HoldsPartly")]
     [TestCase(Between, 42, Between, "does not hold")]
     [TestCase(Still, 42, Still, "does not hold")]
-    public void Figure11a_Numbers_ChangeTheVerdict(double insideMs, double secondMs, double beyondMs, string verdict)
+    public void Figure11a_MeasuredValues_DecideTheVerdict(double insideMs, double secondMs, double beyondMs, string verdict)
     {
         var criteria = Figure11.LoadCriteria(Sweep(insideMs, secondMs, beyondMs, beyondMs, beyondMs), StoredMs);
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
-    // Two of three groups beyond the limit scatter. Together they meet the criteria, and the third is named.
+    // Two of three groups beyond the limit scatter. Together they meet the criteria, and the result names the third group.
     [Test]
-    public void Figure11_OneGroupBeyondTheLimitIsConstant_IsNamed()
+    public void Figure11_OneGroupBeyondTheLimitConstant_NamesTheGroup()
     {
         var sweep = Sweep(Still, 40.5, Still, Refresh, Refresh).ToList();
 
@@ -165,7 +166,7 @@ public class DisplayFigureTests
 
     [TestCase(4, true)]
     [TestCase(20, false)]
-    public void Figure11a_LoadsOnOneSideOnly_MeetNoCriterionOfTheOther(double renderMs, bool isConstant)
+    public void Figure11a_LoadsOnOneSideOfTheLimit_MissTheCriteriaOfTheOtherSide(double renderMs, bool isConstant)
     {
         var criteria = Figure11.LoadCriteria([.. Pictures(0, renderMs, StoredMs, Still), .. Pictures(1, renderMs, StoredMs, Still)], StoredMs);
 
@@ -173,21 +174,21 @@ public class DisplayFigureTests
     }
 
     [TestCase(Still, Refresh, 15.0, "holds")]
-    [TestCase(Still, Between, 15.0, "holds partly", TestName = "Figure11b_LessThanARefresh_HoldsPartly")]
+    [TestCase(Still, Between, 15.0, "holds partly", TestName = "Figure11b_ScatterBelowARefresh_HoldsPartly")]
     [TestCase(Still, Refresh, 13.0, "holds partly", TestName = "Figure11b_LimitDependsOnTheScene_HoldsPartly")]
-    [TestCase(Between, Refresh, 15.0, "holds partly", TestName = "Figure11b_OneStoredLatencyIsNotSufficient_HoldsPartly")]
+    [TestCase(Between, Refresh, 15.0, "holds partly", TestName = "Figure11b_LatencyScattersInsideTheRange_HoldsPartly")]
     [TestCase(Still, Still, 15.0, "holds partly", TestName = "Figure11b_LatencyIsConstantOutside_HoldsPartly")]
     [TestCase(Between, Still, 13.0, "does not hold")]
-    public void Figure11b_Numbers_ChangeTheVerdict(double insideMs, double beyondMs, double otherLimitMs, string verdict)
+    public void Figure11b_MeasuredValues_DecideTheVerdict(double insideMs, double beyondMs, double otherLimitMs, string verdict)
     {
         var criteria = Figure11.RangeCriteria([.. Sweep(insideMs, StoredMs, beyondMs, beyondMs, beyondMs)], StoredMs, LimitMs, otherLimitMs);
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
-    // Three plateaus 6 to 9 ms apart: L_visu of all pictures outside extends over a refresh interval, but that of one render time does not.
+    // Three plateaus with distances of 6 to 9 ms: together, L_visu extends over a refresh interval, but at each render time it is constant.
     [Test]
-    public void Figure11_PlateausOutside_DoNotScatter()
+    public void Figure11_PlateausBeyondTheLimit_AreNotScatter()
     {
         var sweep = Sweep(Still, StoredMs, Still, Still, Still).ToList();
 
@@ -201,7 +202,7 @@ public class DisplayFigureTests
     [TestCase(15.2, 13.9, false)]
     [TestCase(15.2, null, false)]
     [TestCase(null, null, false)]
-    public void Figure11b_Limits_MustBeFoundInBothScenesAndAgree(double? limitMs, double? otherLimitMs, bool isMet)
+    public void Figure11b_LimitsOfBothScenes_MustAgree(double? limitMs, double? otherLimitMs, bool isMet)
     {
         var criteria = Figure11.RangeCriteria([.. Sweep(Still, StoredMs, Refresh, Refresh, Refresh)], StoredMs, limitMs, otherLimitMs);
 

@@ -10,13 +10,13 @@ public class FigureTableTests
     [TestCase("speed", "mm/s", "speed_mm_per_s")]
     [TestCase("offset error", "µs", "offset_error_us")]
     [TestCase("ratio", "", "ratio")]
-    public void Header_NameAndUnit_IsOneWord(string name, string unit, string header)
+    public void Header_NameAndUnit_FormsOneWord(string name, string unit, string header)
     {
         Assert.That(new FigureColumn(name, unit).Header, Is.EqualTo(header));
     }
 
     [Test]
-    public void WriteCsv_Rows_HavePointsAndGaps()
+    public void WriteCsv_Rows_UsesDecimalPointsAndEmptyFields()
     {
         var table = new FigureTable(new FigureColumn("time", "ms"), new FigureColumn("hold", "mm"));
         table.Add(0.5, -1234.5678912);
@@ -38,7 +38,7 @@ public class FigureTableTests
     }
 
     [Test]
-    public void Add_WrongLength_IsRefused()
+    public void Add_WrongNumberOfValues_Throws()
     {
         Assert.That(() => new FigureTable(new FigureColumn("time", "ms")).Add(1, 2), Throws.ArgumentException.With.Message.Contains("2 values for 1 columns"));
     }

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>The verb end to end with a minimum of work; the results do not depend on run time.</summary>
+/// <summary>Tests the complete verb with the minimum number of runs. The results do not depend on the run time.</summary>
 public partial class FiguresVerbTests
 {
     static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4, RandomSeconds = 4, Profile = SwingProfile.Of(40) };
@@ -49,7 +49,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Run_Pictures_AreSvgWithoutStylesOfAPage()
+    public void Run_PicturesOption_WritesSvgFilesWithOwnStyles()
     {
         var pictures = Path.Combine(_folder, "images");
 
@@ -83,7 +83,7 @@ public partial class FiguresVerbTests
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
     [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written to")]
     [TestCase("--phases", "3", "'--phases' is not known")]
-    public async Task Figures_InvalidOption_IsOneLineAndExit2(string option, string value, string named)
+    public async Task Figures_InvalidOption_PrintsOneLineAndExits2(string option, string value, string named)
     {
         var arguments = option == "--out" ? new[] { "figures", option, value } : ["figures", "--out", _folder, option, value];
 
@@ -95,7 +95,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Studies_FiguresVerb_CoverEachFigureWithOurPredictors()
+    public void Settings_FullAndQuick_IncludeOurPredictors()
     {
         foreach (var settings in new[] { FigureSettings.Full, FigureSettings.Quick })
         {
@@ -106,7 +106,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public async Task Figures_Help_NamesItsOptions()
+    public async Task Figures_HelpOption_ListsTheOptions()
     {
         var run = await CliRun.OfAsync("figures", "--help");
 

@@ -6,13 +6,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>The manual's drawing of the LED matrix, compared with the reference codes of another program.</summary>
+/// <summary>Compares the manual's drawing of the LED matrix with reference codes that another program computed.</summary>
 public class LedMatrixPictureTests
 {
     static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
 
     [Test]
-    public void Picture_InTheManual_IsTheToolsOutput()
+    public void LedMatrix_PictureInTheManual_EqualsTheToolsOutput()
     {
         var path = $"{RepositoryFiles.Package}/Documentation~/images/{LedMatrixPicture.File}";
 
@@ -21,7 +21,7 @@ public class LedMatrixPictureTests
 
     [TestCase("control")]
     [TestCase("headset")]
-    public void Code_LitSquares_AreThoseOfTheReferenceFile(string kind)
+    public void LedMatrix_LitSquares_EqualTheReferenceFile(string kind)
     {
         var expected = CodeVectors.Read().Single(row => row.Kind == kind && row.ValueMs == LedMatrixPicture.ShownMs).Rows;
 
@@ -29,7 +29,7 @@ public class LedMatrixPictureTests
     }
 
     [Test]
-    public void Board_RingAndPairs_CoverTheMatrix()
+    public void LedMatrix_RingAndPairs_CoverTheBoard()
     {
         byte[] ring = [0x9f, 0x81, 0x81, 0x81, 0x81, 0x81, 0x81, 0xff];
 
@@ -37,7 +37,7 @@ public class LedMatrixPictureTests
         Assert.That(RowsOf("board", "#9ccbff"), Is.EqualTo(new byte[] { 0, 0x7e, 0x7e, 0x7e, 0x7e, 0x7e, 0x7e, 0 }));
     }
 
-    /// <summary>Returns the squares of one colour as rows, with the leftmost one as the highest bit.</summary>
+    /// <summary>Gets the squares of one colour as rows of bits. The leftmost square is the highest bit.</summary>
     static byte[] RowsOf(string group, string colour)
     {
         var all = XDocument.Parse(LedMatrixPicture.Draw()).Descendants(Svg + "g").Single(g => (string)g.Attribute("id") == group).Elements(Svg + "rect").ToList();

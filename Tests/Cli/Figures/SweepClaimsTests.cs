@@ -1,12 +1,13 @@
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Sweeps;
+using Nowpose.Cli.Messages;
 using Nowpose.Motion;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>The verdicts follow from the numbers: made-up numbers change them.</summary>
+/// <summary>Tests that artificial values change the verdicts.</summary>
 public class SweepClaimsTests
 {
     static readonly double[] Intervals = [20, 50, 100];
@@ -24,20 +25,20 @@ public class SweepClaimsTests
     [TestCase(new double[] { 9, 9, 20 }, "holds")]
     [TestCase(new double[] { 4, 9, 20 }, "holds partly")]
     [TestCase(new double[] { 4, 6, 7 }, "does not hold")]
-    public void Figure13a_CubicBetter_ChangesTheVerdict(double[] cubic, string verdict)
+    public void Figure13a_ErrorOfTheCubic_DecidesTheVerdict(double[] cubic, string verdict)
     {
         var criteria = Figure13.A.Criteria(Polynomials(Intervals, [8, 8, 11], [5, 7, 9], cubic));
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
-    // A move that is too short for full acceleration has fewer phases; one with other limits exceeds them.
+    // A move that is too short for full acceleration has fewer phases. A move with other limits exceeds the expected ones.
     [TestCase(500, 1, 100, "holds")]
     [TestCase(500, 1, 90, "holds partly")]
     [TestCase(500, 1.1, 100, "holds partly")]
     [TestCase(1, 1, 100, "holds partly")]
     [TestCase(1, 1.1, 90, "does not hold")]
-    public void Figure12_ProfileAndLag_ChangeTheVerdict(double strokeMm, double factor, double lagMm, string verdict)
+    public void Figure12_ProfileAndLag_DecideTheVerdict(double strokeMm, double factor, double lagMm, string verdict)
     {
         var move = new SevenPhaseProfile(strokeMm, 1000, 5000, factor * 50_000);
 
@@ -45,7 +46,7 @@ public class SweepClaimsTests
     }
 
     [Test]
-    public void Figure13a_CubicBetterAtShortIntervals_IsStated()
+    public void Figure13a_CubicBetterAtShortIntervals_StatesTheIntervals()
     {
         var criteria = Figure13.A.Criteria(Polynomials(Intervals, [8, 8, 11], [5, 7, 9], [4, 9, 20]));
 
@@ -56,7 +57,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 8, 8, 10 }, "holds")]
     [TestCase(new double[] { 8, 8, 8 }, "holds partly")]
     [TestCase(new double[] { 8, 8, 4 }, "does not hold")]
-    public void Figure13b_LineBestSomewhere_ChangesTheVerdict(double[] linear, string verdict)
+    public void Figure13b_ErrorOfTheLine_DecidesTheVerdict(double[] linear, string verdict)
     {
         var criteria = Figure13.B.Criteria(Polynomials([0, 100, 250], linear, [5, 5, 5], [4, 6, 9]));
 
@@ -67,7 +68,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 8, 8, 8 }, "worse at 250 ms")]
     [TestCase(new double[] { 8, 5.5, 8 }, "worse at 100 and 250 ms")]
     [TestCase(new double[] { 8, 8, 4 }, "worse at 250 ms")]
-    public void Figure13b_CubicWorseThanTheLine_IsStated(double[] linear, string measured)
+    public void Figure13b_CubicWorseThanTheLine_StatesTheLatencies(double[] linear, string measured)
     {
         var criteria = Figure13.B.Criteria(Polynomials([0, 100, 250], linear, [5, 5, 5], [4, 6, 9]));
 
@@ -77,7 +78,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 9, 9, 9, 9, 9 }, "holds")]
     [TestCase(new double[] { 9, 9, 9, 9, 4 }, "holds partly")]
     [TestCase(new double[] { 9, 9, 9, 4, 4 }, "does not hold")]
-    public void Figure13c_LineBestAtLargeErrors_HoldsPartly(double[] linear, string verdict)
+    public void Figure13c_ErrorOfTheLine_DecidesTheVerdict(double[] linear, string verdict)
     {
         var criteria = Figure13.C.Criteria(Polynomials([-50, -20, 0, 20, 50], linear, [5, 5, 5, 5, 5], [6, 6, 6, 6, 6]));
 
@@ -87,7 +88,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 5, 8, 14 }, new double[] { 5, 20, 40 }, "holds")]
     [TestCase(new double[] { 5, 6, 14 }, new double[] { 5, 20, 40 }, "holds partly")]
     [TestCase(new double[] { 5, 6, 6 }, new double[] { 5, 6, 6 }, "does not hold")]
-    public void Figure13d_StampErrors_ChangeTheVerdict(double[] quadratic, double[] cubic, string verdict)
+    public void Figure13d_ErrorsOverStampError_DecideTheVerdict(double[] quadratic, double[] cubic, string verdict)
     {
         var criteria = Figure13.D.Criteria(Polynomials([0, 5, 10], [8, 8, 9], quadratic, cubic));
 
@@ -98,7 +99,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 6, 4 }, new double[] { 7, 7 }, "holds partly")]
     [TestCase(new double[] { 6, 4 }, new double[] { 5, 5 }, "does not hold")]
     [TestCase(new double[] { 6, 4 }, new double[] { 5, 3 }, "does not hold")]
-    public void Figures14aTo14c_LongerHistories_MustBeWorseEverywhere(double[] h3, double[] h4, string verdict)
+    public void Figures14aTo14c_ErrorsOfLongerHistories_DecideTheVerdict(double[] h3, double[] h4, string verdict)
     {
         foreach (var claims in new[] { Figure14.A, Figure14.B, Figure14.C })
             Assert.That(Criterion.Judge(claims.Criteria(Histories([10, 20], [5, 5], h3, h4))).Words(), Is.EqualTo(verdict), claims.Number);
@@ -107,7 +108,7 @@ public class SweepClaimsTests
     [TestCase(new double[] { 5, 20 }, new double[] { 6, 10 }, new double[] { 7, 9 }, "holds")]
     [TestCase(new double[] { 5, 20 }, new double[] { 6, 8 }, new double[] { 7, 9 }, "holds partly")]
     [TestCase(new double[] { 5, 8 }, new double[] { 6, 9 }, new double[] { 7, 10 }, "does not hold")]
-    public void Figure14d_StampErrors_ChangeTheVerdict(double[] h2, double[] h3, double[] h4, string verdict)
+    public void Figure14d_ErrorsOverStampError_DecideTheVerdict(double[] h2, double[] h3, double[] h4, string verdict)
     {
         var criteria = Figure14.D.Criteria(Histories([0, 10], h2, h3, h4));
 

@@ -26,16 +26,16 @@ public class SweepDataTests
     }
 
     [Test]
-    public void Crossover_CrossingLines_IsInterpolated()
+    public void Crossover_CrossingLines_Interpolates()
     {
-        // a − b is −1 at 10 and 5 at 20.
+        // The difference of the errors is −1 at the value 10 and 5 at the value 20.
         Assert.That(Data.Crossover("b", "a"), Is.EqualTo(10 + 10.0 / 6).Within(1e-12));
         Assert.That(Data.Crossover("a", "b"), Is.Null, "a does not win at the end");
         Assert.That(Data.Crossover("a", "hold"), Is.EqualTo(0), "a wins everywhere");
     }
 
     [Test]
-    public void RmsAt_ValueNotSwept_IsRefused()
+    public void RmsAt_ValueNotInTheSweep_Throws()
     {
         Assert.That(() => Data.RmsAt("a", 15), Throws.ArgumentException.With.Message.Contains("15 ms is not a value of the sweep"));
     }
@@ -43,7 +43,7 @@ public class SweepDataTests
     [TestCase(new double[0], "none")]
     [TestCase(new[] { 7.5 }, "7.5 ms")]
     [TestCase(new[] { 10.0, 20, 30 }, "10, 20 and 30 ms")]
-    public void List_Values_ReadsLikeASentence(double[] values, string words)
+    public void List_Values_JoinsThemWithCommasAndAnd(double[] values, string words)
     {
         Assert.That(SweepData.List(values), Is.EqualTo(words));
     }

@@ -2,10 +2,11 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Sweeps;
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>Compares the figures' data with an independent simulation in Python, for the paper's polynomials, which have references.</summary>
+/// <summary>Compares the figures' data for the paper's polynomials with those of an independent simulation in Python.</summary>
 public class SweepStudyTests
 {
     const double Tolerance = 0.02;
@@ -68,7 +69,7 @@ public class SweepStudyTests
     [TestCase("14b", "holds")]
     [TestCase("14c", "holds")]
     [TestCase("14d", "holds")]
-    public void Verdict_Figure_FollowsFromTheNumbers(string number, string verdict)
+    public void Verdict_SweepFigure_FollowsFromTheErrors(string number, string verdict)
     {
         Assert.That(Figures[number].Verdict.Words(), Is.EqualTo(verdict), Seed);
     }

@@ -2,6 +2,7 @@ using System.Xml.Linq;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using NUnit.Framework;
@@ -23,7 +24,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Swing_Speed_IsTheDerivativeOfTheDistance()
+    public void Swing_Speed_EqualsTheDerivativeOfTheDistance()
     {
         var swing = s_runs.Swing;
         foreach (var t in new[] { 0.05, 0.2, 0.6, 1.1, 1.35 })
@@ -42,7 +43,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Swing_Gap_IsTheDistanceOfTheTools()
+    public void Swing_Gap_EqualsTheDistanceBetweenTheTools()
     {
         var swing = s_runs.Swing;
         var tool = swing.Robot.IndexOfLink(swing.Robot.ToolLink.Name);
@@ -55,7 +56,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Swing_AngleOfTheTool_IsThatOfTheFirstAxis()
+    public void Swing_AngleOfTheTool_EqualsTheAngleOfTheFirstAxis()
     {
         var swing = s_runs.Swing;
         foreach (var angle in new[] { YoubotSwing.FirstAngle, 2.5, 3.3, 3.7 })
@@ -80,7 +81,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Runs_Quadratic_RemovesAboutEightyPercentAsInThePaper()
+    public void Runs_Quadratic_ReducesTheErrorByAbout80Percent()
     {
         var quadratic = s_set.Standard[0];
 
@@ -90,7 +91,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Runs_OneSwingEach_DifferInPhase()
+    public void Runs_ConsecutiveRuns_DifferInPhase()
     {
         foreach (var frames in s_set.All)
         {
@@ -102,7 +103,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Runs_ProfileOfAnotherDisplay_DoesNotHold()
+    public void Runs_ProfileOfAnotherDisplay_ClaimDoesNotHold()
     {
         var runs = new SwingRuns(Settings with { Phases = 2, Profile = SwingProfile.Of(75) });
         foreach (var work in runs.Work) work();
@@ -112,9 +113,9 @@ public class SwingFigureTests
         Assert.That(figure.Criteria[0].IsMet, Is.False, "35 ms too much");
     }
 
-    // Two pictures at each load are few, so the profile is rough.
+    // Two pictures per load are few, so the profile is not accurate.
     [Test]
-    public void Runs_WithoutAProfile_MeasureItInPictures()
+    public void Runs_NoProfile_MeasureItFromPictures()
     {
         var runs = new SwingRuns(Settings with { Phases = 1, Profile = null, PicturesPerLoad = 2 });
 
@@ -125,13 +126,13 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Figures16To18_Claims_Hold()
+    public void Figures16To18_MeasuredRuns_ClaimsHold()
     {
         foreach (var figure in new[] { Figure16.Of(s_set), Figure17.Of(s_set), Figure18.Of(s_set) })
             Assert.That(figure.Verdict, Is.EqualTo(Verdict.Holds), $"{figure.Number}: {string.Join("; ", figure.Criteria.Select(c => c.Measured))}");
     }
 
-    // The first run alone would give other numbers.
+    // The values of the first run alone would be different.
     [Test]
     public void Runs_GapRatiosAndLatencies_IncludeAllRuns()
     {
@@ -145,7 +146,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Figure17_Drawings_ShowThreeTimesOfEachPredictor()
+    public void Figure17_Drawings_ShowThreeInstantsPerPredictor()
     {
         var figure = Figure17.Of(s_set);
 
@@ -171,7 +172,7 @@ public class SwingFigureTests
     [TestCase(0.2, 126, 10, "holds")]
     [TestCase(0.3, 126, 10, "holds partly")]
     [TestCase(0.3, 126, 60, "does not hold")]
-    public void Figure18_Numbers_ChangeTheVerdict(double ratio, double heldMs, double predictedMs, string verdict)
+    public void Figure18_MeasuredValues_DecideTheVerdict(double ratio, double heldMs, double predictedMs, string verdict)
     {
         Assert.That(Criterion.Judge(Figure18.Criteria(ratio, heldMs, predictedMs)).Words(), Is.EqualTo(verdict));
     }
@@ -179,13 +180,13 @@ public class SwingFigureTests
     [TestCase(0.2, 2, 9, "holds")]
     [TestCase(0.2, 9, 9, "holds partly")]
     [TestCase(0.6, 9, 9, "does not hold")]
-    public void Figure16_Numbers_ChangeTheVerdict(double ratio, double steady, double curved, string verdict)
+    public void Figure16_MeasuredValues_DecideTheVerdict(double ratio, double steady, double curved, string verdict)
     {
         Assert.That(Criterion.Judge(Figure16.Criteria(ratio, steady, curved)).Words(), Is.EqualTo(verdict));
     }
 
     [Test]
-    public void Figure17_GapNotHalved_IsNotMet()
+    public void Figure17_GapAboveHalf_CriterionIsNotMet()
     {
         Assert.That(Figure17.Criterion("A", 0.45).IsMet, Is.True);
         Assert.That(Figure17.Criterion("A", 0.55).IsMet, Is.False);

@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
-/// <summary>Runs of 20 s in virtual time whose samples stop once, scored like `headset`.</summary>
+/// <summary>Tests runs of 20 s in virtual time in which the samples stop once. They are scored like a <c>headset</c> run.</summary>
 public class HeadsetOutageTests
 {
     const int Seed = 3;
@@ -20,7 +20,7 @@ public class HeadsetOutageTests
     [TestCase(0.6)]
     [TestCase(0.9)]
     [TestCase(3.5)]
-    public void Total_SamplesStop_IgnoresTheSilence(double silence)
+    public void Total_SamplesStop_ExcludesTheTimeWithoutSamples(double silence)
     {
         var undisturbed = Play(0).Stretches.Total;
 
@@ -36,7 +36,7 @@ public class HeadsetOutageTests
     [TestCase(0.6, 1)]
     [TestCase(0.9, 1)]
     [TestCase(3.5, 1)]
-    public void Result_SamplesStop_SeparatesStretchesAtListedOutages(double silence, int count)
+    public void Result_SamplesStop_DividesStretchesAtReportedOutages(double silence, int count)
     {
         var (stretches, outages) = Play(silence);
 

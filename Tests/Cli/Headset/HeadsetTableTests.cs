@@ -29,14 +29,14 @@ public class HeadsetTableTests
     [TestCase(0.04, " 0.0 ppm")]
     [TestCase(-0.06, " -0.1 ppm")]
     [TestCase(45.04, " +45.0 ppm")]
-    public void Print_Skew_HasASign(double ppm, string expected) => Assert.That(Printed(Result(ppm)), Does.Contain(expected));
+    public void Print_Skew_ShowsTheSign(double ppm, string expected) => Assert.That(Printed(Result(ppm)), Does.Contain(expected));
 
     [Test]
     public void Print_CoarseClock_ShowsEstimatedErrorAndBound() =>
         Assert.That(Printed(Result()), Does.Match(@"clock +coarse, ± 3120 µs \(proven ± 14500 µs\)"));
 
     [Test]
-    public void Print_OutageAndMissingJoint_AreNamed()
+    public void Print_OutageAndMissingJoint_NamesThem()
     {
         var text = Printed(Result());
 
@@ -48,14 +48,14 @@ public class HeadsetTableTests
     }
 
     [Test]
-    public void Print_VersionMismatch_IsOneRow()
+    public void Print_VersionMismatch_AddsOneRow()
     {
         Assert.That(Printed(Result() with { VersionMismatch = "the gateway has 9.9.9" }), Does.Match(@"versions +the gateway has 9\.9\.9"));
         Assert.That(Printed(Result()), Does.Not.Contain("versions"));
     }
 
     [Test]
-    public void Print_FramesNotCurrent_AreReportedAsNotScored()
+    public void Print_FramesNotCurrent_ReportsThemAsNotScored()
     {
         Assert.That(Printed(Result()), Does.Match(@"tool, not scored +frames that were not current: 4\.60 s"));
         var pose = Result().Pose with { NotCurrentS = 0 };

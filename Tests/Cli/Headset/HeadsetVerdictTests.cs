@@ -30,11 +30,11 @@ public class HeadsetVerdictTests
         new("a3", JointDataState.Fault, ControlTime.FromSeconds(1), TimeSpan.FromSeconds(12.3), "node deleted");
 
     [TestCase(2, 8, 0, true)]
-    [TestCase(3, 1, 0, true, TestName = "FailureOf_ShortRunThatSynchronisedInTime_IsNone")]
+    [TestCase(3, 1, 0, true, TestName = "FailureOf_ShortRunThatSynchronisedInTime_ReturnsNull")]
     [TestCase(2, 4, 3.9, true)]
     [TestCase(2, 4, 4.1, false)]
-    [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_IsReported")]
-    public void FailureOf_CurrentShareBelowHalf_IsReported(double before, double current, double after, bool isGood)
+    [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_ReturnsAReason")]
+    public void FailureOf_CurrentShareBelowHalf_ReturnsAReason(double before, double current, double after, bool isGood)
     {
         var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));
 
@@ -54,7 +54,7 @@ public class HeadsetVerdictTests
     }
 
     [Test]
-    public void FailureOf_JointLiveAgainAtTheEnd_NamesTheLongestOutage()
+    public void FailureOf_JointLiveAtTheEnd_NamesTheLongestOutage()
     {
         var pose = Pose((2, PoseState.Unsynchronised), (1, PoseState.Current), (6, PoseState.Held), (1, PoseState.Held), (2, PoseState.Current));
         HeadsetResult.OutageResult[] outages =

@@ -15,7 +15,7 @@ public class PoseCountTests
     }
 
     [Test]
-    public void Result_TimesNotCurrent_AreSummedFromTheFirstCurrentFrame()
+    public void Result_TimesNotCurrent_SumsThemFromTheFirstCurrentFrame()
     {
         Play(2, PoseState.Unsynchronised);
         Play(3, PoseState.Current);

@@ -24,7 +24,7 @@ public class PoseOutagesTests
     }
 
     [Test]
-    public void Add_JointWithoutData_IsReportedWithinASecondAndKeptAfterItsRepair()
+    public void Add_JointWithoutData_ReportsItWithinASecondAndKeepsTheOutage()
     {
         Play(5, true);
         Play(2, false, "joint a3: no data: node deleted", "a3");
@@ -40,7 +40,7 @@ public class PoseOutagesTests
     }
 
     [Test]
-    public void Add_LaterReason_IsReported()
+    public void Add_ReasonKnownLater_ReportsIt()
     {
         Play(5, true);
         Play(1, false);
@@ -66,7 +66,7 @@ public class PoseOutagesTests
     }
 
     [Test]
-    public void Add_JointsLoseTheirDataForTheSameReason_KeepsThem()
+    public void Add_MoreJointsWithTheSameReason_KeepsAllJoints()
     {
         Play(5, true);
         Play(1, false, "connection refused");
@@ -78,7 +78,7 @@ public class PoseOutagesTests
 
     [TestCase(0.3)]
     [TestCase(0.45)]
-    public void Add_ShortGap_IsIgnored(double seconds)
+    public void Add_ShortGap_ReportsNothing(double seconds)
     {
         Play(5, true);
         Play(seconds, false, "joint a3: no data", "a3");
@@ -90,7 +90,7 @@ public class PoseOutagesTests
 
     [TestCase(2.5, 0)]
     [TestCase(4, 1)]
-    public void Add_SlowStart_IsReported(double seconds, int lines)
+    public void Add_SlowStart_ReportsItAfterThreeSeconds(double seconds, int lines)
     {
         Play(seconds, false);
 

@@ -13,7 +13,7 @@ public class PoseStretchesTests
     PoseOutages _outages;
     int _frame;
 
-    // Display times are 1000 s ahead of the run's time.
+    // The control clock is 1000 s ahead of the time of the run.
     void Play(double seconds, PoseState state, double? errorMm = null)
     {
         for (var end = _frame + (int)(seconds * FramesPerSecond); _frame < end; _frame++)
@@ -53,7 +53,7 @@ public class PoseStretchesTests
     }
 
     [Test]
-    public void Result_Outage_SeparatesBeforeAndAfter()
+    public void Result_Outage_DividesTheRunIntoTwoStretches()
     {
         Play(5, PoseState.Current, errorMm: 1);
         Play(3, PoseState.Held, errorMm: 200);
@@ -73,7 +73,7 @@ public class PoseStretchesTests
     [TestCase(0.45, 1)]
     [TestCase(0.6, 2)]
     [TestCase(0.9, 2)]
-    public void Result_GapWithListedOutage_SeparatesStretches(double seconds, int count)
+    public void Result_GapWithReportedOutage_DividesTheStretch(double seconds, int count)
     {
         Play(5, PoseState.Current);
         Play(seconds, PoseState.Held);
@@ -85,7 +85,7 @@ public class PoseStretchesTests
 
     [TestCase(0.4)]
     [TestCase(3)]
-    public void Total_FramesNotCurrent_AreNotScored(double seconds)
+    public void Total_FramesNotCurrent_ExcludesThem(double seconds)
     {
         Play(4, PoseState.Current, errorMm: 1);
         Play(seconds, PoseState.Held, errorMm: 200);
@@ -98,7 +98,7 @@ public class PoseStretchesTests
     }
 
     [Test]
-    public void Total_PoseNeverCurrent_IsUnknown() => Assert.That(_stretches.Total, Is.Null);
+    public void Total_PoseNeverCurrent_IsNull() => Assert.That(_stretches.Total, Is.Null);
 
     [Test]
     public void AddError_FrameBeforeTheOutage_BelongsToTheEarlierStretch()
@@ -107,7 +107,7 @@ public class PoseStretchesTests
         Play(3, PoseState.Held);
         Play(1, PoseState.Current);
 
-        // The frame is judged only after samples have resumed.
+        // The error of a frame is known only after samples have resumed.
         _stretches.AddError(ControlTime.FromSeconds(1006.9), PoseState.Current, new ErrorSample(1, 1, 0, 0));
 
         Assert.That(_stretches.Result()[0].ToolErrorMm.Rms, Is.GreaterThan(50));

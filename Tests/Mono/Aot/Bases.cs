@@ -27,7 +27,7 @@ namespace Nowpose.Mono.Aot
             }
 
             Program.Require(tracker.State == BaseAnchorState.Locked, "locked: " + tracker.State);
-            Program.Require(Distance.Between(tracker.Base.Value, truth) < 1e-6, "the base is where the markers say");
+            Program.Require(Distance.Between(tracker.Base.Value, truth) < 1e-6, "the base is at its true pose");
         }
 
         static List<MarkerSighting> Seen(RigidTransform truth, HeadsetTime now) => Markers

@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Mono.Aot
 {
-    /// <summary>Runs every part of Core that might need code generation at run time. Exit status 1 if one fails.</summary>
+    /// <summary>Runs every part of Core that might need code generation at run time. The exit status is 1 if a part fails.</summary>
     static class Program
     {
         static int Main()

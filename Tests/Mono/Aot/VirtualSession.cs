@@ -13,7 +13,7 @@ using Nowpose.Tests.Core.Kinematics;
 
 namespace Nowpose.Mono.Aot
 {
-    /// <summary>A recorded session with a simulated youBot over good WiFi, at 60 fps in virtual time.</summary>
+    /// <summary>Runs and records a session with a simulated youBot over good WiFi, at 60 fps in virtual time.</summary>
     sealed class VirtualSession : IDisposable
     {
         const int FramesPerSecond = 60;
@@ -65,7 +65,7 @@ namespace Nowpose.Mono.Aot
                 File.Delete(path);
             }
             var ratio = Math.Sqrt(_squares / _holdSquares);
-            // Hold shows the newest sample, like an uncompensated headset. Every other predictor must remove half of its error.
+            // Hold shows the newest sample, like an uncompensated headset. Every other predictor must remove half of the error of hold.
             Program.Require(_holdSquares > 0 && (_predictor == "hold" ? ratio > 0.9 && ratio < 1.1 : ratio < 0.5), "error over that of hold: " + ratio);
         }
 

@@ -6,19 +6,24 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Mono.Cost
 {
-    /// <summary>Measures the time per sample and per frame of seven joints with the default predictor and with the paper's quadratic.</summary>
+    /// <summary>
+    /// Measures the time per sample and per frame of seven joints with the default predictor and with the paper's quadratic predictor.
+    /// </summary>
     /// <remarks>
-    /// Each run repeats the same samples with new predictors, and the time of each sample is its minimum over the runs. So the percentiles
-    /// show which samples cost more than others, and not what else the machine did.
+    /// Each run repeats the same samples with new predictors, and the time of each sample is its minimum over the runs. Therefore the
+    /// percentiles show which samples cost more than others, independent of other load on the machine.
     /// </remarks>
     static class Program
     {
         const int Runs = 10;
 
-        /// <summary>Maximum ratio of the medians to those of the quadratic; they are about 9 and 1.7.</summary>
+        /// <summary>Maximum ratios of the medians to those of the quadratic predictor. The measured ratios are about 9 and 1.7.</summary>
         const double MaxSampleRatio = 20, MaxFrameRatio = 5;
 
-        /// <summary>Maximum increase of the 99th percentile of a whole frame over that of the quadratic, in µs; it is about 75.</summary>
+        /// <summary>
+        /// Maximum increase of the 99th percentile of a whole frame over that of the quadratic predictor, in µs. The measured increase is
+        /// about 75 µs.
+        /// </summary>
         const double MaxIncrease = 250;
 
         /// <summary>Frames per second of a headset.</summary>
@@ -69,7 +74,7 @@ namespace Nowpose.Mono.Cost
                 sorted.Average(), sorted[sorted.Length * 99 / 100], sorted[sorted.Length - 1]);
         }
 
-        /// <summary>One predictor for each of seven joints, and the times of their samples and frames, µs.</summary>
+        /// <summary>Holds one predictor for each of seven joints, and the times of their samples and frames in µs.</summary>
         sealed class Arm
         {
             const int Samples = 3000;
@@ -77,7 +82,7 @@ namespace Nowpose.Mono.Cost
             const int Joints = 7;
             const int FramesPerSample = 3;
 
-            /// <summary>Time before the measured samples, in s: longer than any memory of the predictor.</summary>
+            /// <summary>Time in s before the measured samples. It is longer than the history that any predictor uses.</summary>
             const double SecondsSeen = 130;
 
             /// <summary>Time between the newest sample and the first frame that shows it, s.</summary>

@@ -7,9 +7,9 @@ using NUnit.Framework.Internal;
 namespace Nowpose.Tests
 {
     /// <summary>
-    /// Runs the tests of this assembly. Lists the failed tests and prints the counts. Exit status 1 if a test failed or none ran.
+    /// Runs the tests of this assembly, lists the failed tests and prints the counts. The exit status is 1 if a test failed or none ran.
     /// </summary>
-    /// <remarks>Leaves out the studies: they take minutes of arithmetic, and other tests run the same code.</remarks>
+    /// <remarks>Excludes the studies, because they take minutes and other tests run the same code.</remarks>
     static class Program
     {
         static readonly TestFilter WithoutStudies = TestFilter.FromXml("<filter><not><cat>Study</cat></not></filter>");

@@ -57,7 +57,7 @@ public class BaseAnchorDisplayTests
         _played.Cell.Run(3, _played.Session);
 
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Searching));
-        Assert.That(_played.Anchor.Words, Is.EqualTo("marker 'a' is seen too obliquely: go in front of it"));
+        Assert.That(_played.Anchor.Words, Is.EqualTo("marker 'a' is seen too obliquely: stand in front of it"));
     }
 
     [Test]
@@ -70,9 +70,9 @@ public class BaseAnchorDisplayTests
         _played.Cell.Run(1, _played.Session);
 
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Moved));
-        Assert.That(_played.Anchor.Words, Does.Match("^marker 'a', (49|50|51) mm, 0\\.\\d° from its expected place: put it back, or lock again$"));
+        Assert.That(_played.Anchor.Words, Does.Match("^marker 'a', (49|50|51) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
         Assert.That(_played.Anchor.transform.position, Is.EqualTo(before));
-        var said = _played.Cell.Player.Logs.Where(log => log.Message.Contains("from its expected place")).ToList();
+        var said = _played.Cell.Player.Logs.Where(log => log.Message.Contains("from its expected position")).ToList();
         Assert.That(said.Select(log => log.Type), Is.EqualTo(new[] { LogType.Warning }), "once");
     }
 

@@ -116,7 +116,7 @@ public sealed class LatencyProfileLoaderTests
         Play();
 
         Assert.That(VisuMs, Is.EqualTo(52));
-        Assert.That(_loader.Problem, Is.EqualTo(Saved + ": latency profile is of device 'HoloLens 2', this one is 'Stand-in'; calibrate this one"));
+        Assert.That(_loader.Problem, Is.EqualTo(Saved + ": latency profile was measured on device 'HoloLens 2', this device is 'Stand-in'; calibrate this device"));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + _loader.Problem));
     }
 
@@ -147,7 +147,7 @@ public sealed class LatencyProfileLoaderTests
 
         Assert.That(before, Is.EqualTo(51), "not compared while it was not known");
         Assert.That(VisuMs, Is.EqualTo(40));
-        Assert.That(_loader.Problem, Does.EndWith("latency profile was measured at 60 Hz, this display shows 90 Hz; calibrate at this rate"));
+        Assert.That(_loader.Problem, Does.EndWith("latency profile was measured at 60 Hz, this display shows 90 Hz; calibrate at this refresh rate"));
     }
 
     [Test]

@@ -77,7 +77,7 @@ public class DemoLoadTests
         foreach (var (second, delayMs) in new[] { (2.0, 90), (3.5, 9), (4.0, 8), (4.5, 41) })
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(second), Delay = TimeSpan.FromMilliseconds(delayMs) });
 
-        var (label, value) = new DemoDelayWords(frames).Rows.Single();
+        var (label, value) = new DemoDelayRows(frames).Rows.Single();
 
         Assert.That(label, Is.EqualTo("frames that began late"));
         Assert.That(value, Does.StartWith("2 of 3, by up to 41 ms: this machine was busy"));
@@ -91,7 +91,7 @@ public class DemoLoadTests
         for (var i = 0; i < 200; i++)
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(4), Delay = TimeSpan.FromMilliseconds(i < late ? 50 : 1) });
 
-        Assert.That(new DemoDelayWords(frames).Rows, Is.Empty);
+        Assert.That(new DemoDelayRows(frames).Rows, Is.Empty);
     }
 
     static double WhileLoaded(int seed)

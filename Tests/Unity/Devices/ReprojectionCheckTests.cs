@@ -1,5 +1,5 @@
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
+using Nowpose.Messages;
 using Nowpose.OpenXR;
 using Nowpose.Unity;
 using Nowpose.Unity.Status;
@@ -100,8 +100,8 @@ public sealed class ReprojectionCheckTests
         using var mended = new PlayedDisplay(_cell.Player);
         _cell.Run(3, _session);
 
-        Assert.That(panel, Does.Contain(DepthSubmissionWords.ProblemOf(broken)));
-        Assert.That(depth, Is.EqualTo(DepthSubmissionWords.NameOf(broken)));
+        Assert.That(panel, Does.Contain(DepthSubmissionMessages.ProblemOf(broken)));
+        Assert.That(depth, Is.EqualTo(DepthSubmissionMessages.NameOf(broken)));
         Assert.That(mode, Is.EqualTo(ReprojectionMode.Unknown));
         Assert.That(lines, Is.EqualTo(1));
         Assert.That(Lines("depth is submitted again"), Is.EqualTo(1));

@@ -181,7 +181,7 @@ public sealed class InspectorTests : EditorFixture
         GuiRecorder.Clear();
         panel.enabled = false;
         _played.Editors[0].OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shows: nothing, it is disabled"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shows: nothing; the component is disabled"));
     }
 
     [Test]

@@ -77,7 +77,7 @@ public sealed class SetupWindowTests : EditorFixture
         var texts = Draw();
 
         Assert.That(texts[2], Is.EqualTo("8 points are missing for an Android headset."));
-        Assert.That(texts, Does.Contain("✗ Internet Access is Require"));
+        Assert.That(texts, Does.Contain("✗ Internet Access is set to Require"));
         Assert.That(texts, Has.None.Contains("Capability"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "choosing what is listed switches nothing");
     }

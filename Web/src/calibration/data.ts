@@ -1,12 +1,12 @@
 import type { Fact, Value } from '../data';
 import type { PlotData } from '../paper/data';
 
-/** The page's data, as `CalibrationPage.Render` receives it. */
+/** Data of the page, as passed to `CalibrationPage.Render`. */
 export interface CalibrationData {
   title: string;
-  /** The result in one sentence. */
+  /** Result in one sentence. */
   result: string;
-  /** Warnings to read before the result is used. */
+  /** Warnings that a reader must know before using the result. */
   warnings: string[];
   facts: Fact[];
   sections: SectionData[];

@@ -1,4 +1,4 @@
-/** Texts of the page with the control clock's code. */
+/** Texts of the page that shows the control clock's code. */
 export const clockCodeMessages = {
   measuring: 'Measuring the refresh rate.',
   errorBound: (boundMs: number) => `Error bound: ± ${boundMs.toFixed(1)} ms.`,
@@ -16,9 +16,9 @@ export const clockCodeReasons = {
     `the error bound is ± ${boundMs.toFixed(1)} ms; it must be at most ± ${maxMs} ms; use a wired network or another browser`,
 };
 
-/** Captions of the codes for pairing. */
+/** Captions of the codes on the pairing page. */
 export const pairingLabels = {
   validFor: (time: string) => `valid for ${time}, or until a headset has used it`,
   marker: (name: string, size: string, offset: string, modules: number, text: string) =>
-    `${name} · edge of the code ${size} mm · in the base frame ${offset} (m, °) · ${modules} modules · ${text}`,
+    `${name} · edge of the code ${size} mm · pose in the base frame ${offset} (m, °) · ${modules} modules · ${text}`,
 };

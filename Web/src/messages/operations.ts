@@ -1,4 +1,4 @@
-/** Texts of the operations page where there is nothing to show. */
+/** Texts of the operations page in place of empty tables. */
 export const emptyMessages = {
   adapters: 'No adapter runs: joint positions come from the gateway itself, or from other rosbridge clients.',
   joints: 'No joint is configured, and no joint positions have arrived.',
@@ -17,7 +17,7 @@ export const operationsMessages = {
   loggedOut: 'Log in to see the state of the gateway.',
   stateNotReported: 'Not known: the gateway does not report its state.',
   noState: 'Not known: the gateway sends no state to this page.',
-  /** @param shownAt Time of the data that are still shown; empty for none. */
+  /** @param shownAt Time of the data that the page still shows; empty if it shows none. */
   noNewState: (reason: string, shownAt: string) => (shownAt === '' ? ended(reason) : `${ended(reason)} The data shown are from ${shownAt}.`),
   beyondLimits: (joints: string[]) =>
     `Outside the limits of the robot description, and drawn at the limit: ${joints.join(', ')}. `
@@ -39,21 +39,21 @@ export const operationsLabels = {
   recordingDeleted: 'the file was deleted',
 };
 
-/** Meaning of the hops of the latency. */
+/** Explanations of the hops that add up to the latency. */
 export const hopMeanings = {
-  plant: 'from the sample to its arrival at the gateway',
+  plant: 'from taking the sample to its arrival at the gateway',
   gateway: 'within the gateway',
-  network: 'half the round trip',
-  queue: 'time in queues',
-  render: 'the render job',
+  network: 'half of the round-trip time',
+  queue: 'waiting in queues',
+  render: 'duration of the render job',
   display: 'from the rendered frame until its light reaches the eye',
 };
 
 /** Descriptions of the plots for screen readers. */
 export const livePlotDescriptions = {
-  latency: 'Latencies of the shown headset over the last two minutes.',
+  latency: 'Latencies of the selected headset over the last two minutes.',
   clock: 'Error bounds of the clocks over the last two minutes.',
-  error: 'Tool error of the shown headset over the last two minutes, as measured by the headset.',
+  error: 'Tool error of the selected headset over the last two minutes, as measured by the headset.',
   rate: 'Joint position messages per second over the last two minutes, from the fastest and the slowest source.',
 };
 

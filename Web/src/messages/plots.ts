@@ -3,7 +3,7 @@ import { format } from '../numbers';
 /** Texts of the plots and the tables of all pages. */
 export const plotMessages = {
   howToUse:
-    'Drag across a plot to zoom, double-click to reset, point at it to read values; '
+    'Drag across a plot to zoom, double-click to reset, point at a curve to read values; '
     + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.',
   keys: 'Arrow keys move the cursor, plus and minus zoom, 0 resets.',
   notMeasured: 'Not measured in this run.',
@@ -15,12 +15,12 @@ export const plotLabels = { numbers: 'Numbers of this plot', toolError: 'Tool er
 
 /** Descriptions of the report's plots for screen readers. Each ends with the values, as complete sentences. */
 export const plotDescriptions = {
-  error: (values: string) => `Distance between the drawn and the true tool over time. ${values}`,
+  error: (values: string) => `Distance between the displayed and the true position of the tool over time. ${values}`,
   joint: (joint: string, values: string) => `Position of joint ${joint} over control time. ${values}`,
   field: (values: string) => `Operating points by latency and speed with curves of equal error. ${values}`,
-  clockOffset: (values: string) => `Clock offset relative to the first estimate, over time. ${values}`,
-  clockError: (values: string) => `Error of the clock offset with its bound, over time. ${values}`,
+  clockOffset: (values: string) => `Clock offset over time, relative to the first estimate. ${values}`,
+  clockError: (values: string) => `Error of the clock offset over time, with its bound. ${values}`,
   ofEachFrame: (quantity: string, values: string) => `${quantity} of each frame over time. ${values}`,
   latency: (count: number, fromMs: number, toMs: number, mostMs: number) =>
-    `Histogram of the application latency of ${format(count)} samples from ${format(fromMs)} to ${format(toMs, 'ms')}, most at ${format(mostMs, 'ms')}.`,
+    `Histogram of the application latency of ${format(count)} samples from ${format(fromMs)} to ${format(toMs, 'ms')}, most frequent at ${format(mostMs, 'ms')}.`,
 };

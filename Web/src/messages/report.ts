@@ -7,7 +7,7 @@ const ARTICLE =
   'M. Schnierle, S. Röck, “Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems”, '
   + `Production Engineering (2022), ${PAPER}`;
 
-/** The source of the method, by page. */
+/** Credits for the method at the end of each page. */
 export const creditMessages = {
   report: `Method: ${ARTICLE}. Made by Nowpose.`,
   figures: `The figures’ numbers and claims are those of ${ARTICLE} (CC BY 4.0). All data are computed by this run. Made by Nowpose.`,
@@ -17,28 +17,28 @@ export const creditMessages = {
 /** Texts of the report. */
 export const reportMessages = {
   uncompensatedAndCompensated:
-    'Uncompensated: the tool is drawn at the newest position that has arrived. Compensated: it is drawn '
-    + 'at the position predicted for the moment at which the light of the picture reaches the eye.',
-  playback: 'The cell at one moment of the session; plots and playback move together.',
+    'Uncompensated: the tool is drawn at the newest position that has arrived. Compensated: the tool is drawn '
+    + 'at the position predicted for the time at which the light of the frame reaches the eye.',
+  playback: 'The cell at one moment of the session. Plots and playback show the same moment.',
   toolError: (compensatedMm: number | null, heldMm: number | null) =>
-    `The tool is drawn ${format(compensatedMm, 'mm')} from where it was; without compensation ${format(heldMm, 'mm')}.`,
+    `The displayed tool is ${format(compensatedMm, 'mm')} from its true position; without compensation ${format(heldMm, 'mm')}.`,
   workpieceError: (compensatedMm: number | null, heldMm: number | null) =>
-    `Workpieces: at most ${format(compensatedMm, 'mm')}, without compensation ${format(heldMm, 'mm')}.`,
-  pointsBeyond: (count: number) => `${count} of the points lie beyond the plot.`,
+    `Workpieces: the largest distance is ${format(compensatedMm, 'mm')}; without compensation ${format(heldMm, 'mm')}.`,
+  pointsBeyond: (count: number) => `${count} of the points are outside the plot.`,
   errorBeyond: (extentUs: number, widestUs: number) =>
-    `The error is shown up to ${format(extentUs, 'µs')}; it or its bound reaches ${format(widestUs, 'µs')}.`,
+    `The plot shows errors up to ${format(extentUs, 'µs')}; the error or its bound reaches ${format(widestUs, 'µs')}.`,
 };
 
-/** The statements that the figures of the report show. */
+/** Statements that the figures of the report support. */
 export const claimMessages = {
   error: 'Without compensation, the displayed tool lags behind the robot. With compensation, it stays close to the robot.',
-  joint: 'Samples arrive late and in steps; the prediction follows the ground truth and deviates where the acceleration changes.',
+  joint: 'Samples arrive late and in steps. The prediction follows the true motion and deviates from it where the acceleration changes.',
   field:
-    'Error is speed times latency: compensation takes the operating points towards zero latency, across the curves of equal error, at the same speed.',
+    'The error is speed times latency. Compensation moves the operating points towards zero latency at the same speed, across the curves of equal error.',
   clock:
     'The headset estimates the offset between its clock and the control clock over the network, with an error bound; '
     + 'the paper reports less than 1 ms.',
-  latency: 'The latency varies: compensation uses the measured latency of each sample, not the mean.',
+  latency: 'The latency varies. Compensation uses the measured latency of each sample, not the mean.',
   range:
     'While frames are rendered within the limit, the visualisation latency stays as calibrated. Beyond it, frames miss the display’s '
     + 'refresh, which the headset reports (shaded).',
@@ -60,5 +60,5 @@ export const figuresLabels = {
   claimsAndRun: 'The paper’s claims and this run',
   claims: 'Claims of the paper and whether they hold in this run',
   figures: 'Figures of the paper and whether their claims hold',
-  conditions: 'Conditions of all figures, unless one says otherwise',
+  conditions: 'Conditions of all figures unless stated otherwise',
 };

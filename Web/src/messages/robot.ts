@@ -2,8 +2,8 @@ import { format } from '../numbers';
 
 /** Descriptions of the views of the robot for screen readers. */
 export const robotDescriptions = {
-  session: 'The robot of this session as it was, as it was displayed, and without compensation, at one moment.',
-  live: 'The robot as it was half a second ago, and what the shown headset displayed for the same moment.',
+  session: 'The robot of this session at one moment: its true pose, the displayed pose, and the pose without compensation.',
+  live: 'The true pose of the robot half a second ago, and the pose that the selected headset displayed at that time.',
 };
 
 /** Texts of the views of the robot. */
@@ -11,20 +11,23 @@ export const robotMessages = {
   keys: 'Arrow keys turn the view, plus and minus zoom, 0 resets; or drag, and double-click.',
   noWebGl: 'This browser has no WebGL, so the robot is not drawn. Everything else on this page works.',
   notShown: (reason: string) => `The robot cannot be shown: ${reason}.`,
-  meshesReplaced: (count: number) => `Lines replace ${count} ${count === 1 ? 'part' : 'parts'} of the robot whose meshes are not on this page.`,
+  meshesReplaced: (count: number) =>
+    `Lines replace ${count} ${count === 1 ? 'part' : 'parts'} of the robot, because meshes are not part of this page.`,
   noDescription: 'No robot description has arrived.',
-  onlyOtherRobots: 'The robots in namespaces are drawn without the poses of headsets.',
+  onlyOtherRobots: 'Robots in namespaces are drawn only at their true poses, without the poses of headsets.',
   late: 'Joint positions arrive too late for a comparison.',
   noHeadset: 'No headset is shown.',
   toolUnknown: 'The position of the tool is not known, because the position of a joint is not known.',
-  /** @param displayedMm Null if the headset does not report it, as for `heldMm`. */
+  /** @param displayedMm Null if the headset does not report it. The same applies to `heldMm`. */
   toolError: (headset: string, displayedMm: number | null, heldMm: number | null) => {
     const shown =
-      displayedMm == null ? `${headset} does not report what it displays` : `${headset} shows the tool ${apart(displayedMm)} from where it was`;
+      displayedMm == null
+        ? `${headset} does not report the displayed pose`
+        : `${headset} displays the tool ${apart(displayedMm)} from its true position`;
     return heldMm == null ? `${shown}.` : `${shown}; without compensation ${heldMm < 0.1 ? '' : 'about '}${apart(heldMm)}.`;
   },
   /** @param joints The joints, each with the reason from `jointReasons`. */
-  linksNotDrawn: (joints: string[]) => `${joints.join(', ')}: the links below are not drawn.`,
+  linksNotDrawn: (joints: string[]) => `${joints.join(', ')}: links below these joints are not drawn.`,
 };
 
 /** Reasons why the position of a joint is not known. */
@@ -36,5 +39,5 @@ export const jointReasons = {
 /** Reasons why a robot cannot be shown. */
 export const robotReasons = { notUrdf: 'the robot description is not a URDF' };
 
-// Predictions are not accurate enough for smaller differences.
+// Smaller differences are not meaningful, because predictions are not that accurate.
 const apart = (mm: number) => (mm < 0.1 ? 'less than 0.1\u00a0mm' : format(mm, 'mm'));

@@ -4,7 +4,7 @@ import { format } from '../numbers';
 import { type Column, LiveTable } from './liveTable';
 import { type Headset, HOPS } from './state';
 
-/** Latency of each headset by hop, as numbers and as a bar. */
+/** Shows how the latency of each headset is composed, as numbers and as a bar. */
 export class Budget {
   readonly element: HTMLElement;
   private readonly bars = new Map<string, HTMLElement>();
@@ -44,7 +44,7 @@ export class Budget {
   }
 }
 
-/** Returns the sum of the known hops; null if none is known. */
+/** Returns the sum of the known parts of a headset's latency; null if none is known. */
 function totalOf(headset: Headset): number | null {
   const known = HOPS.map(hop => headset.budget_ms?.[hop]).filter((v): v is number => v != null);
   return known.length === 0 ? null : known.reduce((a, b) => a + b, 0);

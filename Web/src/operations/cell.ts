@@ -9,7 +9,7 @@ const FAULTS = ['refused', 'fault', 'missing'];
 
 const levelOf = (state: string) => (state === 'live' || state === 'stationary' ? 'ok' : FAULTS.includes(state) ? 'error' : 'warning');
 
-/** Tables of the cell's objects and signals. */
+/** Shows the cell's objects and signals in two tables. */
 export class Cell {
   readonly element: HTMLElement;
   private readonly frames = new LiveTable<CellFrame>(

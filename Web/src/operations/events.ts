@@ -5,7 +5,7 @@ import { eventWords } from './overall';
 import type { StatusEvent } from './state';
 import { lengthWords, localTime } from './times';
 
-/** Table of the faults with start and end, active ones first. */
+/** Shows the faults with their start and end in a table. Active faults come first. */
 export class Events {
   readonly element: HTMLElement;
   private readonly table = new LiveTable<StatusEvent>(

@@ -5,7 +5,7 @@ import { LiveTable } from './liveTable';
 import { type Headset, numberOf, textOf } from './state';
 import { stateWords } from './terms';
 
-/** Time without a report after which a headset's values are outdated. */
+/** Time without a report after which the values of a headset count as outdated. */
 const SILENT_S = 3;
 
 const number = (label: string, key: string, digits = (v: number) => v) => ({
@@ -17,7 +17,7 @@ const number = (label: string, key: string, digits = (v: number) => v) => ({
   },
 });
 
-/** Table of the headsets' diagnostics. One headset is selected for the plots and the view of the robot. */
+/** Shows the diagnostics of the headsets in a table. One headset is selected for the plots and the view of the robot. */
 export class Headsets {
   readonly element: HTMLElement;
   private chosenName: string | null = null;
@@ -77,7 +77,7 @@ function stateOf(headset: Headset): string {
   return headset.seen_s_ago > SILENT_S ? `silent for ${Math.round(headset.seen_s_ago)} s` : withError(headset, 'state') || 'not known';
 }
 
-/** Returns a state of the clock or the pose, with its ± if it is coarse. */
+/** Returns a state of clock or pose. For the state coarse, adds the stated error. */
 function withError(headset: Headset, key: string): string {
   return stateWords(textOf(headset, key), numberOf(headset, 'estimated_error_us'), numberOf(headset, 'error_bound_us'));
 }

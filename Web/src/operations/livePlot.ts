@@ -6,7 +6,7 @@ import { format } from '../numbers';
 import { colour } from '../theme';
 import type { Look } from '../traces';
 
-/** Length of the shown history, in seconds. */
+/** Length of the displayed history, in seconds. */
 export const WINDOW_S = 120;
 
 export interface LiveTrace {
@@ -14,7 +14,7 @@ export interface LiveTrace {
   look: Look;
 }
 
-/** Values of the last two minutes, one per trace and second. */
+/** Plots the last two minutes, with one value per trace and second. */
 export class LivePlot {
   readonly element: HTMLElement;
   private readonly chart: Chart;
@@ -66,7 +66,7 @@ export class LivePlot {
     if ((this.chart.plot.cursor.left ?? -1) < 0) this.showValues(null);
   }
 
-  /** Clears the plot, for another headset. */
+  /** Clears the plot when another headset is selected. */
   clear(): void {
     this.times = [];
     this.values = this.traces.map(() => []);
@@ -78,7 +78,7 @@ export class LivePlot {
     return [this.times.map(t => t - now), ...this.values] as uPlot.AlignedData;
   }
 
-  // Shows the newest values if the cursor is outside of the plot.
+  // Shows the newest values if the cursor is outside the plot.
   private showValues(at: number | null): void {
     const i = at ?? this.times.length - 1;
     const { plot } = this.chart;

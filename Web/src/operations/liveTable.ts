@@ -4,17 +4,17 @@ import { term } from './terms';
 
 export interface Column<T> {
   label: string;
-  /** Returns the cell's text. */
+  /** Returns the text of the cell. */
   cell: (item: T) => string;
-  /** Whether to align to the right. */
+  /** Whether the text is aligned to the right. */
   isNumber?: boolean;
-  /** Whether the text may wrap. */
+  /** Whether the text can wrap. */
   isLong?: boolean;
-  /** Returns the level for the style: the cell becomes a badge with an icon, unless it is empty. */
+  /** Returns the level, which determines the style. The cell becomes a badge with an icon unless the level is empty. */
   level?: (item: T) => string;
 }
 
-/** A table that keeps its rows' elements while their text changes, so that focus and reading position are kept. */
+/** A table that reuses the elements of its rows when the text changes, so that focus and scroll position are kept. */
 export class LiveTable<T> {
   readonly element: HTMLElement;
   private readonly table: HTMLTableElement;
@@ -23,8 +23,8 @@ export class LiveTable<T> {
 
   /**
    * @param key Returns the unique key of a row.
-   * @param head Creates the content of a row's first cell, once per row.
-   * @param noteOf Returns text too long for a column, shown as a line below the row unless it is empty.
+   * @param head Creates the content of a row's first cell. Called once per row.
+   * @param noteOf Returns text that is too long for a column. It is shown in a line below the row unless it is empty.
    */
   constructor(
     private readonly caption: string,
@@ -65,7 +65,7 @@ export class LiveTable<T> {
     if (present !== body) this.table.insertBefore(body, present ?? null);
     this.columns.forEach((column, i) => {
       const level = column.level?.(item) ?? '';
-      // The badge is an element within the cell, so that the cell keeps its role in the table.
+      // The badge is a separate element within the cell, so that the cell keeps its role in the table.
       const badge = column.level ? cells[i].firstElementChild! : cells[i];
       if (column.level) badge.className = level ? `level ${level}` : '';
       setText(badge, column.cell(item));
@@ -75,7 +75,7 @@ export class LiveTable<T> {
     note.hidden = text === '';
   }
 
-  // Each item has a table body, so that its note moves with it.
+  // Each item has its own table body, so that its note moves together with it.
   private entryOf(key: string) {
     const cells = this.columns.map(c => el('td', { class: c.isNumber ? 'n' : c.isLong ? 'long' : null }, c.level ? el('span') : null));
     const note = el('tr', { class: 'note', hidden: true }, el('td', { colspan: 1 + cells.length }, el('p')));
@@ -83,7 +83,7 @@ export class LiveTable<T> {
   }
 }
 
-/** Sets text only if it has changed, so that screen readers do not repeat it. */
+/** Sets the text only if it has changed, so that screen readers do not repeat it. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

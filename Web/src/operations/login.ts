@@ -1,15 +1,15 @@
 import { byId } from '../pairing/elements';
 import { ask } from './state';
 
-// Remembers that a user has logged in here, because scripts cannot read the cookie itself.
+// Key that records a login in this browser, because scripts cannot read the cookie.
 const REMEMBERED = 'nowpose-logged-in';
 
-/** The log-in form, shown if the gateway requires a token. */
+/** The login form, which is shown if the gateway requires a token. */
 export class Login {
   private readonly form = byId<HTMLFormElement>('login');
   private readonly token = byId<HTMLInputElement>('token-text');
 
-  /** @param changed Called when the user has logged in or out. */
+  /** @param changed Called after the user has logged in or out. */
   constructor(changed: () => void) {
     this.form.addEventListener('submit', event => {
       event.preventDefault();
@@ -22,7 +22,7 @@ export class Login {
   /** @param isNeeded Whether the gateway refused the request. */
   show(isNeeded: boolean): void {
     if (this.form.hidden === !isNeeded) return;
-    // Moves the focus before its element is hidden; otherwise it would go to the top of the page.
+    // Moves the focus before its element is hidden. Otherwise, the focus would move to the top of the page.
     if (!isNeeded && this.form.contains(document.activeElement)) byId('content').focus();
     this.form.hidden = !isNeeded;
     if (isNeeded) this.remember(false);

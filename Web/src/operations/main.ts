@@ -21,7 +21,7 @@ import { ask, type State } from './state';
 
 const POLL_MS = 1000;
 
-/** Polling interval while no user is logged in: the gateway refuses, counts and logs each request. */
+/** Polling interval while no user is logged in. It is long because the gateway refuses, counts and logs each request. */
 const REFUSED_POLL_MS = 10_000;
 
 const link = new Rosbridge();
@@ -36,7 +36,7 @@ const recordings = new Recordings();
 const headsets = new Headsets(() => plots.chooseAnother());
 const recorder = new Recorder(() => void read());
 const login = new Login(() => {
-  // Reconnects, because the permissions have changed.
+  // Reconnects, because the login has changed the permissions.
   link.close();
   void read().then(() => wake());
 });
@@ -69,7 +69,7 @@ let asked = 0;
 async function read(): Promise<void> {
   const own = ++asked;
   const answer = await ask<State>('state');
-  // A newer request after a login or logout has made this one stale.
+  // A newer request, after a login or logout, has made this answer obsolete.
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;
   login.show(isRefused);
@@ -118,7 +118,7 @@ function show(state: State): void {
   events.show(state.events ?? []);
 }
 
-// Marks the data on the page as stale, so that they are not mistaken for current ones.
+// Marks the data on the page as stale, so that they are not mistaken for current data.
 function lose(why: string): void {
   byId('content').classList.add('stale');
   overall.lose();

@@ -5,7 +5,7 @@ import { JointTracks } from '../robot/tracks';
 import type { Beside } from '../robot/view';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
 
-/** As in the protocol: the gateway accepts no more robots. */
+/** Maximum number of robots. The gateway's limit is the same. */
 const MAX_ROBOTS = 16;
 
 interface Robot {
@@ -13,14 +13,14 @@ interface Robot {
   tracks: JointTracks;
 }
 
-/** The robots in namespaces at their true positions. A namespace is known from the names of its joints. */
+/** Draws the true poses of robots in namespaces. The names of joints contain the namespaces. */
 export class OtherRobots implements Beside {
   readonly group = new Group();
   private readonly robots = new Map<string, Robot>();
 
   /**
-   * @param keepS Length of the kept positions, s.
-   * @param sampled Called with the stamp of each sample.
+   * @param keepS Length of the stored history, s.
+   * @param sampled Called with the time stamp of each sample.
    */
   constructor(
     private readonly link: Rosbridge,
@@ -28,12 +28,12 @@ export class OtherRobots implements Beside {
     private readonly sampled: (stamp: number) => void,
   ) {}
 
-  /** Whether any of them is drawn. */
+  /** Whether at least one robot is drawn. */
   get isAnyShown(): boolean {
     return [...this.robots.values()].some(({ bodies }) => bodies?.isShown('truth'));
   }
 
-  /** @param joints Names of all joints of the gateway, those of a robot in a namespace with it: arm1/elbow. */
+  /** @param joints Names of all joints of the gateway. The name of a joint in a namespace starts with it, for example arm1/elbow. */
   setJoints(joints: string[]): void {
     for (const joint of joints) {
       const end = joint.indexOf('/');
@@ -41,13 +41,13 @@ export class OtherRobots implements Beside {
     }
   }
 
-  /** Gets the pose of a link in the world by its name with the namespace; null for an unknown one. */
+  /** Returns the pose of a link in the world. The name includes the namespace. Null if there is no such link. */
   linkOf(name: string): Matrix4 | null {
     const end = name.indexOf('/');
     return end < 0 ? null : (this.robots.get(name.slice(0, end))?.bodies?.linkOf('truth', name.slice(end + 1)) ?? null);
   }
 
-  /** @param isGood Whether a joint's newest position is current. */
+  /** @param isGood Returns whether the newest position of a joint is current. */
   pose(time: number, frames: Frames, isGood: (joint: string) => boolean): void {
     for (const [name, { bodies, tracks }] of this.robots) {
       if (!bodies) continue;
@@ -90,7 +90,7 @@ export class OtherRobots implements Beside {
       robot.bodies = new Bodies(data);
       this.group.add(robot.bodies.group);
     } catch {
-      // The headsets report a description that cannot be read.
+      // Ignores a description that cannot be read, because the headsets report it.
     }
   }
 }

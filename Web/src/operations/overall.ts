@@ -8,7 +8,7 @@ import { localTime } from './times';
 const WORDS: Record<Level | 'unknown', string> = { ok: 'OK', warning: 'Warning', error: 'Fault', unknown: 'Not known' };
 const MOST_ALARMS = 8;
 
-/** The title, the status line and the alarms at the top of the page. */
+/** Shows title, status line and alarms at the top of the page. */
 export class Overall {
   private readonly line = byId('status');
   private readonly alarms = byId('alarms');
@@ -23,7 +23,7 @@ export class Overall {
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 
-  /** Shows the state as unknown when the gateway does not answer. */
+  /** Shows the state as unknown, because the gateway does not answer. */
   lose(): void {
     document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
     this.setLine('unknown', operationsMessages.noState);
@@ -50,7 +50,7 @@ export class Overall {
   }
 }
 
-/** Returns an event as text: fault, place, reason and remedy. Older gateways send only the parts. */
+/** Returns the text of an event: fault, place, reason and remedy. Older gateways send only the parts. */
 export function eventWords({ kind, which, what, reason, text }: StatusEvent): string {
   return text ?? `${kind} ${which} ${what}${reason ? `: ${reason}` : ''}`;
 }

@@ -1,7 +1,7 @@
 import { byId } from '../pairing/elements';
 import { startToken } from '../pairing/token';
 
-/** Shows the secret pairing code only on request, because any person who sees the screen could use it. */
+/** Shows the pairing code only on request. The code is secret, and anyone who sees the screen could use it. */
 export function startPairing(): void {
   const button = byId('show-code');
   let stop: (() => void) | null = null;

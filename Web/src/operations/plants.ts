@@ -7,7 +7,7 @@ import { type Joint, numberOf, type PlantClock, type Source, type State, textOf,
 import { stateWords } from './terms';
 import { lengthWords, localTime } from './times';
 
-/** Time without a report after which an adapter is silent. Adapters report once per second. */
+/** Time without a report after which an adapter counts as silent. Adapters report once per second. */
 const SILENT_S = 3;
 
 const KEY = '\u0000';
@@ -22,7 +22,7 @@ const count = (label: string, key: string) => ({
   cell: (words: Words) => format(typeof words[key] === 'number' ? (words[key] as number) : null),
 });
 
-/** Tables of the plants: adapters, joints, sources and clocks. */
+/** Shows the plants in tables: adapters, joints, sources and clocks. */
 export class Plants {
   readonly element: HTMLElement;
   private readonly adapters = new LiveTable<Words>(
@@ -111,12 +111,12 @@ export class Plants {
   }
 }
 
-/** Returns the reason of the joint's state, and why a rest is uncertain. */
+/** Returns the reason of a joint's state, and the reason why its rest is uncertain. */
 function jointNote({ reason, uncertain }: Joint): string {
   return uncertain && !reason.includes(uncertain) ? [reason, uncertain].filter(Boolean).join('; ') : reason;
 }
 
-/** Returns why an adapter is not connected, and its counts of refused values by reason. */
+/** Returns the reason why an adapter is not connected, and the number of refused values for each reason. */
 function adapterNote(adapter: Words): string {
   const refused = Object.keys(adapter).filter(key => key.startsWith('refused/') && numberOf(adapter, key));
   const counts = refused.map(key => `${key.slice('refused/'.length)} ${format(numberOf(adapter, key))}`);
@@ -127,7 +127,7 @@ function adapterNote(adapter: Words): string {
 export function clockWords({ clock }: State): string {
   if (!clock) return 'not known';
   const source = clock.source === 'own' ? 'the gateway’s own' : `of ${clock.source}`;
-  // The gateway's own clock is not compared with another one, and the state of a coarse clock contains its ±.
+  // For a coarse clock, the state already contains the error. The gateway's own clock has no error.
   const isFine = clock.state !== 'coarse';
   const error = clock.estimated_error_us && isFine ? `, ±\u00a0${format(clock.estimated_error_us, 'µs')}` : '';
   const bound = clock.error_bound_us && isFine ? `, within ${format(clock.error_bound_us, 'µs')}` : '';

@@ -6,7 +6,7 @@ import { numberOf, type State } from './state';
 
 const DASHED = { ink: '--quadratic', width: 2, dash: [8, 4] } as const;
 
-/** Plots of the chosen headset and the plant over the last two minutes. */
+/** Plots the selected headset and the plant over the last two minutes. */
 export class Plots {
   readonly element: HTMLElement;
   private readonly latency = new LivePlot(livePlotDescriptions.latency, 'latency (ms)', 'ms', [
@@ -31,7 +31,7 @@ export class Plots {
     this.element = el('div', { class: 'plots' }, ...[this.latency, this.clock, this.error, this.rate].map(plot => plot.element));
   }
 
-  /** @param time Time of this machine, in seconds. */
+  /** @param time Local time in seconds. */
   add(time: number, state: State, chosen: string | null): void {
     const headset = state.headsets?.find(h => h.name === chosen);
     const of = (key: string) => (headset ? numberOf(headset, key) : null);

@@ -4,12 +4,12 @@ import { byId } from '../pairing/elements';
 import { setText } from './liveTable';
 import { ask, type Recording, type State } from './state';
 
-/** Switches the recorder on and off, and shows what it writes. */
+/** Starts and stops the recorder, and shows its state. */
 export class Recorder {
   private readonly button = byId<HTMLButtonElement>('record');
   private isOn = false;
 
-  /** @param changed Called after a change, to request the state again. */
+  /** @param changed Called after a change; requests the state again. */
   constructor(changed: () => void) {
     this.button.addEventListener('click', () => void this.turn(changed));
   }

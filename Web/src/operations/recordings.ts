@@ -8,7 +8,7 @@ import { localTime } from './times';
 
 const POLL_MS = 5000;
 
-/** List of the recordings in the gateway's folder with sizes and downloads, for operators. */
+/** Lists the recordings in the gateway's folder with their sizes and download links. Only for operators. */
 export class Recordings {
   private readonly note = byId('recordings-note');
   private readonly table = new LiveTable<StoredRecording>(

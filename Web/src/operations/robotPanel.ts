@@ -11,18 +11,18 @@ import { OtherRobots } from './otherRobots';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
 import { type Headset, type Joint, numberOf } from './state';
 
-/** Age of the shown state. By then, the neighbouring samples and the headset's displayed pose have arrived. */
+/** Age of the displayed state, in seconds. After this time, the following samples and the headset's report have arrived. */
 const BEHIND_S = 0.5;
 const KEEP_S = 5;
 const TRANSFORMS = 'tf2_msgs/msg/TFMessage';
 const NUMBERS_MS = 500;
 
-/** Interval of the pictures: smooth to the eye, with half the work of the maximum rate. */
+/** Interval between pictures. The motion looks smooth, with half the work of the maximum rate. */
 const PICTURE_MS = 30;
 
 const seconds = () => performance.now() / 1000;
 
-/** View of the true robot half a second ago, and of the pose that the chosen headset displayed at that time. */
+/** Shows the true robot half a second ago, and the pose that the selected headset displayed at that time. */
 export class RobotPanel {
   readonly element: HTMLElement;
   private readonly view = new RobotView(robotDescriptions.live);
@@ -34,7 +34,7 @@ export class RobotPanel {
   private readonly clock = new LiveClock();
   private readonly others: OtherRobots;
   private headset: Headset | null = null;
-  /** For each joint whose newest position is not current, the reason. */
+  /** Reason for each joint whose newest position is not current. */
   private faults = new Map<string, string>();
   private shownAt = 0;
   private drawn = 0;
@@ -42,7 +42,7 @@ export class RobotPanel {
   constructor(link: Rosbridge, isCalm: boolean) {
     this.element = el('div', {}, this.words, this.unknown, this.view.element);
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
-    // Fast enough for the eye at any plant rate. Several messages may be queued, because arm and gripper often publish separately.
+    // The rate is sufficient for a smooth motion. The queue allows several messages, because arm and gripper are often published separately.
     link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
     link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false), 0, 8);
     link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true), 0, 256);
@@ -54,13 +54,13 @@ export class RobotPanel {
     else this.animate();
   }
 
-  /** Chooses the headset whose displayed pose is drawn over the robot. */
+  /** Selects the headset whose displayed pose is drawn over the robot. */
   choose(headset: Headset | null): void {
     if (headset?.name !== this.headset?.name) this.displayed = new JointTracks(KEEP_S);
     this.headset = headset;
   }
 
-  /** Sets the joints' states at the gateway. Links below a joint that is neither live nor at rest are not drawn. */
+  /** Sets the states of the joints. Links below a joint that is neither live nor at rest are not drawn. */
   setJoints(joints: Joint[]): void {
     const isGood = (joint: Joint) => joint.state === 'live' || joint.state === 'rest';
     const good = new Set(joints.filter(isGood).map(joint => joint.name));
@@ -119,12 +119,12 @@ export class RobotPanel {
     if (performance.now() - this.shownAt < NUMBERS_MS) return;
     this.shownAt = performance.now();
     this.showUnknown(bodies.joints, new Set(poses.truth?.names));
-    // After the last sample, the true position is not known.
+    // The true position is not known after the last sample.
     if ((this.truth.last ?? 0) < time) setText(this.words, robotMessages.late);
     else this.showDistances(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
 
-  // Names the joints without a current position: a joint at 0 or at its last position must not be mistaken for the truth.
+  // Names the joints without a current position. A joint that is drawn at 0 or at its last position could be mistaken for the truth.
   private showUnknown(all: string[], received: Set<string>): void {
     const reasons = all
       .filter(joint => !received.has(joint) || this.faults.has(joint))
@@ -133,13 +133,13 @@ export class RobotPanel {
     setText(this.unknown, reasons.length === 0 ? '' : robotMessages.linksNotDrawn(reasons));
   }
 
-  // Returns null for a headset without recent reports.
+  // Returns the displayed pose; null if the headset has not reported recently.
   private recent(time: number) {
     const { last } = this.displayed;
     return last === undefined || last < time - 0.5 ? null : this.displayed.at(time);
   }
 
-  // Returns the newest samples that had arrived by then, according to the latencies that the headset measured.
+  // Returns the newest samples that had arrived at that time, computed from the latencies that the headset measured.
   private held(time: number) {
     const late = this.headset && [numberOf(this.headset, 'l_app_ms'), numberOf(this.headset, 'l_visu_ms')];
     return !late || late[0] == null || late[1] == null ? null : this.truth.heldAt(time - (late[0] + late[1]) / 1000);

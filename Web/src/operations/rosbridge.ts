@@ -3,7 +3,7 @@ const MAX_WAIT_MS = 5000;
 
 export const JOINT_STATE = 'sensor_msgs/msg/JointState';
 
-/** A control time in seconds, and the joint positions at that time. */
+/** Joint positions at a control time in seconds. */
 export interface JointState {
   stamp: number;
   frame: string;
@@ -18,7 +18,7 @@ interface Topic {
   take: (text: string) => void;
 }
 
-/** Connection to the gateway's rosbridge, which reconnects automatically. Read only: this page publishes nothing. */
+/** Connection to the gateway's rosbridge. It reconnects automatically. This page only subscribes and publishes nothing. */
 export class Rosbridge {
   private readonly topics = new Map<string, Topic>();
   private socket: WebSocket | null = null;
@@ -26,13 +26,13 @@ export class Rosbridge {
   private timer = 0;
   private isWanted = false;
 
-  /** @param take Receives each message as text, so that it does not need to be parsed completely. */
+  /** @param take Receives each message as text, so that unneeded messages are not parsed. */
   subscribe(topic: string, type: string, take: (text: string) => void, throttleMs = 0, queue = 0): void {
     this.topics.set(topic, { type, take, throttleMs, queue });
     if (this.socket?.readyState === WebSocket.OPEN) this.ask(this.socket, topic);
   }
 
-  /** Opens the connection, unless it is open or being opened. */
+  /** Opens the connection unless it is already open or being opened. */
   open(): void {
     if (this.isWanted) return;
     this.isWanted = true;
@@ -40,7 +40,7 @@ export class Rosbridge {
     this.connect();
   }
 
-  /** Closes the connection until it is opened again, so that a refused client does not reconnect repeatedly. */
+  /** Closes the connection until `open` is called, so that a refused client does not reconnect repeatedly. */
   close(): void {
     this.isWanted = false;
     clearTimeout(this.timer);
@@ -70,14 +70,14 @@ export class Rosbridge {
     socket.send(JSON.stringify({ op: 'subscribe', topic, type, throttle_rate: throttleMs, queue_length: queue }));
   }
 
-  // Does not parse whole messages, because most are not needed.
+  // Reads only the topic, because most messages are not needed.
   private take(text: string): void {
     const topic = /"topic":"([^"]+)"/.exec(text)?.[1];
     if (topic) this.topics.get(topic)?.take(text);
   }
 }
 
-/** Parses a joint state; null if it is invalid. */
+/** Parses a joint state; returns null if it is invalid. */
 export function readJointState(text: string): JointState | null {
   try {
     const { header, name, position } = JSON.parse(text).msg;

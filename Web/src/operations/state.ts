@@ -1,6 +1,6 @@
 import { gatewayReasons } from '../messages/gateway';
 
-/** The answer of /operations/state. A missing or null field is unknown. Names contain the units. */
+/** Answer to /operations/state. A field that is missing or null is unknown. The names of numbers contain their units. */
 export interface State {
   cell?: string | null;
   host?: string;
@@ -15,7 +15,7 @@ export interface State {
   joints?: Joint[];
   frames?: CellFrame[];
   signals?: Signal[];
-  /** The newest first; active events are always included. */
+  /** The events, newest first. Active events are always included. */
   events?: StatusEvent[];
   headsets?: Headset[];
   forward_ms?: { p50: number; p99: number } | null;
@@ -36,32 +36,32 @@ export interface Joint {
   age_s?: number | null;
   rate_hz: number;
   reason: string;
-  /** The reason why the rest of the joint is uncertain. */
+  /** Reason why it is uncertain that the joint is at rest. */
   uncertain?: string | null;
 }
 
 /** A moving or stationary object of the cell. */
 export interface CellFrame {
   name: string;
-  /** Null before the first pose. */
+  /** Parent frame; null before the first pose. */
   parent: string | null;
   source: string;
   state: 'live' | 'stale' | 'stationary' | 'refused' | 'fault' | 'missing';
-  /** Null for a stationary object, and before the first pose. */
+  /** Age of the newest pose; null for a stationary object and before the first pose. */
   age_s?: number | null;
-  /** Why it is not current; null for none. */
+  /** Reason why the pose is not current; null if it is current. */
   reason?: string | null;
 }
 
 export interface Signal {
   name: string;
-  /** Null before the first value, like the age. */
+  /** Null before the first value. The same applies to `age_s`. */
   value: number | null;
   source: string;
   state: 'live' | 'ended' | 'refused' | 'fault' | 'missing';
-  /** Time since the value changed. */
+  /** Time since the value last changed. */
   age_s: number | null;
-  /** Why it is not current; null for none. */
+  /** Reason why the value is not current; null if it is current. */
   reason?: string | null;
 }
 
@@ -74,7 +74,7 @@ export interface StatusEvent {
   level: Level;
   since_utc: string;
   until_utc?: string | null;
-  /** The whole event as text. */
+  /** Complete text of the event. */
   text?: string | null;
 }
 
@@ -111,7 +111,7 @@ export interface PlantClock {
   last_failure?: string | null;
 }
 
-/** Diagnostics of a headset or an adapter: texts, and numbers where available. */
+/** Diagnostics of a headset or an adapter. Values are numbers if possible, otherwise texts. */
 export type Words = { name: string; seen_s_ago: number } & Record<string, unknown>;
 
 export interface Source {
@@ -134,11 +134,11 @@ export interface Recording {
   bytes?: number;
   lost?: number;
   problem?: string | null;
-  /** Whether the newest recording has ended and its file was deleted afterwards. */
+  /** Whether the file of the newest recording was deleted after the recording had ended. */
   deleted?: boolean;
 }
 
-/** The gateway's answer, or the reason why there is none. */
+/** Answer of the gateway, or the reason why it did not answer. */
 export type Answer<T> = { value: T } | { trouble: string; status: number };
 
 const PATIENCE_MS = 4000;
@@ -162,7 +162,7 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
   }
 }
 
-/** Returns a number from the diagnostics; null if there is none. */
+/** Returns a number of the diagnostics; null if there is none. */
 export function numberOf(words: Words, key: string): number | null {
   const value = words[key];
   return typeof value === 'number' && Number.isFinite(value) ? value : null;

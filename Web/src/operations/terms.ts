@@ -1,12 +1,12 @@
 import { el } from '../dom';
 import { meanings } from '../messages/terms';
 
-/** Returns a label, with its explanation on hover if there is one. */
+/** Returns a label. If there is an explanation, it is shown on hover. */
 export function term(label: string): Node | string {
   return label in meanings ? el('abbr', { title: meanings[label] }, label) : label;
 }
 
-/** Returns "coarse, ± 3 ms" for a coarse clock, and other states unchanged. */
+/** Returns the state. For a coarse clock, adds the error, for example "coarse, ± 3 ms". */
 export function stateWords(state: string, estimatedErrorUs: number | null | undefined, boundUs: number | null | undefined): string {
   const us = estimatedErrorUs ?? boundUs;
   return state === 'coarse' && us != null ? `coarse, ±\u00a0${Number((us / 1000).toPrecision(2))}\u00a0ms` : state;

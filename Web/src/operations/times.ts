@@ -1,4 +1,4 @@
-/** Returns a time of the gateway as local time, with the date unless it is today. */
+/** Converts a UTC time to local time as text. Includes the date unless it is today. */
 export function localTime(utc: string): string {
   const time = new Date(utc);
   const clock = time.toLocaleTimeString('en-GB');
@@ -7,7 +7,7 @@ export function localTime(utc: string): string {
     : `${time.toLocaleDateString('en-GB', { day: 'numeric', month: 'short' })} ${clock}`;
 }
 
-/** Returns a length of time in a suitable unit. */
+/** Returns a duration as text, in a suitable unit. */
 export function lengthWords(seconds: number): string {
   const of = (value: number, unit: string) => `${value}\u00a0${unit}`;
   if (seconds < 1) return of(Math.round(seconds * 1000), 'ms');

@@ -1,10 +1,10 @@
 import qrcode from 'qrcode-generator';
 import { svg } from '../dom';
 
-/** Width of the quiet zone that readers need around a code, in modules. */
+/** Width of the quiet zone around a code, in modules. Code readers need it. */
 const MARGIN = 4;
 
-/** A drawn code and its number of modules along an edge, without the margin. */
+/** A drawn code, and its number of modules along an edge without the quiet zone. */
 export interface Drawing {
   element: SVGElement;
   modules: number;
@@ -28,7 +28,7 @@ export function draw(text: string): Drawing {
   return { element, modules };
 }
 
-/** Sets the printed edge of the code without its margin, in millimetres. */
+/** Sets the printed edge length of the code without the quiet zone, in mm. */
 export function setEdge({ element, modules }: Drawing, edgeMm: number): void {
   const total = `${(edgeMm * (modules + 2 * MARGIN)) / modules}mm`;
   element.setAttribute('width', total);

@@ -1,4 +1,4 @@
-/** Returns an element that the page is known to contain. */
+/** Returns an element of the page. The page must contain it. */
 export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
 }

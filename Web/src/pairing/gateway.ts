@@ -1,12 +1,12 @@
 import { gatewayReasons } from '../messages/gateway';
 
-/** The gateway's answer, or the reason in one line why there is none. */
+/** Answer of the gateway, or the reason in one line why it did not answer. */
 export type Answer<T> = { value: T } | { trouble: string };
 
 export interface ShownCode {
   text: string;
   left_s: number;
-  /** The part of the gateway's key that the headset shows when it asks for consent; empty without encryption. */
+  /** Part of the gateway's key that the headset shows when it asks for consent; empty without encryption. */
   key: string;
 }
 

@@ -4,7 +4,7 @@ import { draw, setEdge } from './drawing';
 import { byId } from './elements';
 import { ask, type Beginning, type Marker } from './gateway';
 
-/** Delay from a keystroke until the code is updated. */
+/** Time after the last keystroke until the code is updated. */
 const PAUSE_MS = 250;
 
 const field = (id: string) => byId<HTMLInputElement>(id).value;
@@ -12,7 +12,7 @@ const offset = () => [...document.querySelectorAll<HTMLInputElement>('[data-offs
 
 let newest = 0;
 
-/** Draws the marker's code from the form's fields, and prints it. */
+/** Draws the marker's code from the values of the form, and prints it. */
 export async function startMarker(): Promise<void> {
   const form = byId<HTMLFormElement>('form');
   let pause = 0;
@@ -39,7 +39,7 @@ async function make(): Promise<boolean> {
   const own = ++newest;
   if (field('name') === '') return fail('');
   const answer = await ask<Marker>('cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: field('size') });
-  // Outdated by later input.
+  // The user has changed the form since this request.
   if (own !== newest) return false;
   if ('trouble' in answer) return fail(answer.trouble);
   return answer.value.text ? show(answer.value.text) : fail(answer.value.fault ?? '');

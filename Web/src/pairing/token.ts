@@ -3,7 +3,7 @@ import { byId } from './elements';
 import { draw } from './drawing';
 import { ask, type Answer, type ShownCode } from './gateway';
 
-/** Polling interval: maximum delay of the next code after a headset has used one. */
+/** Polling interval. It is also the maximum delay before the next code appears after a headset has used one. */
 const POLL_MS = 2000;
 
 let text = '';
@@ -11,8 +11,8 @@ let endsAt = 0;
 let trouble = '';
 
 /**
- * Shows the gateway's code with its remaining validity, and the next one when it has been used or has expired.
- * @returns A function that stops showing and requesting codes.
+ * Shows the gateway's code with its remaining validity. Shows the next code when the code has been used or has expired.
+ * @returns A function that stops requesting and showing codes.
  */
 export function startToken(): () => void {
   const end = new AbortController();
@@ -36,7 +36,7 @@ async function poll(end: AbortSignal): Promise<void> {
 
 async function show(fields: Record<string, string>, end: AbortSignal): Promise<void> {
   const answer: Answer<ShownCode> = await ask('code', fields);
-  // Hidden in the meantime: the secret must not appear again.
+  // The code was hidden while the request was pending, so it must not appear.
   if (end.aborted) return;
   if ('trouble' in answer) trouble = answer.trouble;
   else {
@@ -53,7 +53,7 @@ async function show(fields: Record<string, string>, end: AbortSignal): Promise<v
 
 function tick(): void {
   const left = Math.max(0, Math.ceil((endsAt - performance.now()) / 1000));
-  // A code that is or may be invalid must not look valid.
+  // A code that can be invalid must not look valid.
   byId('token').classList.toggle('gone', trouble !== '' || left === 0);
   const clock = `${Math.floor(left / 60)}:${String(left % 60).padStart(2, '0')}`;
   byId('left').textContent = trouble || pairingLabels.validFor(clock);

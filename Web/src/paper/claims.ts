@@ -7,8 +7,8 @@ import { text } from './text';
 import { badge } from './verdict';
 
 /**
- * Lists the paper's claims with its numbers, this run's numbers and the verdicts.
- * @param figures Numbers of the figures on the page; claims of others have no link.
+ * Lists the paper's claims with the paper's values, the measured values and the verdicts.
+ * @param figures Numbers of the figures on the page. Claims of other figures have no link.
  */
 export function claimsSection(claims: ClaimData[], figures: string[]): HTMLElement {
   const caption = figuresLabels.claimsAndRun;

@@ -5,7 +5,7 @@ import type { FigureData } from './data';
 import { anchorOf } from './section';
 import { badge } from './verdict';
 
-/** Lists the figures with their verdicts and links to their sections. */
+/** Lists the figures with their verdicts. Each entry links to the figure's section. */
 export function contents(figures: FigureData[]): HTMLElement {
   const caption = figuresLabels.figures;
   const rows = figures.map(f =>

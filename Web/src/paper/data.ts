@@ -1,7 +1,7 @@
 import type { Fact, Value } from '../data';
 import type { Mark, Quantity } from '../linePlot';
 
-/** The page's data, as `FiguresPage.Render` receives it. */
+/** Data of the page, as passed to `FiguresPage.Render`. */
 export interface FiguresData {
   title: string;
   subtitle: string;
@@ -14,16 +14,16 @@ export interface FiguresData {
 export type Verdict = 'holds' | 'holds partly' | 'does not hold' | 'not measured';
 
 export interface FigureData {
-  /** Number in the paper, for example "13a". */
+  /** Number of the figure in the paper, for example "13a". */
   number: string;
   title: string;
   claim: string;
   verdict: Verdict;
   criteria: CriterionData[];
-  /** Results of our own methods; null if there are none. */
+  /** Results of Nowpose's own methods; null if there are none. */
   beyond: string | null;
   conditions: string;
-  /** Name of the CSV. */
+  /** Name of the CSV file. */
   file: string;
   table: { columns: string[]; rows: Value[][] };
   summary: SummaryData | null;
@@ -33,7 +33,7 @@ export interface FigureData {
 
 export interface CriterionData {
   statement: string;
-  /** Null if the numbers were not measured. */
+  /** Whether the criterion is met; null if it was not measured. */
   is_met: boolean | null;
   measured: string;
 }
@@ -55,9 +55,9 @@ export interface PlotData {
   x: Quantity;
   y: Quantity;
   from_zero: boolean;
-  /** Range of the vertical axis; null to follow the data. */
+  /** Fixed range of the vertical axis; null to fit the data. */
   y_range: [from: number, to: number] | null;
-  /** Curves of equal error for a plot of operating points; null for a line plot. */
+  /** Values of the curves of equal error in a plot of operating points; null for a line plot. */
   iso_mm: number[] | null;
   marks: Mark[];
   traces: TraceData[];
@@ -70,9 +70,9 @@ export interface TraceData {
   y: Value[];
   stepped: boolean;
   marked: boolean;
-  /** Whether to draw points without a line between them. */
+  /** Whether points are drawn without a line between them. */
   scattered: boolean;
-  /** Half length of a bar across each point; null for none. */
+  /** Half the length of the error bar at each point; null for no error bars. */
   deviation: Value[] | null;
 }
 

@@ -1,6 +1,6 @@
 import { type Look, LOOKS } from '../traces';
 
-/** Style of each signal by its name in the data. The names are those of C#'s `Looks`; `PictureInk` has the styles for pictures. */
+/** Style of each signal by its name in the data. The C# class `Looks` defines the names; `PictureInk` has the same styles for SVG files. */
 const BY_NAME: Record<string, Look> = {
   truth: LOOKS.truth,
   hold: LOOKS.hold,
@@ -16,7 +16,7 @@ export function lookOf(name: string): Look {
   return BY_NAME[name] ?? LOOKS.bound;
 }
 
-/** Returns the style as points: hollow for uncompensated signals, filled for compensated ones. */
+/** Returns the style of a signal that is drawn as points: hollow if uncompensated, filled if compensated. */
 export function pointsOf(name: string): Look {
   const mark = name === 'hold' || name === 'linear' ? 'hollow' : 'filled';
   return { ...lookOf(name), width: 1.5, dash: [], mark };

@@ -37,5 +37,5 @@ function page(data: FiguresData): Node[] {
 const data = readFigures();
 document.title = data.title;
 document.getElementById('page')!.replaceChildren(...page(data));
-// The sections did not exist yet when the browser looked for the address's fragment.
+// When the browser evaluated the fragment of the address, the sections did not exist yet.
 document.getElementById(location.hash.slice(1))?.scrollIntoView();

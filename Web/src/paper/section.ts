@@ -11,7 +11,7 @@ export function anchorOf(number: string): string {
   return `fig-${number}`;
 }
 
-/** One figure: the paper's claim beside the measured result, then the plots or drawings with their numbers. */
+/** Creates the section of a figure: the paper's claim and the measured result, then plots or drawings with their numbers. */
 export function figureSection(figure: FigureData): HTMLElement {
   const id = anchorOf(figure.number);
   const heading = `${id}-heading`;

@@ -1,6 +1,6 @@
 import { el } from '../dom';
 
-/** Returns text in which T_s, t_k and L_app have subscripts like in the paper. */
+/** Formats text with subscripts for symbols such as T_s, t_k and L_app, as in the paper. */
 export function text(words: string): (Node | string)[] {
   return words.split(/\b([TtLε]_[a-zA-Z]+)/).map(part => {
     const [symbol, index] = part.split('_');

@@ -4,7 +4,7 @@ import { text } from './text';
 
 const CLASSES: Record<Verdict, string> = { holds: 'met', 'holds partly': 'partly', 'does not hold': 'unmet', 'not measured': 'unmet' };
 
-/** Shows a verdict in words. Shape and colour only repeat it. */
+/** Creates a badge with the words of a verdict. Shape and colour only repeat the words. */
 export function badge(verdict: Verdict): HTMLElement {
   return el('span', { class: `badge ${CLASSES[verdict]}` }, verdict);
 }

@@ -14,20 +14,20 @@ import {
 import { colour, type Ink } from '../theme';
 import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
 
-/** The poses of one robot that can be shown at one time. */
+/** Poses of a robot that can be drawn together. */
 export type Part = 'truth' | 'displayed' | 'hold';
 
-/** Style of each part. Parts are drawn in the order of `place`; the last covers the others where they coincide. */
+/** Style of each pose. They are drawn in the order of `place`, so the last one covers the others where they coincide. */
 export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> = {
   truth: { ink: '--truth', opacity: 1, place: 2 },
   displayed: { ink: '--compensated', opacity: 0.5, place: 1 },
   hold: { ink: '--hold', opacity: 0.35, place: 0 },
 };
 
-/** Moves faces back by an invisible amount: a pixel along a slope, and about 3 mm in depth if a robot of 1 m fills the picture. */
+/** Moves faces back by an invisible distance: one pixel on a slope, and about 3 mm in depth if a robot of 1 m fills the picture. */
 export const BACK = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 200 };
 
-/** Several instances of one robot, each with its own colour and joint positions. */
+/** Several copies of one robot, each with its own colour and joint positions. */
 export class Bodies {
   readonly group = new Group();
   readonly robots: Record<Part, Robot>;
@@ -35,7 +35,7 @@ export class Bodies {
   private readonly bones: Record<Part, LineSegments> | null = null;
   private readonly points = { from: new Vector3(), to: new Vector3() };
 
-  /** @throws Error when the text is not a valid URDF. */
+  /** @throws Error if the text is not a valid URDF. */
   constructor(urdf: string) {
     const each = <T>(make: (part: Part) => T) => ({ truth: make('truth'), displayed: make('displayed'), hold: make('hold') });
     this.robots = each(() => readUrdf(urdf));
@@ -45,7 +45,7 @@ export class Bodies {
           transparent: PARTS[part].opacity < 1,
           opacity: PARTS[part].opacity,
           depthWrite: PARTS[part].opacity === 1,
-          // A coloured body over the grey truth at the same position would suggest a different one.
+          // A coloured copy on top of the grey one at the same position would look like a different position.
           ...(PARTS[part].opacity < 1 ? BACK : {}),
         }),
     );
@@ -58,12 +58,12 @@ export class Bodies {
     this.recolour();
   }
 
-  /** The joints of the robot that need positions. */
+  /** Joints of the robot that need positions. */
   get joints(): string[] {
     return movingJoints(this.robots.truth);
   }
 
-  /** Name of the root link, which a frame of that name moves. */
+  /** Name of the root link. A frame with this name moves the robot. */
   get rootName(): string {
     return this.robots.truth.root.urdfName;
   }
@@ -73,12 +73,12 @@ export class Bodies {
     base.decompose(this.group.position, this.group.quaternion, this.group.scale);
   }
 
-  /** Draws no link below a joint without a known position: at 0 it would look like a measured one. */
+  /** Hides the links below joints whose position is unknown. Drawn at 0, they would look like measured ones. */
   showKnown(part: Part, isKnown: (joint: string) => boolean): void {
     showKnown(this.robots[part], isKnown);
   }
 
-  /** @param positions Positions of the joints; null hides the body. */
+  /** @param positions Positions of the joints; null hides the copy. */
   pose(part: Part, names: string[], positions: ArrayLike<number> | null): void {
     this.robots[part].root.visible = positions !== null;
     if (positions) setJoints(this.robots[part], names, positions);
@@ -89,17 +89,17 @@ export class Bodies {
     return this.robots[part].root.visible;
   }
 
-  /** Whether the position of the tool is known. */
+  /** Returns whether the position of the tool is known. */
   isToolDrawn(part: Part): boolean {
     return isDrawn(this.robots[part].tool);
   }
 
-  /** Extends a box by the shown bodies. */
+  /** Extends a box so that it contains the visible copies. */
   addTo(box: Box3): void {
     for (const part of Object.keys(PARTS) as Part[]) if (this.isShown(part)) box.expandByObject(this.robots[part].root);
   }
 
-  /** Gets the pose of a link in the world; null for a link that is unknown or not drawn. */
+  /** Returns the pose of a link in the world; null if the link does not exist or is not drawn. */
   linkOf(part: Part, name: string): Matrix4 | null {
     const link = linkOf(this.robots[part], name);
     if (!link || !isDrawn(link)) return null;
@@ -107,7 +107,7 @@ export class Bodies {
     return link.matrixWorld.clone();
   }
 
-  /** Gets the distance between the tools of two bodies, mm; null if one is not shown. */
+  /** Returns the distance between the tools of two copies, mm; null if one of them is not drawn. */
   distance(a: Part, b: Part): number | null {
     if (!isDrawn(this.robots[a].tool) || !isDrawn(this.robots[b].tool)) return null;
     return 1000 * toolPosition(this.robots[a], this.points.from).distanceTo(toolPosition(this.robots[b], this.points.to));
@@ -120,7 +120,7 @@ export class Bodies {
     }
   }
 
-  /** Releases the graphics memory. The object is then unusable. */
+  /** Releases the graphics memory. The object cannot be used afterwards. */
   dispose(): void {
     this.group.traverse(object => (object as Partial<LineSegments>).geometry?.dispose());
     for (const part of Object.keys(PARTS) as Part[]) {
@@ -129,7 +129,7 @@ export class Bodies {
     }
   }
 
-  // Creates lines from link to link, used instead of meshes.
+  // Creates the lines between links that are drawn in place of meshes.
   private boneOf(part: Part): LineSegments {
     const ends = 2 * Object.keys(this.robots[part].root.joints).length;
     const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(3 * ends, 3));
@@ -146,7 +146,7 @@ export class Bodies {
     let at = 0;
     for (const joint of Object.values(root.joints)) {
       const link = joint.children.find(child => 'isURDFLink' in child);
-      // A line of zero length if the joint's position is unknown.
+      // If the position of the joint is unknown, the line has zero length.
       for (const end of [joint.parent!, isDrawn(joint) ? (link ?? joint) : joint.parent!] as Object3D[]) {
         const { x, y, z } = root.worldToLocal(end.getWorldPosition(this.points.from));
         places.setXYZ(at++, x, y, z);

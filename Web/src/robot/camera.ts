@@ -5,14 +5,14 @@ const STEEPEST = 1.5;
 const CLOSEST_M = 0.1;
 const START = { azimuth: -0.9, elevation: 0.4, zoom: 1 };
 
-/** A camera that orbits the robot, controlled by mouse, touch and keyboard. z is up. */
+/** A camera that orbits the robot. Mouse, touch and keyboard control it. z points up. */
 export class OrbitCamera {
   readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
   private readonly framed = new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
   private look = { ...START };
   private readonly fingers = new Map<number, PointerEvent>();
 
-  /** @param changed Called when the camera has moved. */
+  /** @param changed Called after the camera has moved. */
   constructor(
     element: HTMLElement,
     private readonly changed: () => void,
@@ -24,7 +24,7 @@ export class OrbitCamera {
     });
     element.addEventListener('pointermove', event => this.drag(event));
     for (const end of ['pointerup', 'pointercancel'] as const) element.addEventListener(end, event => this.fingers.delete(event.pointerId));
-    // Zooms with Ctrl only, so that scrolling the page does not stop at the robot.
+    // Zooms only with Ctrl, so that scrolling the page does not stop at the robot.
     element.addEventListener(
       'wheel',
       event => {
@@ -37,7 +37,7 @@ export class OrbitCamera {
     element.addEventListener('dblclick', () => this.reset());
   }
 
-  /** Makes the whole box visible from every direction. */
+  /** Sets the box that must be visible from every direction. */
   frame(box: Box3): void {
     this.framed.copy(box);
     this.place();
@@ -98,7 +98,7 @@ export class OrbitCamera {
     this.changed();
   }
 
-  // Returns the camera's position, in its own axes and from the centre, at which all corners are visible and centred in the picture.
+  // Returns the camera's position relative to the centre, in the camera's axes, at which all corners are visible and centred.
   private fitted(centre: Vector3): Vector3 {
     const turned = this.camera.quaternion.clone().invert();
     const { min, max } = this.framed;
@@ -106,7 +106,7 @@ export class OrbitCamera {
     for (const corner of corners) corner.sub(centre).applyQuaternion(turned);
     const high = Math.tan((this.camera.fov * Math.PI) / 360);
     const wide = high * this.camera.aspect;
-    // A corner nearer to the camera appears further from the picture's centre.
+    // A corner that is nearer to the camera appears farther from the centre of the picture.
     const extent = (axis: 'x' | 'y', sign: number, slope: number) => Math.max(...corners.map(corner => sign * corner[axis] + slope * corner.z));
     const [left, right, low, top] = [extent('x', -1, wide), extent('x', 1, wide), extent('y', -1, high), extent('y', 1, high)];
     return new Vector3((right - left) / 2, (top - low) / 2, Math.max(CLOSEST_M, (left + right) / (2 * wide), (low + top) / (2 * high)));

@@ -1,16 +1,16 @@
 import { AxesHelper, type Box3, Group, Matrix4, Quaternion, Vector3 } from 'three';
 
-/** Length of the drawn axes, m. */
+/** Length of a drawn axis, m. */
 const AXES = 0.05;
 
-/** As in the protocol: deeper trees and more frames are not accepted by the gateway. */
+/** Limits of the protocol: the gateway rejects deeper trees and more frames. */
 const MAX_DEPTH = 16;
 const MAX_FRAMES = 256;
 
-/** Time after which a pose is no longer drawn unless a newer one arrives, s. */
+/** Maximum age of a pose that is drawn, s. */
 const MAX_AGE = 1;
 
-/** Samples kept per frame: more than the shown delay at 100 samples a second. */
+/** Number of samples stored per frame. At 100 samples per second, they cover more than the delay of the display. */
 const KEEP = 100;
 
 const ONE = new Vector3(1, 1, 1);
@@ -28,32 +28,32 @@ interface Frame {
   axes: AxesHelper;
 }
 
-/** One received transform in the notation of ROS. */
+/** A received transform with the fields of a ROS message. */
 interface Transform {
   header: { stamp: { sec: number; nanosec: number }; frame_id: string };
   child_frame_id: string;
   transform: { translation: { x: number; y: number; z: number }; rotation: { x: number; y: number; z: number; w: number } };
 }
 
-/** The frames of the cell as axes: x red, y green, z blue. */
+/** Draws the frames of the cell as axes: x red, y green, z blue. */
 export class Frames {
   readonly group = new Group();
   private readonly frames = new Map<string, Frame>();
 
-  /** @param text A message on /tf or /tf_static; invalid ones are ignored. */
+  /** @param text A message on /tf or /tf_static. An invalid message is ignored. */
   take(text: string, isStationary: boolean): void {
     let transforms: Transform[];
     try {
       transforms = JSON.parse(text).msg.transforms;
       for (const transform of transforms) this.add(transform, isStationary);
     } catch {
-      // The gateway has checked it; a message of an unknown form is not drawn.
+      // Ignores a message that cannot be read. The gateway has validated it, so its format is unknown to this page.
     }
   }
 
   /**
-   * Moves the axes to a time. Frames without a known parent or without a recent pose are hidden.
-   * @param linkOf Returns the pose of a link of a robot in the world; null for an unknown one.
+   * Moves the axes to their poses at a time. Hides frames without a known parent or without a recent pose.
+   * @param linkOf Returns the pose of a robot's link in the world; null if there is no such link.
    */
   pose(time: number, linkOf: (name: string) => Matrix4 | null): void {
     for (const [name, frame] of this.frames) {
@@ -63,7 +63,7 @@ export class Frames {
     }
   }
 
-  /** Gets the pose of a frame in the world; the identity for a name that no frame has, null for one that is not known at that time. */
+  /** Returns the pose of a frame in the world: null if it is unknown at that time, the identity if no frame has this name. */
   baseAt(name: string, time: number, linkOf: (name: string) => Matrix4 | null): Matrix4 | null {
     return this.frames.has(name) ? this.worldOf(name, time, linkOf, 0) : new Matrix4();
   }
@@ -106,7 +106,7 @@ export class Frames {
   }
 }
 
-// Interpolates between two samples; keeps the last one for a while.
+// Interpolates between two samples. After the last sample, keeps its pose for a limited time.
 function sampleAt(samples: Sample[], time: number): Sample | null {
   const after = samples.findIndex(sample => sample.stamp > time);
   const last: Sample | undefined = samples[samples.length - 1];

@@ -16,12 +16,12 @@ import type { ObjectsData } from '../data';
 import { colour } from '../theme';
 import { BACK, type Part, PARTS } from './bodies';
 
-/** Numbers per object in a pose: x, y, z in m and a unit quaternion, scalar part last. */
+/** Count of numbers per object: x, y, z in m and a unit quaternion with the scalar part last. */
 const NUMBERS = 7;
 
 const ALL = Object.keys(PARTS) as Part[];
 
-/** The workpieces of a cell, each with the colours of the robot's poses, on the belt and the fixture that carry them. */
+/** Draws the workpieces of a cell, in the same colours as the robot's poses, and the belt and fixture that carry them. */
 export class Objects {
   readonly group = new Group();
   private readonly cubes: Record<Part, Mesh[]>;
@@ -47,7 +47,7 @@ export class Objects {
     this.recolour();
   }
 
-  /** @param poses Poses of all objects; null hides them. */
+  /** @param poses Poses of all objects; null hides the objects. */
   pose(part: Part, poses: ArrayLike<number> | null): void {
     this.cubes[part].forEach((cube, i) => {
       cube.visible = poses !== null;
@@ -55,7 +55,7 @@ export class Objects {
     });
   }
 
-  /** Gets the largest distance of an object between two poses, mm. */
+  /** Returns the largest distance of an object between two sets of poses, mm. */
   largestDistance(a: ArrayLike<number>, b: ArrayLike<number>): number {
     return Math.max(...this.data.names.map((_, i) => 1000 * positionOf(a, i).distanceTo(positionOf(b, i))));
   }
@@ -69,7 +69,7 @@ export class Objects {
     this.stands.color = new Color(colour('--muted'));
   }
 
-  /** Releases the graphics memory. The object is then unusable. */
+  /** Releases the graphics memory. The object cannot be used afterwards. */
   dispose(): void {
     this.group.traverse(object => (object as Partial<Line>).geometry?.dispose());
     for (const part of ALL) this.materials[part].dispose();

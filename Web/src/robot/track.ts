@@ -1,16 +1,16 @@
-/** One joint's positions over time, the newest at the end. */
+/** Positions of one joint over time. The newest is at the end. */
 export class JointTrack {
   private times: number[] = [];
   private values: number[] = [];
 
-  /** @param keep Length of the kept history in seconds; unlimited by default. */
+  /** @param keep Length of the stored history in seconds; unlimited by default. */
   constructor(private readonly keep = Infinity) {}
 
   get last(): number | undefined {
     return this.times[this.times.length - 1];
   }
 
-  /** Ignores samples out of order. A sample that is older than the kept history starts a new time line. */
+  /** Adds a sample. Ignores samples out of order; a sample older than the stored history starts a new time line. */
   add(time: number, position: number): void {
     const last = this.last;
     if (last !== undefined && time <= last) {
@@ -22,14 +22,14 @@ export class JointTrack {
     this.values.push(position);
     let old = 0;
     while (this.times[old] < time - this.keep) old++;
-    // Removes many at once, because each removal moves the whole array.
+    // Removes many samples at once, because each removal moves the whole array.
     if (old > 64) {
       this.times.splice(0, old);
       this.values.splice(0, old);
     }
   }
 
-  /** Interpolates linearly between samples. Returns the newest position after the last sample, and null before the first. */
+  /** Interpolates linearly between samples. Returns the last position after the last sample, and null before the first one. */
   at(time: number): number | null {
     const i = this.indexAt(time);
     if (i < 0) return null;
@@ -38,7 +38,7 @@ export class JointTrack {
     return from + ((time - this.times[i]) / (this.times[i + 1] - this.times[i])) * (this.values[i + 1] - from);
   }
 
-  /** Returns the newest position at or before a time; null before the first. */
+  /** Returns the last position up to a time; null before the first sample. */
   heldAt(time: number): number | null {
     const i = this.indexAt(time);
     return i < 0 ? null : this.values[i];

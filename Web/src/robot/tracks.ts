@@ -1,6 +1,6 @@
 import { JointTrack } from './track';
 
-/** Maximum number of joints: twice that of a message, so that the joints of a robot that replaces another fit. */
+/** Maximum number of joints: twice the maximum in a message, so that the joints of another robot fit, too. */
 const MAX_JOINTS = 512;
 
 /** Positions of all joints at one time. */
@@ -9,11 +9,11 @@ export interface Pose {
   positions: number[];
 }
 
-/** A robot's joint positions over time. Each joint has its own history, because each message may contain any subset of the joints. */
+/** Joint positions of a robot over time. Each joint has its own history, because a message can contain any subset of the joints. */
 export class JointTracks {
   private readonly tracks = new Map<string, JointTrack>();
 
-  /** @param keep Length of the kept history in seconds, see {@link JointTrack}. */
+  /** @param keep Length of the stored history in seconds; see {@link JointTrack}. */
   constructor(private readonly keep = Infinity) {}
 
   /** Time of the newest sample of any joint. */
@@ -29,12 +29,12 @@ export class JointTracks {
     });
   }
 
-  /** Interpolates between samples. A joint without a newer sample keeps its last position. Null before the first sample. */
+  /** Interpolates between samples. After its last sample, a joint keeps its position. Null before the first sample. */
   at(time: number): Pose | null {
     return this.pose(track => track.at(time));
   }
 
-  /** Returns the newest samples at or before a time, which are shown without compensation. */
+  /** Returns the last positions up to a time, as displayed without compensation. */
   heldAt(time: number): Pose | null {
     return this.pose(track => track.heldAt(time));
   }

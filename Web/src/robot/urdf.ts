@@ -2,28 +2,28 @@ import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
 import URDFLoader, { type URDFJoint, type URDFRobot } from 'urdf-loader';
 import { robotReasons } from '../messages/robot';
 
-/** Names of the tool's link, in the order in which the headset searches for them. */
+/** Names of the tool's link in the order in which they are searched. The headset uses the same order. */
 const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
 
 const MOVING = ['revolute', 'continuous', 'prismatic'];
 
-/** A robot from its URDF, with joints that can be set. */
+/** A robot that was read from a URDF and whose joints can be set. */
 export interface Robot {
   root: URDFRobot;
   tool: Object3D;
-  /** Number of visuals that are meshes, which a page cannot load. */
+  /** Number of visual elements that are meshes, which a page cannot load. */
   meshes: number;
 }
 
-// A joint may have the name of a property that every object has.
+// Checks own properties only, because a joint can have the name of an inherited property.
 const has = (map: object, name: string) => Object.prototype.hasOwnProperty.call(map, name);
 
-/** @throws Error when the text is not a valid URDF, with the reason in one line. */
+/** @throws Error with the reason in one line if the text is not a valid URDF. */
 export function readUrdf(text: string): Robot {
   const document = new DOMParser().parseFromString(text, 'text/xml');
   const fault = document.querySelector('parsererror');
   if (fault || document.documentElement.nodeName !== 'robot') throw new Error(robotReasons.notUrdf);
-  // Removes textures, which would be loaded over the network.
+  // Removes textures, because they would be loaded over the network.
   document.querySelectorAll('texture').forEach(texture => texture.remove());
   let meshes = 0;
   const loader = new URDFLoader();
@@ -31,12 +31,12 @@ export function readUrdf(text: string): Robot {
     meshes++;
   };
   const root = loader.parse(document);
-  // Shows measured positions even beyond the limits.
+  // Draws measured positions even if they exceed the limits.
   for (const joint of Object.values(root.joints)) joint.ignoreLimits = true;
   return { root, tool: toolOf(root), meshes };
 }
 
-/** Sets joints by name. Unknown joints are ignored, as in the headset. */
+/** Sets the positions of joints by name. Ignores unknown joints, as the headset does. */
 export function setJoints({ root }: Robot, names: string[], positions: ArrayLike<number>): void {
   names.forEach((name, i) => {
     if (has(root.joints, name) && Number.isFinite(positions[i])) root.joints[name].setJointValue(positions[i]);
@@ -44,24 +44,24 @@ export function setJoints({ root }: Robot, names: string[], positions: ArrayLike
   root.updateMatrixWorld(true);
 }
 
-/** Returns the joints that need positions: those that move and do not mimic another joint. */
+/** Returns the names of the joints that need positions: those that can move and do not mimic another joint. */
 export function movingJoints({ root }: Robot): string[] {
   return Object.entries(root.joints)
     .filter(([, joint]) => MOVING.includes(joint.jointType) && masterOf(joint) === null)
     .map(([name]) => name);
 }
 
-/** Gets a link by its name; null for none. */
+/** Returns a link by its name; null if there is no such link. */
 export function linkOf({ root }: Robot, name: string): Object3D | null {
   return has(root.links, name) ? root.links[name] : null;
 }
 
-/** Draws only the links below joints whose position is known. */
+/** Hides the links below joints whose position is unknown. */
 export function showKnown({ root }: Robot, isKnown: (joint: string) => boolean): void {
   for (const [name, joint] of Object.entries(root.joints)) joint.visible = !MOVING.includes(joint.jointType) || isKnown(masterOf(joint) ?? name);
 }
 
-/** Whether an object and all of its ancestors are drawn. */
+/** Returns whether an object and all of its ancestors are visible. */
 export function isDrawn(object: Object3D): boolean {
   for (let at: Object3D | null = object; at; at = at.parent) if (!at.visible) return false;
   return true;
@@ -71,7 +71,7 @@ function masterOf(joint: URDFJoint): string | null {
   return (joint as { mimicJoint?: string }).mimicJoint ?? null;
 }
 
-/** Returns the position of the tool in the robot's base frame, in metres. */
+/** Returns the position of the tool in the robot's base frame, m. */
 export function toolPosition(robot: Robot, into = new Vector3()): Vector3 {
   return robot.root.worldToLocal(robot.tool.getWorldPosition(into));
 }
@@ -91,7 +91,7 @@ function toolOf(root: URDFRobot): Object3D {
   return leaves.reduce((best, leaf) => (depth(leaf) > depth(best) ? leaf : best), leaves[0] ?? root);
 }
 
-/** Replaces the materials of all meshes and sets their render order. The loader shares its materials between links. */
+/** Replaces the materials of all meshes and sets their render order. Needed because the loader shares materials between links. */
 export function paint(root: Object3D, material: MeshPhongMaterial, renderOrder: number): void {
   root.traverse(object => {
     if (!('material' in object)) return;

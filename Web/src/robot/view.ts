@@ -7,19 +7,19 @@ import { OrbitCamera } from './camera';
 
 const HEIGHT = 380;
 
-/** Margin around the shown bodies, as a share of their size. */
+/** Margin around the drawn objects, relative to their size. */
 const ROOM = 0.03;
 
-/** Things that are drawn in the robot's base frame. */
+/** Objects that are drawn together with the robot, in the same base frame. */
 export interface Beside {
   group: Group;
-  /** Extends a box by what is shown. */
+  /** Extends a box so that it contains the visible objects. */
   addTo(box: Box3): void;
   /** Applies the colours of the page. */
   recolour?(): void;
 }
 
-/** Draws one robot at its true, displayed and held position. Without WebGL, it shows a message, and the joints are still updated. */
+/** Draws a robot at its true, displayed and uncompensated poses. Without WebGL, shows a message; the joints are still updated. */
 export class RobotView {
   readonly element: HTMLElement;
   private bodiesShown: Bodies | null = null;
@@ -29,7 +29,7 @@ export class RobotView {
   private readonly renderer: WebGLRenderer | null;
   private readonly orbit: OrbitCamera | null = null;
   private readonly canvas: HTMLCanvasElement;
-  /** Box around everything shown so far. */
+  /** Box that contains everything drawn so far. */
   private readonly seen = new Box3();
   private isAsked = false;
   private isSeen = true;
@@ -56,7 +56,7 @@ export class RobotView {
     sun.position.set(1, -2, 3);
     this.scene.add(new AmbientLight(0xffffff, 1.6), sun);
     new ResizeObserver(() => this.fit()).observe(stage);
-    // Pauses while it is not visible: rendering without a graphics card is slow.
+    // Pauses while the view is not visible, because rendering without a graphics card is slow.
     new IntersectionObserver(([entry]) => {
       this.isSeen = entry.isIntersecting;
       this.ask();
@@ -64,12 +64,12 @@ export class RobotView {
     onColoursChanged(() => this.recolour());
   }
 
-  /** The robot's bodies; null until there is a valid description. */
+  /** The robot; null before a valid description was received. */
   get bodies(): Bodies | null {
     return this.bodiesShown;
   }
 
-  /** Replaces the robot. For an invalid URDF, it shows a message and no robot. */
+  /** Replaces the robot. If the URDF is invalid, shows a message and no robot. */
   describe(urdf: string): void {
     if (this.bodiesShown) this.scene.remove(this.bodiesShown.group);
     this.bodiesShown?.dispose();
@@ -87,13 +87,13 @@ export class RobotView {
     this.recolour();
   }
 
-  /** Shows other things beside the robot, for as long as the page exists. */
+  /** Adds objects that are drawn together with the robot. */
   add(others: Beside): void {
     this.others.push(others);
     this.scene.add(others.group);
   }
 
-  /** Requests a redraw with the next frame. Several calls cause one redraw. */
+  /** Requests a redraw in the next frame. Several calls cause one redraw. */
   ask(): void {
     if (this.isAsked || !this.isSeen || !this.renderer) return;
     this.isAsked = true;
@@ -109,15 +109,15 @@ export class RobotView {
     this.note.hidden = words === '';
   }
 
-  // The zero pose does not show the robot's range, so the camera moves back whenever the robot leaves the area seen so far.
+  // Moves the camera back when the robot leaves the area seen so far. The zero pose does not show the range of the robot.
   private widen(): void {
     const box = new Box3();
     this.bodiesShown?.addTo(box);
     for (const others of this.others) others.addTo(box);
     const size = box.getSize(new Vector3()).length();
-    // Sizes in the description may not be finite.
+    // The description can contain sizes that are not finite.
     if (box.isEmpty() || !Number.isFinite(size) || this.seen.containsBox(box)) return;
-    // With a margin; otherwise, each picture of a movement would move the camera.
+    // Adds a margin. Otherwise, the camera would move in each picture of a motion.
     this.seen.union(box.expandByScalar(ROOM * size));
     this.orbit!.frame(this.seen);
   }
@@ -147,7 +147,7 @@ export class RobotView {
   }
 }
 
-// Checked first, because the renderer writes an error to the console without WebGL.
+// Checks for WebGL first, because without it the renderer writes an error to the console.
 function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer | null {
   const context = canvas.getContext('webgl2', { antialias: true });
   return context ? new WebGLRenderer({ canvas, context }) : null;

@@ -1,7 +1,7 @@
-// A control time as 8×8 lights. Nowpose.VisibleLight.TimestampCode implements and explains the same code.
-// The tests of both use led-matrix/timestamp-codes.csv of the manual.
+// Encodes a control time as 8×8 lights. Nowpose.VisibleLight.TimestampCode implements and documents the same code.
+// Both are tested with led-matrix/timestamp-codes.csv of the manual.
 
-/** Cells along one side. */
+/** Number of cells along one side. */
 export const SIDE = 8;
 
 /** Period of the codes, ms. */
@@ -20,7 +20,7 @@ function isLitRing(row: number, column: number): boolean {
   return row !== 0 || (column !== 1 && column !== 2);
 }
 
-/** Returns which cells are lit in the control system's code, row by row. @param value Whole milliseconds, 0 to 65535. */
+/** Returns which cells of the control system's code are lit, row by row. @param value Time in whole milliseconds, 0 to 65535. */
 export function controlCells(value: number): boolean[] {
   const gray = value ^ (value >> 1);
   const word = (gray << 2) | (parity(gray & 0x5555) << 1) | parity(gray & 0xaaaa);

@@ -1,14 +1,14 @@
-/** Four timestamps: t1 and t4 on this page's clock, ms; t2 and t3 on the control clock, ns. */
+/** Four time stamps: t1 and t4 on this page's clock, ms; t2 and t3 on the control clock, ns. */
 export interface Exchange {
   t1: number;
   t2: bigint;
   t3: bigint;
   t4: number;
-  /** Resolution of the control clock, ns. The clock shows the beginning of a step. */
+  /** Resolution of the control clock, ns. The clock shows the start of a step. */
   resolutionNs: number;
 }
 
-/** A time of the control clock in ns, and its maximum error in ms. */
+/** Control time in ns, and its maximum error in ms. */
 export interface Reading {
   ns: bigint;
   boundMs: number;
@@ -19,27 +19,27 @@ const WINDOW_MS = 10_000;
 /** Minimum number of exchanges for an estimate. */
 export const MIN_EXCHANGES = 8;
 
-/** Maximum skew of two clocks, as in the protocol. */
+/** Maximum skew between the two clocks. The protocol has the same limit. */
 const MAX_SKEW = 500e-6;
 
 const NS_PER_MS = 1e6;
 
 /**
- * The page's estimate of the control clock. Each exchange gives a lower and an upper bound of the offset. The estimate is the intersection
- * of the bounds of the last ten seconds, which is determined by the exchanges with the shortest round-trip times.
+ * Estimates the control time. Each exchange gives a lower and an upper bound of the offset. The estimate is the middle of the intersection
+ * of the bounds over the last ten seconds. The exchanges with the shortest round-trip times determine this intersection.
  */
 export class ControlClock {
   private exchanges: { at: number; low: number; high: number }[] = [];
   private base = 0n;
 
-  /** @param grainMs Resolution of t1 and t4, which is also their maximum error. */
+  /** @param grainMs Resolution of t1 and t4, ms. It is also their maximum error. */
   constructor(private readonly grainMs: number) {}
 
   get count(): number {
     return this.exchanges.length;
   }
 
-  /** @returns Whether the clock stepped, so that earlier exchanges were discarded. */
+  /** @returns Whether the clock stepped and earlier exchanges were therefore discarded. */
   add({ t1, t2, t3, t4, resolutionNs }: Exchange): boolean {
     if (this.count === 0) this.base = t2;
     const received = Number(t2 - this.base) / NS_PER_MS;

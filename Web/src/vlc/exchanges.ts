@@ -7,10 +7,10 @@ const QUICK_MS = 60;
 const SLOW_MS = 250;
 const TIMEOUT_MS = 1000;
 
-/** Time without a reply after which the clock is unknown: two exchanges may be lost. */
+/** Time without a reply after which the clock is unknown. Two exchanges can be lost before. */
 const SILENCE_MS = 2000;
 
-/** Maximum error bound. A code with a larger error would show a wrong time, which is worse than no code. */
+/** Maximum error bound. A code with a larger error would be misleading, so no code is shown. */
 const MAX_BOUND_MS = 3;
 
 interface Answer {
@@ -20,7 +20,7 @@ interface Answer {
   is_synchronised: boolean;
 }
 
-/** Keeps a clock synchronised with the gateway that serves this page. */
+/** Synchronises a clock with the gateway that serves this page. */
 export class Exchanges {
   readonly clock = new ControlClock(grainOf(() => performance.now()));
   private problem = clockCodeReasons.waiting;
@@ -31,14 +31,14 @@ export class Exchanges {
   /** @param onToken Called when the gateway requires a token that the page does not have. */
   constructor(private readonly onToken: () => void) {}
 
-  /** Sets the token, which stays in this page's memory only. */
+  /** Sets the token. The page keeps it in memory only. */
   authorise(token: string): void {
     this.token = token.trim();
     this.isWaiting = false;
     this.goOn();
   }
 
-  /** Returns the reason why no code may be shown; null if the clock is accurate. */
+  /** Returns the reason why no code can be shown; null if the clock is accurate enough. */
   reasonWithoutCode(now: number): string | null {
     const age = this.clock.age(now);
     if (this.problem) return this.problem;
@@ -53,7 +53,7 @@ export class Exchanges {
       await this.exchange();
       const pause = this.clock.count < MIN_EXCHANGES && !this.problem ? QUICK_MS : SLOW_MS;
       await new Promise<void>(done => {
-        // Without a token, each request would add a line to the gateway's log.
+        // Waits for a token, because each request without it would add a line to the gateway's log.
         if (this.isWaiting) this.goOn = done;
         else setTimeout(done, pause);
       });
@@ -72,7 +72,7 @@ export class Exchanges {
       this.problem = answer.is_synchronised ? '' : clockCodeReasons.controlClock;
       this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });
     } catch {
-      // The gateway is unreachable or too slow, which is reported once the newest exchange is too old.
+      // The gateway is not reachable or too slow. This is reported when the newest exchange is too old.
       if (this.clock.age(performance.now()) > SILENCE_MS) this.fail(gatewayReasons.noAnswer);
     }
   }

@@ -1,11 +1,11 @@
 const STEPS = 5;
 
-/** Resolution of the finest clocks, ms. Browsers do not document it more precisely. */
+/** Resolution of the most precise clocks, ms. Browsers document no better value. */
 const MIN_MS = 0.1;
 
 /**
- * Measures the resolution of a page's clock, ms. Browsers coarsen clocks against timing attacks: to 1 ms and more if the page was loaded
- * over plain http from another machine.
+ * Measures the resolution of the page's clock, ms. Browsers reduce it to prevent timing attacks: to 1 ms or more if the page was loaded over
+ * HTTP from another machine.
  * @param now The clock. It is read until it has advanced a few times.
  */
 export function grainOf(now: () => number): number {
@@ -14,7 +14,7 @@ export function grainOf(now: () => number): number {
     const begin = now();
     let end = begin;
     while (end === begin) end = now();
-    // An interrupted page sees several steps at once.
+    // If the page is interrupted, the clock advances by several steps at once, so the shortest step is used.
     shortest = Math.min(shortest, end - begin);
   }
   return Math.max(shortest, MIN_MS);

@@ -59,7 +59,7 @@ function delayInWords(): string {
 function frame(at: number): void {
   requestAnimationFrame(frame);
   monitor.frame(at);
-  // Uses the frame's start, not the time of drawing, because the light follows a whole number of refreshes after the start.
+  // Uses the start of the frame, because the light follows it after a whole number of refreshes.
   const reading = exchanges.clock.at(at);
   const why = exchanges.reasonWithoutCode(performance.now());
   show(reading == null ? (why ?? clockCodeReasons.noExchange) : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
@@ -68,7 +68,7 @@ function frame(at: number): void {
 async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) return document.exitFullscreen();
   await document.documentElement.requestFullscreen();
-  // A dimmed screen cannot be read. Not all browsers offer wake locks, and none do over plain http.
+  // Keeps the screen on, because a dimmed screen cannot be read. Some browsers have no wake lock, and none over plain HTTP.
   await navigator.wakeLock?.request('screen').catch(() => undefined);
 }
 

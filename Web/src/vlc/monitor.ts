@@ -1,11 +1,11 @@
 const FRAMES = 120;
 
-/** Properties of the monitor that a page can measure: its refresh interval, and from it the delay until a frame's light. */
+/** Measures the refresh interval of the monitor, and computes from it the delay until the light of a frame. */
 export class Monitor {
   private readonly intervals: number[] = [];
   private last = NaN;
 
-  /** @param at Start of a frame in ms, from requestAnimationFrame. */
+  /** @param at Start of a frame from requestAnimationFrame, ms. */
   frame(at: number): void {
     const interval = at - this.last;
     this.last = at;
@@ -21,8 +21,8 @@ export class Monitor {
   }
 
   /**
-   * Delay from a code's time to its light in ms, without the panel's own delay: the mean over the refresh that shows the code, and its
-   * maximum error. The code reaches the middle of the picture after one to two refreshes and is shown for one.
+   * Mean delay from the time of a code to its light, without the panel's own delay, and the maximum deviation from this mean, ms. The code
+   * reaches the middle of the picture after one to two refreshes and is shown for one refresh.
    */
   get delayMs(): { mean: number; maxError: number } {
     return { mean: 2 * this.refreshMs, maxError: this.refreshMs / 2 };

@@ -1,4 +1,4 @@
-// Faults on the operations page.
+// Tests how the operations page shows faults.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
@@ -6,14 +6,14 @@ import { becomes, cells, gateway, open } from './page.mjs';
 
 const { emptyMessages, longLabels, operationsLabels, operationsMessages } = messages;
 
-describe('faults', () => {
+describe('the operations page with faults', () => {
   const ago = seconds => new Date(Date.now() - 1000 * seconds).toISOString();
   const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
   const event = (id, level, more = {}) => ({
     id, kind: 'joint', which: 'arm_joint_3 (press)', what: 'is refused', reason: refused.reason, level, since_utc: ago(95), ...more,
   });
 
-  /** Cells of the joint's row: source, state, since, rate, age. */
+  /** Cells in the row of a joint: source, state, since, rate, age. */
   const jointCells = (page, name) => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) td`).allInnerTexts();
 
   function fail() {
@@ -22,7 +22,7 @@ describe('faults', () => {
     gateway.state.events = [event(7, 'error')];
   }
 
-  it('are absent: title, place and status line show OK', async () => {
+  it('shows OK in title and status line without faults', async () => {
     const page = await open();
 
     assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.2.0');
@@ -35,7 +35,7 @@ describe('faults', () => {
     assert.equal(headings[0], 'Plants');
   });
 
-  it('of a joint are named in title, status line, alarms and table, with reason and start', async () => {
+  it('names a fault of a joint in title, status line, alarms and table, with reason and start', async () => {
     fail();
     const page = await open();
 
@@ -57,7 +57,7 @@ describe('faults', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('are shown with the gateway\'s text', async () => {
+  it('shows the gateway\'s text of a fault', async () => {
     gateway.state.events = [event(7, 'warning', { kind: 'limit', which: 'arm_joint_3', what: 'is exceeded', text: 'joint arm_joint_3 is outside its limits. Check it.' })];
     const page = await open();
 
@@ -66,7 +66,7 @@ describe('faults', () => {
     assert.doesNotMatch(await page.textContent('#content'), /limit arm_joint_3/);
   });
 
-  it('that have ended stay in the list, below active ones', async () => {
+  it('lists ended faults below active ones', async () => {
     gateway.state.events = [event(9, 'error', { until_utc: ago(10) }), event(8, 'warning'), event(7, 'error', { until_utc: ago(90) })];
     const page = await open();
 
@@ -76,7 +76,7 @@ describe('faults', () => {
     assert.deepEqual([over[0], over[3]], ['ended', '5\u00a0s']);
   });
 
-  it('are downloaded as CSV and as JSON', async () => {
+  it('offers all events as CSV and as JSON', async () => {
     const page = await open();
 
     for (const format of ['csv', 'json']) {
@@ -85,7 +85,7 @@ describe('faults', () => {
     }
   });
 
-  it('include an uncertain rest with its reason but not a certain one', async () => {
+  it('lists an uncertain rest with its reason, but not a certain one', async () => {
     const why = 'the stop itself was not observed';
     Object.assign(gateway.state.joints[0], { state: 'rest', reason: 'no change is reported', uncertain: why });
     Object.assign(gateway.state.joints[1], { state: 'rest', reason: 'no change is reported' });
@@ -102,7 +102,7 @@ describe('faults', () => {
     assert.equal(await badge('arm_joint_1').innerText(), 'live');
   });
 
-  it('have words, icon and colour, readable on light and dark', async () => {
+  it('shows each level with words, icon and colour, readable in both colour schemes', async () => {
     fail();
     gateway.state.events.push(event(6, 'warning', { kind: 'headset', which: 'left door' }));
     gateway.state.joints[0].state = 'rest';
@@ -134,7 +134,7 @@ describe('faults', () => {
     }
   });
 
-  it('fit into a narrow window', async () => {
+  it('fits into a narrow window', async () => {
     fail();
     gateway.state.events[0].reason = 'x'.repeat(300);
     const page = await open({ viewport: { width: 390, height: 844 } });
@@ -144,7 +144,7 @@ describe('faults', () => {
     assert.ok(content <= window, `${content} px of content`);
   });
 
-  it('of a headset are shown in its row', async () => {
+  it('shows a fault of a headset in the row of the headset', async () => {
     Object.assign(gateway.state.headsets[0], { pose: 'incomplete', missing_joints: 'a,b', current_share: 0.4, profile_mismatch: 'made for HoloLens 2', error_withheld: 'outside range' });
     const page = await open();
 
@@ -153,7 +153,7 @@ describe('faults', () => {
     assert.equal(note, `missing joints: a, b; ${operationsLabels.profileMismatch('made for HoloLens 2')}; ${operationsLabels.errorWithheld('outside range')}`);
   });
 
-  it('do not include a coarse clock, which is shown with its ±', async () => {
+  it('shows a coarse clock with its error, but not as a fault', async () => {
     Object.assign(gateway.state.headsets[0], { state: 'coarse', pose: 'coarse', error_bound_us: 9000, estimated_error_us: 3000 });
     Object.assign(gateway.state.clock, { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
     Object.assign(gateway.state.plant_clocks[0], { state: 'coarse', estimated_error_us: 4000, error_bound_us: 7000 });
@@ -165,14 +165,14 @@ describe('faults', () => {
     assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
   });
 
-  it('of an adapter are counted by reason', async () => {
+  it('shows for each reason how many values of an adapter were refused', async () => {
     Object.assign(gateway.state.adapters[0], { 'refused/bad_status': 7, 'refused/nan': 2, 'refused/late': 0 });
     const page = await open();
 
     assert.equal(await page.locator('[aria-label="Plant connections"] .note p').first().innerText(), 'refused values: bad_status 7, nan 2');
   });
 
-  it('of the gateway itself replace the OK', async () => {
+  it('shows a fault of the gateway itself in place of OK', async () => {
     const page = await open();
 
     gateway.isSilent = true;
@@ -182,7 +182,7 @@ describe('faults', () => {
     assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
   });
 
-  it('of a gateway that reports no state are not shown as OK', async () => {
+  it('does not show OK if the gateway reports no state', async () => {
     delete gateway.state.status;
     const page = await open();
 
@@ -190,7 +190,7 @@ describe('faults', () => {
     assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
   });
 
-  it('explain their terms and units on hover', async () => {
+  it('explains terms and units on hover', async () => {
     const page = await open();
 
     for (const term of ['RTT (ms)', 'L_app (ms)', 'L_visu (ms)', 'Skew (ppm)', 'P95 (ms)', 'Age', 'Pose', 'Control clock']) {

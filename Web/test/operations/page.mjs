@@ -1,4 +1,4 @@
-// Common parts of the tests of the operations page: Chromium with a fake gateway.
+// Shared by the tests of the operations page: Chromium and a fake gateway.
 import { after, afterEach, before, beforeEach } from 'node:test';
 import { Browser, NO_WEBGL, WEBGL } from '../browser.mjs';
 import { FakeGateway } from '../fakeGateway.mjs';
@@ -17,7 +17,7 @@ afterEach(async () => {
 });
 after(() => Promise.all([...browsers.values()].map(each => each.stop())));
 
-/** Runs the enclosing tests with WebGL. Without it a page takes a third less time. */
+/** Runs the enclosing tests with WebGL. Without WebGL, a page takes a third less time. */
 export function withGraphics() {
   before(() => { graphics = WEBGL; });
   after(() => { graphics = NO_WEBGL; });

@@ -1,4 +1,4 @@
-// The robot on the operations page.
+// Tests the view of the robot on the operations page.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS, UPRIGHT } from '../fakeGateway.mjs';
@@ -8,7 +8,7 @@ import { becomes, gateway, open, showsToolError, withGraphics } from './page.mjs
 
 const { jointReasons, robotMessages, robotReasons } = messages;
 
-/** Number of bodies in one picture of the 3D view: draw calls between two clears. */
+/** Number of robots drawn in one picture of the 3D view: draw calls between two clears. */
 const bodiesDrawn = async page => {
   await page.locator('.stage').scrollIntoViewIfNeeded();
   return page.evaluate(() => new Promise(done => {
@@ -30,7 +30,7 @@ const bodiesDrawn = async page => {
 describe('the robot', () => {
   withGraphics();
 
-  it('is neither drawn nor compared below a joint that was never received', async () => {
+  it('is not drawn below a joint that was never received, and its tool is not compared', async () => {
     gateway.turned = 0;
     const page = await open({ reducedMotion: 'reduce' });
     await showsToolError(page);
@@ -47,7 +47,7 @@ describe('the robot', () => {
     assert.ok(base < whole, `${base} of ${whole} bodies`);
   });
 
-  it('is drawn beside the robots in namespaces, which have joints of the same names', async () => {
+  it('is drawn together with robots in namespaces whose joints have the same names', async () => {
     gateway.turned = null;
     const page = await open({ reducedMotion: 'reduce' });
     await becomes(page, '.apart', robotMessages.toolError('left door', null, null).slice(0, -1));
@@ -62,7 +62,7 @@ describe('the robot', () => {
     }
     assert.ok(both > alone, `${both} bodies instead of ${alone}`);
 
-    // The links below a joint that is not live disappear for its robot only.
+    // Only the robot whose joint is not live loses the links below this joint.
     gateway.state.joints.at(-JOINTS.length).state = 'stale';
     await page.waitForTimeout(3000);
     const part = await bodiesDrawn(page);
@@ -95,7 +95,7 @@ describe('the robot', () => {
     assert.match(await page.textContent('.apart'), /mm.*mm/, 'also without compensation');
   });
 
-  it('at rest has a distance of less than 0.1 mm', async () => {
+  it('shows a distance of less than 0.1 mm at rest', async () => {
     gateway.turned = 0;
     gateway.pace = 0;
     const page = await open();
@@ -103,7 +103,7 @@ describe('the robot', () => {
     await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
   });
 
-  it('without new positions is not compared', async () => {
+  it('is not compared if no new positions arrive', async () => {
     const page = await open();
     await showsToolError(page);
 
@@ -176,7 +176,7 @@ describe('the robot', () => {
     assert.equal(await shot(), first);
   });
 
-  it('with meshes is drawn as lines without requesting files', async () => {
+  it('is drawn as lines if its meshes are files, which are not requested', async () => {
     gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="package://robot/link.stl"/></geometry>')
       .replace('<material', '<material name="t"><texture filename="http://127.0.0.1:9/t.png"/></material><material');
     const page = await open({ reducedMotion: 'reduce' });
@@ -189,7 +189,7 @@ describe('the robot', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('that replaces another frees its graphics memory', async () => {
+  it('releases the graphics memory of the robot that it replaces', async () => {
     const page = await open({ reducedMotion: 'reduce' });
     await showsToolError(page);
     await page.locator('.stage').scrollIntoViewIfNeeded();
@@ -207,7 +207,7 @@ describe('the robot', () => {
     assert.equal(await page.evaluate(() => buffers), before);
   });
 
-  it('with an invalid description is reported', async () => {
+  it('is replaced by a message if its description is invalid', async () => {
     gateway.urdf = 'no robot at all';
     const page = await open();
 

@@ -1,4 +1,4 @@
-// States of plants, clocks and headsets on the operations page.
+// Tests how the operations page shows the states of plants, clocks and headsets.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { JOINTS } from '../fakeGateway.mjs';
@@ -8,7 +8,7 @@ import { becomes, cells, gateway, open } from './page.mjs';
 
 const { emptyMessages, operationsLabels, operationsMessages } = messages;
 
-/** Text of the note below a row; null if there is none. */
+/** Gets the text of the note below a row; null if there is none. */
 const noteOf = async (page, row) => {
   const note = page.locator(`#plants tbody:has(th:has-text("${row}")) .note`).last();
   return (await note.isVisible()) ? note.innerText() : null;
@@ -83,7 +83,7 @@ describe('the shown state', () => {
     await page.context().close();
   });
 
-  it('names the joints outside their limits while they are', async () => {
+  it('names joints outside their limits as long as they are outside', async () => {
     gateway.state.sources[0].beyond_limits = [JOINTS[1]];
     const page = await open();
 
@@ -142,7 +142,7 @@ describe('the shown state', () => {
 
     await page.waitForTimeout(1500);
 
-    // With one source the fastest and the slowest are the same; the slowest is drawn over the fastest.
+    // With one source, the fastest and the slowest are the same, and the slowest is drawn on top.
     for (const [i, ink] of ['--compensated', '--compensated', '--compensated', '--hold'].entries()) assert.ok(await hasInk(page, i, ink), `plot ${i}`);
     const [, second] = await page.locator('#plots .legend').allInnerTexts();
     assert.match(second, /410\s*µs[^]*120\s*µs/);
@@ -184,7 +184,7 @@ describe('the shown state', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('may be completely unknown', async () => {
+  it('can be completely unknown', async () => {
     gateway.state = { role: 'observer' };
     const page = await open({}, false);
 

@@ -1,4 +1,4 @@
-// Use of the operations page by a person, with different windows and vision settings.
+// Tests the controls and the accessibility of the operations page, with different windows and settings.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
@@ -9,7 +9,7 @@ import { becomes, cells, gateway, open, showsToolError, withGraphics } from './p
 
 const { gatewayReasons, operationsLabels, operationsMessages } = messages;
 
-/** Lowest contrast with the page of all texts in the content, after opacity and greyscale. */
+/** Gets the minimum contrast between the texts of the content and the page, after opacity and greyscale. */
 const weakestText = page => page.evaluate(() => {
   const channels = colour => colour.match(/[\d.]+/g).slice(0, 3).map(c => c / 255);
   const linear = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
@@ -46,7 +46,7 @@ describe('actions', () => {
     assert.deepEqual(gateway.posts, [['/operations/recording', { on: 'true' }], ['/operations/recording', { on: 'false' }]]);
   });
 
-  it('exclude the recorder without a folder', async () => {
+  it('do not include recording if the gateway has no folder', async () => {
     gateway.state.recording = { can: false, on: false };
     const page = await open();
 
@@ -273,7 +273,7 @@ describe('accessibility in any window', () => {
     };
 
     const [calm, moving] = [await frames('reduce'), await frames('no-preference')];
-    // In two seconds, with two clears per picture. Without reduced motion a busy machine draws as many pictures as it can.
+    // Counts the clears within two seconds, two per picture. Without reduced motion, a busy machine draws as many pictures as possible.
     assert.ok(calm >= 1 && calm <= 8 && moving > calm, `${calm} against ${moving} clears`);
   });
 

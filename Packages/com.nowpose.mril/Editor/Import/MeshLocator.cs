@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Import
 {
@@ -32,11 +33,11 @@ namespace Nowpose.Editor.Import
         public MeshReference Find(string name)
         {
             var path = name.Replace('\\', '/');
-            if (path.Contains("$(")) return Fault(name, "is not a path; expand the file with xacro first");
+            if (path.Contains("$(")) return Fault(name, MeshMessages.Xacro);
             foreach (var scheme in PackageSchemes)
                 if (path.StartsWith(scheme, StringComparison.OrdinalIgnoreCase)) return InPackage(name, path.Substring(scheme.Length));
             if (path.StartsWith("file://", StringComparison.OrdinalIgnoreCase)) path = OfFileUri(path);
-            else if (path.Contains("://")) return Fault(name, "is not supported; use package://, file:// or a path");
+            else if (path.Contains("://")) return Fault(name, MeshMessages.Scheme);
             if (IsRooted(path)) return Absolute(name, path);
             var relative = Normal(_folder + "/" + path);
             return relative == null ? Outside(name) : FirstOf(name, new[] { relative });
@@ -45,7 +46,7 @@ namespace Nowpose.Editor.Import
         MeshReference InPackage(string name, string path)
         {
             var slash = path.IndexOf('/');
-            if (slash <= 0 || slash == path.Length - 1) return Fault(name, "does not name a file in a package; use package://NAME/PATH");
+            if (slash <= 0 || slash == path.Length - 1) return Fault(name, MeshMessages.NoFileInPackage);
             var package = path.Substring(0, slash);
             var file = path.Substring(slash + 1);
             var candidates = new List<string>();
@@ -71,11 +72,11 @@ namespace Nowpose.Editor.Import
             var path = candidates.FirstOrDefault(_exists);
             return path != null
                 ? new MeshReference(path, candidates, null)
-                : new MeshReference(null, candidates, "'" + name + "' was not found; searched at " + string.Join(", ", candidates));
+                : new MeshReference(null, candidates, MeshMessages.NotFound(name, string.Join(", ", candidates)));
         }
 
         static MeshReference Outside(string name) =>
-            Fault(name, "is outside the project's Assets and Packages; copy it beside the URDF and use a path relative to the URDF");
+            Fault(name, MeshMessages.Outside);
 
         static MeshReference Fault(string name, string fault) => new MeshReference(null, Array.Empty<string>(), "'" + name + "' " + fault);
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEditor.AssetImporters;
 using UnityEngine;
@@ -65,7 +66,7 @@ namespace Nowpose.Editor.Import
                 throw new InputException("mesh " + mesh.Fault);
             }
             if (IsStl(mesh.Path) || IsModel(mesh.Path)) return mesh.Path;
-            throw new InputException("mesh '" + name + "' has an unsupported format; allowed: STL, OBJ, DAE and FBX");
+            throw new InputException(MeshMessages.Format(name));
         }
 
         GameObject ShowStl(string path, Material material)
@@ -88,7 +89,7 @@ namespace Nowpose.Editor.Import
         {
             _context.DependsOnArtifact(path);
             var model = AssetDatabase.LoadAssetAtPath<GameObject>(path);
-            if (model == null) throw new InputException("mesh " + path + ": Unity has not imported it; see its import log for the reason");
+            if (model == null) throw new InputException(MeshMessages.NotImported(path));
             var turn = TurnOf(path);
             var shown = new GameObject();
             var axes = new GameObject("axes").transform;

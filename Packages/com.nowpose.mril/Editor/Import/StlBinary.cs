@@ -1,5 +1,6 @@
 using System;
 using System.Buffers.Binary;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Import
 {
@@ -25,13 +26,11 @@ namespace Nowpose.Editor.Import
         public static StlTriangles Read(byte[] content, string sourceName)
         {
             if (content.Length < Start)
-                throw new InputException(sourceName + ", byte " + content.Length + ": the file ends within its header of "
-                    + Start + " bytes; it is not an STL file, or it is incomplete; export it again");
+                throw new InputException(StlMessages.HeaderCut(sourceName, content.Length, Start));
             var count = Count(content);
             if (count > StlReader.MaxTriangles) throw StlReader.TooMany(sourceName + ", byte " + Header, count);
             if (content.Length != LengthFor(count))
-                throw new InputException(sourceName + ", byte " + Header + ": " + count + " triangles take " + LengthFor(count)
-                    + " bytes, the file has " + content.Length + (content.Length < LengthFor(count) ? "; it is incomplete, export it again" : ""));
+                throw new InputException(StlMessages.OtherLength(sourceName, Header, count, LengthFor(count), content.Length));
 
             var triangles = new StlTriangles();
             var corners = new float[9];
@@ -51,8 +50,7 @@ namespace Nowpose.Editor.Import
         {
             var number = BitConverter.Int32BitsToSingle(BinaryPrimitives.ReadInt32LittleEndian(content.AsSpan(at)));
             if (float.IsNaN(number) || float.IsInfinity(number))
-                throw new InputException(sourceName + ", byte " + at + ": triangle " + ((at - Start) / Stride + 1)
-                    + " has a corner that is not a finite number");
+                throw new InputException(StlMessages.NotFinite(sourceName, at, (at - Start) / Stride + 1));
             return number;
         }
     }

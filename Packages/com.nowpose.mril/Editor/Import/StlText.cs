@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Text;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Import
 {
@@ -44,20 +45,20 @@ namespace Nowpose.Editor.Import
             if (words.Length == 0) return;
             switch (words[0].ToLowerInvariant())
             {
-                case "solid": Require(!_inSolid, "a solid is inside another solid"); _inSolid = true; break;
-                case "endsolid": Require(_inSolid && !_inFacet, "endsolid without a solid, or inside a facet"); _inSolid = false; break;
+                case "solid": Require(!_inSolid, StlMessages.SolidInSolid); _inSolid = true; break;
+                case "endsolid": Require(_inSolid && !_inFacet, StlMessages.EndSolid); _inSolid = false; break;
                 case "facet": BeginFacet(); break;
                 case "endfacet": EndFacet(); break;
                 case "vertex": Vertex(words); break;
                 case "outer":
-                case "endloop": Require(_inFacet, "endloop outside a facet"); break;
-                default: throw Error("'" + Shortened(words[0]) + "' is not a keyword of the STL format");
+                case "endloop": Require(_inFacet, StlMessages.EndLoop); break;
+                default: throw Error(StlMessages.NotAKeyword(Shortened(words[0])));
             }
         }
 
         void BeginFacet()
         {
-            Require(_inSolid && !_inFacet, "a facet is outside a solid, or inside another facet");
+            Require(_inSolid && !_inFacet, StlMessages.FacetOutside);
             if (++_facets > StlReader.MaxTriangles) throw StlReader.TooMany(Here, _facets);
             _inFacet = true;
             _read = 0;
@@ -65,31 +66,31 @@ namespace Nowpose.Editor.Import
 
         void EndFacet()
         {
-            Require(_inFacet, "endfacet without a facet");
-            Require(_read == 3, "the facet has " + _read + " corners; it needs 3");
+            Require(_inFacet, StlMessages.EndFacet);
+            Require(_read == 3, StlMessages.Corners(_read));
             _inFacet = false;
             _triangles.Add(_corners);
         }
 
         void Vertex(string[] words)
         {
-            Require(_inFacet, "a vertex is outside a facet");
-            Require(_read < 3, "the facet has a fourth corner; it needs 3");
-            Require(words.Length == 4, "a vertex has " + (words.Length - 1) + " numbers; it needs 3");
+            Require(_inFacet, StlMessages.VertexOutside);
+            Require(_read < 3, StlMessages.FourthCorner);
+            Require(words.Length == 4, StlMessages.VertexNumbers(words.Length - 1));
             for (var i = 0; i < 3; i++) _corners[3 * _read + i] = Number(words[i + 1]);
             _read++;
         }
 
         void End()
         {
-            if (_inSolid) throw Error("the file ends without endsolid; it is incomplete, export it again");
+            if (_inSolid) throw Error(StlMessages.NoEndSolid);
         }
 
         float Number(string word)
         {
             if (!float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out var number)
                 || float.IsNaN(number) || float.IsInfinity(number))
-                throw Error("'" + Shortened(word) + "' is not a finite number");
+                throw Error(StlMessages.NotANumber(Shortened(word)));
             return number;
         }
 

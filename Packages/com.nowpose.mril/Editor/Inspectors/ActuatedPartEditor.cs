@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 
@@ -10,7 +11,7 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var shown = (ActuatedPart)target;
-            EditorGUILayout.LabelField("Share of the stroke", LiveText.Number(100 * shown.Share, "0", " %"));
+            EditorGUILayout.LabelField(InspectorTexts.StrokeShare, LiveText.Number(100 * shown.Share, "0", " %"));
             EditorGUILayout.LabelField("State", shown.Fault ?? "current");
         }
     }

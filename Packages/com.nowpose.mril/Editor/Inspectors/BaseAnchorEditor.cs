@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Anchoring;
+using Nowpose.Editor.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using UnityEditor;
@@ -25,8 +26,8 @@ namespace Nowpose.Editor.Inspectors
             var (at, turn) = (place.position, place.rotation);
             var pose = UnityFrame.FromUnity(new UnityPose(at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w));
             Vector3 forward = turn * Vector3.forward, up = turn * Vector3.up;
-            EditorGUILayout.LabelField("Base in the room, m", "x " + Metres(pose.X) + "   y " + Metres(pose.Y) + "   z " + Metres(pose.Z));
-            EditorGUILayout.LabelField("Turned to the left", Degrees(Math.Atan2(-forward.x, forward.z)));
+            EditorGUILayout.LabelField(InspectorTexts.BasePosition, "x " + Metres(pose.X) + "   y " + Metres(pose.Y) + "   z " + Metres(pose.Z));
+            EditorGUILayout.LabelField(InspectorTexts.BaseRotation, Degrees(Math.Atan2(-forward.x, forward.z)));
             EditorGUILayout.LabelField("Tilted", Degrees(Math.Atan2(Math.Sqrt(up.x * up.x + up.z * up.z), up.y)));
             DrawSteps("x", "back", "forward", (1, 0, 0));
             DrawSteps("y", "right", "left", (0, 1, 0));

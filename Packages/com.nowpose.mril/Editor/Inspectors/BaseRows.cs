@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Inspectors
 {
@@ -10,11 +11,11 @@ namespace Nowpose.Editor.Inspectors
         public static IEnumerable<(string Label, string Value)> Of(BaseTracker tracker)
         {
             yield return ("Spread", tracker.Lock == null ? LiveText.Unknown : Offset(tracker.Lock.SpreadMetres, tracker.Lock.SpreadRadians));
-            yield return ("Moved by the newest lock", tracker.Lock == null
+            yield return (InspectorTexts.MovedByLock, tracker.Lock == null
                 ? LiveText.Unknown
                 : Offset(tracker.Lock.ChangeMetres, tracker.Lock.ChangeRadians));
-            yield return ("Moved by the device since", Offset(tracker.CorrectedMetres, tracker.CorrectedRadians));
-            yield return ("Held by the device", tracker.Problem ?? Held(tracker));
+            yield return (InspectorTexts.MovedByDevice, Offset(tracker.CorrectedMetres, tracker.CorrectedRadians));
+            yield return (InspectorTexts.HeldByDevice, tracker.Problem ?? Held(tracker));
             foreach (var marker in tracker.Markers)
                 foreach (var row in Of(marker)) yield return row;
         }
@@ -34,10 +35,10 @@ namespace Nowpose.Editor.Inspectors
 
         static string Role(TrackedMarker marker)
         {
-            if (marker.IsContradicted) return "not used: the other markers contradict it";
-            if (marker.HasMoved) return "not at its expected place";
+            if (marker.IsContradicted) return InspectorTexts.MarkerContradicted;
+            if (marker.HasMoved) return InspectorTexts.MarkerMoved;
             if (marker.Fault != SightingFault.None) return "ignored: " + Reason(marker.Fault);
-            return marker.IsPart ? "part of the lock" : marker.Sightings > 0 ? "seen" : "not seen yet";
+            return marker.IsPart ? InspectorTexts.MarkerInLock : marker.Sightings > 0 ? "seen" : "not seen yet";
         }
 
         static string Ignored(SightingFaults ignored)

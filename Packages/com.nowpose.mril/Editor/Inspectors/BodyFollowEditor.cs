@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using Nowpose.Unity;
 using Nowpose.Unity.Status;
@@ -16,7 +17,7 @@ namespace Nowpose.Editor.Inspectors
             var head = follow.Head;
             if (head == null)
             {
-                EditorGUILayout.LabelField("Follows", "nothing: Head is empty, and no camera is tagged MainCamera");
+                EditorGUILayout.LabelField("Follows", InspectorTexts.NoHead);
                 return;
             }
             var place = AroundHead.Of(follow.transform.position, head.position);

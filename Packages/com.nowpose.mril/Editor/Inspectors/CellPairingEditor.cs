@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
@@ -14,7 +15,7 @@ namespace Nowpose.Editor.Inspectors
         {
             if (!Target.isActiveAndEnabled)
             {
-                EditorGUILayout.LabelField("Pairs", "nothing, it is disabled");
+                EditorGUILayout.LabelField("Pairs", InspectorTexts.Disabled);
                 return;
             }
             // Reads the cell only once, because a button may change it, and the number of controls must not change within one event.
@@ -22,7 +23,7 @@ namespace Nowpose.Editor.Inspectors
             EditorGUILayout.LabelField("Cell", cell ?? "–");
             EditorGUILayout.HelpBox(Target.Words, Target.Problem == null ? MessageType.Info : MessageType.Warning);
             if (Target.Question != null) DrawAnswers();
-            if (GUILayout.Button("Read the code on the clipboard")) Target.ReadCode(EditorGUIUtility.systemCopyBuffer);
+            if (GUILayout.Button(InspectorTexts.ReadClipboard)) Target.ReadCode(EditorGUIUtility.systemCopyBuffer);
             if (cell != null && GUILayout.Button("Forget the cell")) Target.Forget();
         }
 

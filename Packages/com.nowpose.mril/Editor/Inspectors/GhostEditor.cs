@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 
@@ -7,7 +8,7 @@ namespace Nowpose.Editor.Inspectors
     [CanEditMultipleObjects]
     sealed class GhostEditor : LiveInspector
     {
-        readonly StripChart _gap = new StripChart("Gap to the displayed tool", "mm");
+        readonly StripChart _gap = new StripChart(InspectorTexts.GhostGap, "mm");
 
         protected override void Sample(double time) => _gap.Take(time, 1000 * ((Ghost)target).GapMetres);
 

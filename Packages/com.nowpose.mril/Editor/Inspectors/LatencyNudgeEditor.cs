@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
@@ -14,10 +15,10 @@ namespace Nowpose.Editor.Inspectors
         {
             if (!Target.isActiveAndEnabled)
             {
-                EditorGUILayout.LabelField("Shifts", "nothing, it is disabled");
+                EditorGUILayout.LabelField("Shifts", InspectorTexts.Disabled);
                 return;
             }
-            EditorGUILayout.LabelField("Speed along the axis", LiveText.Number(Target.SpeedMmPerS, "0", " mm/s") + (Target.IsSteady ? "" : ", not steady"));
+            EditorGUILayout.LabelField(InspectorTexts.AxisSpeed, LiveText.Number(Target.SpeedMmPerS, "0", " mm/s") + (Target.IsSteady ? "" : ", not steady"));
             EditorGUILayout.LabelField("Shifted by", LiveText.Number(Target.OffsetMm, "0.0", " mm"));
             EditorGUILayout.LabelField("Marks", Target.ForwardCount + " forward, " + Target.BackwardCount + " backward");
             if (Target.Problem != null) EditorGUILayout.HelpBox(Target.Problem, MessageType.Warning);

@@ -1,4 +1,6 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using UnityEditor;
 using UnityEngine;
@@ -12,10 +14,10 @@ namespace Nowpose.Editor.Inspectors
         protected override void DrawLive()
         {
             var loader = (LatencyProfileLoader)target;
-            EditorGUILayout.LabelField("Profile", loader.Profile == null ? "none; the settings apply" : CalibrationWords.Of(loader.Profile));
+            EditorGUILayout.LabelField("Profile", loader.Profile == null ? InspectorTexts.NoProfile : CalibrationMessages.Of(loader.Profile));
             EditorGUILayout.LabelField("From", loader.From ?? "–");
             if (loader.Problem != null) EditorGUILayout.HelpBox(loader.Problem, MessageType.Warning);
-            if (GUILayout.Button("Look for a profile")) loader.Reload();
+            if (GUILayout.Button(InspectorTexts.FindProfile)) loader.Reload();
         }
     }
 }

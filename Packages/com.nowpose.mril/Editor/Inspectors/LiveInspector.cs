@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEngine;
 
@@ -14,7 +15,7 @@ namespace Nowpose.Editor.Inspectors
             if (!Application.isPlaying) return;
             EditorGUILayout.Space();
             if (targets.Length == 1) DrawLive();
-            else EditorGUILayout.HelpBox("Live values are shown for one object at a time.", MessageType.Info);
+            else EditorGUILayout.HelpBox(InspectorTexts.OneObject, MessageType.Info);
         }
 
         public override bool RequiresConstantRepaint() => Application.isPlaying && targets.Length == 1;

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Rendering;
 using UnityEditor;
@@ -13,7 +14,7 @@ namespace Nowpose.Editor.Inspectors
             var appearance = (PoseAppearance)target;
             var look = appearance.Look;
             EditorGUILayout.LabelField("Shown", look.Words.Length == 0 ? "unchanged" : look.Words);
-            EditorGUILayout.LabelField("Reason", appearance.isActiveAndEnabled ? look.Reason : "this component is disabled");
+            EditorGUILayout.LabelField("Reason", appearance.isActiveAndEnabled ? look.Reason : InspectorTexts.ComponentDisabled);
             EditorGUILayout.LabelField("Drawn", appearance.IsDrawn ? Manner(look) : "nothing");
             EditorGUILayout.LabelField("Parts", appearance.PartCount.ToString());
         }

@@ -1,4 +1,5 @@
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using UnityEditor;
 
@@ -16,7 +17,7 @@ namespace Nowpose.Editor.Inspectors
 
         protected override void DrawLive()
         {
-            EditorGUILayout.LabelField("Source", RenderTimeWords.NameOf(Target.Source));
+            EditorGUILayout.LabelField("Source", RenderTimeNames.NameOf(Target.Source));
             _renderTime.Draw();
         }
     }

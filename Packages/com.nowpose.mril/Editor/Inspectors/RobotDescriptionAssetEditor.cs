@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;
@@ -22,14 +23,14 @@ namespace Nowpose.Editor.Inspectors
             EditorGUILayout.LabelField("SHA-256", _summary.Hash);
             if (_summary.Fault != null) EditorGUILayout.HelpBox(_summary.Fault, MessageType.Error);
             // Opens the dialog later, because a dialog would interrupt the drawing of this inspector.
-            if (GUILayout.Button("Load a URDF file …")) EditorApplication.delayCall += Choose;
+            if (GUILayout.Button(InspectorTexts.LoadUrdf)) EditorApplication.delayCall += Choose;
             EditorGUILayout.HelpBox(_summary.Beginning, MessageType.None);
         }
 
         void Choose()
         {
             if (target == null) return;
-            var path = EditorUtility.OpenFilePanel("Load a URDF, xacro expanded", "", "urdf");
+            var path = EditorUtility.OpenFilePanel(InspectorTexts.LoadUrdfTitle, "", "urdf");
             if (string.IsNullOrEmpty(path)) return;
             try
             {
@@ -37,7 +38,7 @@ namespace Nowpose.Editor.Inspectors
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                Debug.LogError("[Nowpose] '" + target.name + "': " + path + " cannot be read; " + e.Message, target);
+                Debug.LogError(InspectorTexts.UrdfUnreadable(target.name, path, e.Message), target);
             }
         }
 

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
 using UnityEditor;
@@ -48,7 +49,7 @@ namespace Nowpose.Editor.Inspectors
             {
                 var root = Target.BuildToStay(description.Read(), AssetDatabase.LoadAssetAtPath<Material>(PlainMaterial));
                 if (root != null) Undo.RegisterCreatedObjectUndo(root, "Build " + description.name);
-                else _refusal = "The rig already has links. Delete them to build the robot again.";
+                else _refusal = InspectorTexts.HasLinks;
             }
             catch (InputException fault)
             {

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Inspectors
 {
@@ -14,8 +15,8 @@ namespace Nowpose.Editor.Inspectors
         /// <param name="seconds">Length of the window in s, more than 0.</param>
         public RollingSeries(int capacity, double seconds)
         {
-            if (capacity < 2) throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "capacity must be 2 or more");
-            if (!(seconds > 0)) throw new ArgumentOutOfRangeException(nameof(seconds), seconds, "seconds must be more than 0");
+            if (capacity < 2) throw new ArgumentOutOfRangeException(nameof(capacity), capacity, InspectorTexts.Capacity);
+            if (!(seconds > 0)) throw new ArgumentOutOfRangeException(nameof(seconds), seconds, InspectorTexts.Seconds);
             _times = new double[capacity];
             _values = new float[capacity];
             _seconds = seconds;

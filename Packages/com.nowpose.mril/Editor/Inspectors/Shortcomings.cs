@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -12,41 +13,40 @@ namespace Nowpose.Editor.Inspectors
         static readonly ReferenceRule[] Rules =
         {
             new ReferenceRule(
-                typeof(MrilSession), "_settings", null, "It has no settings and cannot start. Assign settings, or let a script provide them.",
+                typeof(MrilSession), "_settings", null, ShortcomingTexts.Settings,
                 _ => PackageAsset.DefaultSettings.Load<SessionSettingsAsset>()),
             new ReferenceRule(
                 typeof(RobotRig), "_session", typeof(MrilSession),
-                "There is no session on this object or a parent. Assign one, or let a script bind and move the rig.", Only<MrilSession>),
+                ShortcomingTexts.RigSession, Only<MrilSession>),
             new ReferenceRule(
                 typeof(RenderTimeSource), "_session", typeof(MrilSession),
-                "There is no session on this object or a parent for the report. Assign one.", Only<MrilSession>),
+                ShortcomingTexts.ReportSession, Only<MrilSession>),
             new ReferenceRule(
                 typeof(LatencyProfileLoader), "_session", typeof(MrilSession),
-                "No session on this object or a parent to calibrate. Assign one.", Only<MrilSession>),
+                ShortcomingTexts.CalibratedSession, Only<MrilSession>),
             new ReferenceRule(
                 typeof(LatencyNudge), "_session", typeof(MrilSession),
-                "No session on this object or a parent to calibrate. Assign one.", Only<MrilSession>),
+                ShortcomingTexts.CalibratedSession, Only<MrilSession>),
             new ReferenceRule(
                 typeof(CellPairing), "_session", typeof(MrilSession),
-                "There is no session on this object or a parent. Assign the session to set up.", Only<MrilSession>),
+                ShortcomingTexts.PairedSession, Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_session", typeof(MrilSession),
-                "There is no session on this object or a parent. Assign the session whose pose is shown.", Only<MrilSession>),
+                ShortcomingTexts.ShownSession, Only<MrilSession>),
             new ReferenceRule(
                 typeof(PoseAppearance), "_substitute", null,
-                "Some parts have materials that cannot fade, because their shaders lack _Hatch or _Fade. They are hidden while the "
-                + "pose is not current. Assign a substitute, or add NowposePose.hlsl to their shaders.",
+                ShortcomingTexts.Substitute,
                 _ => PackageAsset.Hologram.Load<Material>(), appearance => ((PoseAppearance)appearance).NeedsSubstitute),
             new ReferenceRule(
                 typeof(StatusPanel), "_session", typeof(MrilSession),
-                "There is no session on this object or a parent. Assign the session whose status is shown.", Only<MrilSession>),
+                ShortcomingTexts.StatusSession, Only<MrilSession>),
             new ReferenceRule(
                 typeof(StatusPanel), "_cell", null,
-                "It has no text to copy. Assign a child text, whose font, material, style and colour apply to the whole panel.",
+                ShortcomingTexts.PanelText,
                 panel => panel.GetComponentInChildren<TextMesh>(true)),
             new ReferenceRule(
                 typeof(VirtualGripper), "_rig", typeof(RobotRig),
-                "There is no rig on a parent. Move the object below a rig, or assign a rig.", Only<RobotRig>),
+                ShortcomingTexts.Rig, Only<RobotRig>),
         };
 
         /// <summary>Returns the missing references of components. A reference that several components lack is returned only once.</summary>

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 
@@ -12,7 +13,7 @@ namespace Nowpose.Editor.Inspectors
             var panel = (StatusPanel)target;
             if (!panel.isActiveAndEnabled)
             {
-                EditorGUILayout.LabelField("Shows", "nothing, it is disabled");
+                EditorGUILayout.LabelField("Shows", InspectorTexts.Disabled);
                 return;
             }
             EditorGUILayout.LabelField("Legible up to", LiveText.Number(panel.LegibleMetres, "0.0", " m"));

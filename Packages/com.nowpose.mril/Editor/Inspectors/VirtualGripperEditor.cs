@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using UnityEditor;
 
@@ -14,17 +15,17 @@ namespace Nowpose.Editor.Inspectors
             foreach (var finger in gripper.Fingers) EditorGUILayout.LabelField(LabelOf(finger), StateOf(finger, gripper.Rig));
         }
 
-        static string LabelOf(GripperFinger finger) => finger.Joint.Length > 0 ? finger.Joint : "A finger without a joint";
+        static string LabelOf(GripperFinger finger) => finger.Joint.Length > 0 ? finger.Joint : InspectorTexts.FingerWithoutJoint;
 
         static string StateOf(GripperFinger finger, RobotRig rig)
         {
             if (rig == null || rig.Model == null) return LiveText.Unknown;
             var index = rig.Model.IndexOfMovingJoint(finger.Joint);
-            if (index < 0) return "robot '" + rig.Model.Name + "' has no such joint; the finger does not move";
+            if (index < 0) return InspectorTexts.NoFingerJoint(rig.Model.Name);
             var joint = rig.Model.MovingJoints[index];
             var position = LiveText.Position(joint, rig.Joints[index]);
-            if (finger.Finger == null) return position + ", but no finger is assigned";
-            return finger.Finger == rig.Link(joint.ChildLink) ? position + ", moved by the rig itself" : position;
+            if (finger.Finger == null) return InspectorTexts.NoFinger(position);
+            return finger.Finger == rig.Link(joint.ChildLink) ? InspectorTexts.MovedByRig(position) : position;
         }
     }
 }

@@ -1,10 +1,11 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     sealed class ApiLevelCheck : ProjectCheck
     {
         public ApiLevelCheck()
-            : base(
-                "API level is .NET Standard 2.1", "The package is built and tested with it, and the app is smaller.",
+            : base(CheckTitles.ApiLevel, CheckReasons.ApiLevel,
                 "Use .NET Standard 2.1")
         { }
 

@@ -1,3 +1,5 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     sealed class ArchitectureCheck : ProjectCheck
@@ -5,10 +7,10 @@ namespace Nowpose.Editor.Setup
         const string Arm64 = "ARM64";
 
         public ArchitectureCheck()
-            : base("Architecture is ARM64", "A HoloLens 2 has an ARM64 processor; an app for another one cannot be installed.", "Use ARM64") { }
+            : base("Architecture is ARM64", CheckReasons.Architecture, "Use ARM64") { }
 
         public override CheckResult Look(IProjectSettings project) =>
-            project.Architecture == Arm64 ? Good(Arm64) : Missing("the app is built for " + project.Architecture);
+            project.Architecture == Arm64 ? Good(Arm64) : Missing(CheckResults.Architecture(project.Architecture));
 
         public override string Fix(IProjectSettings project)
         {

@@ -1,3 +1,5 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     /// <summary>
@@ -5,13 +7,11 @@ namespace Nowpose.Editor.Setup
     /// </summary>
     sealed class CameraBackgroundCheck : ProjectCheck
     {
-        public const string NoCamera = "the open scenes have no enabled camera with the tag MainCamera; open the scene of the headset";
+        public const string NoCamera = CheckResults.NoCamera;
 
         public CameraBackgroundCheck()
-            : base(
-                "Main camera clears to black with alpha 0",
-                "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and pictures that the headset "
-                + "takes need the alpha.", "Clear to black with alpha 0")
+            : base(CheckTitles.CameraBackground,
+                CheckReasons.CameraBackground, CheckTitles.ClearToBlack)
         { }
 
         public override CheckResult Look(IProjectSettings project)
@@ -19,14 +19,14 @@ namespace Nowpose.Editor.Setup
             switch (project.ClearsToTransparentBlack)
             {
                 case true: return Good("solid colour (0, 0, 0, 0)");
-                case false: return Missing("the camera clears to a skybox or to another colour");
+                case false: return Missing(CheckResults.CameraBackground);
                 default: return new CheckResult(CheckState.Unknown, NoCamera);
             }
         }
 
         public override string Fix(IProjectSettings project)
         {
-            if (project.ClearsToTransparentBlack == null) return "Open a scene with a main camera first.";
+            if (project.ClearsToTransparentBlack == null) return CheckFixes.OpenScene;
             project.ClearToTransparentBlack();
             return null;
         }

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using UnityEngine.Rendering;
 
 namespace Nowpose.Editor.Setup
@@ -6,10 +7,8 @@ namespace Nowpose.Editor.Setup
     sealed class GraphicsApiCheck : ProjectCheck
     {
         public GraphicsApiCheck()
-            : base(
-                "Graphics API is Direct3D 11 only",
-                "The visualisation latency depends on it, so a calibration is valid for one API only. Unity 6 selects Direct3D 12 automatically, "
-                + "which is slower on a HoloLens 2 according to Unity's measurements.", "Use Direct3D 11 only")
+            : base(CheckTitles.GraphicsApi,
+                CheckReasons.GraphicsApi, "Use Direct3D 11 only")
         { }
 
         public override CheckResult Look(IProjectSettings project)
@@ -17,12 +16,12 @@ namespace Nowpose.Editor.Setup
             var apis = project.GraphicsApis;
             var names = string.Join(", ", apis);
             if (apis.Count == 0)
-                return new CheckResult(CheckState.Unknown, "Unity names no graphics API for this player; its module is not installed");
+                return new CheckResult(CheckState.Unknown, CheckResults.NoGraphicsApi);
             var isAlone = apis.Count == 1 && apis[0] == GraphicsDeviceType.Direct3D11;
             if (!project.IsGraphicsApiAutomatic) return isAlone ? Good(names) : Missing(names + " in the list");
             return isAlone
-                ? new CheckResult(CheckState.Advice, "automatic, which is " + names + " in this version of Unity")
-                : Missing("automatic, which is " + names + " in this version of Unity");
+                ? new CheckResult(CheckState.Advice, CheckResults.AutomaticApi(names))
+                : Missing(CheckResults.AutomaticApi(names));
         }
 
         public override string Fix(IProjectSettings project)

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -6,24 +7,23 @@ namespace Nowpose.Editor.Setup
     sealed class InputHandlingCheck : ProjectCheck
     {
         /// <summary>Names of the values, indexed by their number in the project's settings.</summary>
-        static readonly string[] Names = { "Input Manager (Old)", "Input System Package (New)", "Both" };
+        static readonly string[] Names = { "Input Manager (Old)", CheckTitles.InputSystem, "Both" };
 
         const int InputSystem = 1, Both = 2;
 
         public InputHandlingCheck()
-            : base(
-                "Active Input Handling is Input System Package",
-                "OpenXR provides the poses of head and hands through it, and MRTK3 needs it. Without it the camera does not follow the head.",
-                "Use the Input System (then restart Unity)")
+            : base(CheckTitles.InputHandling,
+                CheckReasons.InputHandling,
+                CheckTitles.UseInputSystem)
         { }
 
         public override CheckResult Look(IProjectSettings project)
         {
             if (!(project.InputHandling is int value))
-                return new CheckResult(CheckState.Unknown, "not found in the project's settings; see Project Settings, Player, Other Settings");
+                return new CheckResult(CheckState.Unknown, CheckResults.NoInputHandling);
             var name = value >= 0 && value < Names.Length ? Names[value] : FormattableString.Invariant($"unknown value {value}");
             if (value == Both && project.Platform == HeadsetPlatform.AndroidHeadset)
-                return new CheckResult(CheckState.Advice, name + ", which Unity does not support on Android");
+                return new CheckResult(CheckState.Advice, CheckResults.InputHandlingOnAndroid(name));
             return value == InputSystem || value == Both ? Good(name) : Missing(name);
         }
 
@@ -31,7 +31,7 @@ namespace Nowpose.Editor.Setup
         {
             if (project.ChooseInputHandling(InputSystem)) return null;
             project.OpenProjectSettings();
-            return "Project Settings, Player, Other Settings, Active Input Handling: " + Names[InputSystem] + "; Unity restarts for it.";
+            return CheckFixes.InputHandling(Names[InputSystem]);
         }
     }
 }

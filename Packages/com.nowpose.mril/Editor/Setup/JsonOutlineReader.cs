@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -39,7 +40,7 @@ namespace Nowpose.Editor.Setup
             if (reader.Next != '{') throw reader.Wrong("{ is expected");
             var root = reader.Value();
             reader.SkipBlanks();
-            return reader._at == text.Length ? root : throw reader.Wrong("nothing is expected after the object");
+            return reader._at == text.Length ? root : throw reader.Wrong(ManifestMessages.AfterObject);
         }
 
         /// <summary>Returns the line number of the character at an index. The first line has number 1.</summary>
@@ -52,14 +53,14 @@ namespace Nowpose.Editor.Setup
             var value = new JsonOutline { ItemStart = _at, Start = _at };
             if (Next == '{' || Next == '[') ReadItems(value);
             else if (Next == '"') value.Text = ReadString();
-            else Skip(Scalar, "a value is expected");
+            else Skip(Scalar, ManifestMessages.NoValue);
             value.End = _at;
             return value;
         }
 
         void ReadItems(JsonOutline value)
         {
-            if (++_depth > MaxNesting) throw Wrong("nested more than " + MaxNesting.ToString(CultureInfo.InvariantCulture) + " deep");
+            if (++_depth > MaxNesting) throw Wrong(ManifestMessages.TooDeep(MaxNesting.ToString(CultureInfo.InvariantCulture)));
             value.IsObject = Next == '{';
             value.Items = new List<JsonOutline>();
             var end = value.IsObject ? '}' : ']';
@@ -80,7 +81,7 @@ namespace Nowpose.Editor.Setup
         JsonOutline Member()
         {
             var start = _at;
-            if (Next != '"') throw Wrong("a name in double quotes is expected");
+            if (Next != '"') throw Wrong(ManifestMessages.NoName);
             var name = ReadString();
             SkipBlanks();
             Take(':');
@@ -100,7 +101,7 @@ namespace Nowpose.Editor.Setup
         string ReadString()
         {
             var start = _at;
-            Skip(Quoted, "the string does not end, or has a character that must be escaped");
+            Skip(Quoted, ManifestMessages.StringEnd);
             using (var reader = new JsonTextReader(new System.IO.StringReader(_text.Substring(start, _at - start))))
             {
                 reader.DateParseHandling = DateParseHandling.None;
@@ -123,8 +124,7 @@ namespace Nowpose.Editor.Setup
         InputException Wrong(string what)
         {
             var line = LineOf(_text, _at).ToString(CultureInfo.InvariantCulture);
-            var comment = Next == '/' ? " (JSON has no comments)" : "";
-            return new InputException(_file + ":" + line + ": not a JSON object: " + what + comment);
+            return new InputException(ManifestMessages.NotJson(_file, line, what, Next == '/'));
         }
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEngine;
 
@@ -33,7 +34,7 @@ namespace Nowpose.Editor.Setup
         public static void ClearToTransparentBlack()
         {
             if (Camera.main == null) return;
-            Undo.RecordObject(Camera.main, "Clear to transparent black");
+            Undo.RecordObject(Camera.main, CheckTitles.UndoClear);
             Camera.main.clearFlags = CameraClearFlags.SolidColor;
             Camera.main.backgroundColor = Color.clear;
             PrefabUtility.RecordPrefabInstancePropertyModifications(Camera.main);

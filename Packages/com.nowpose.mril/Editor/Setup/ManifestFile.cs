@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -30,7 +31,7 @@ namespace Nowpose.Editor.Setup
 
         /// <summary>Reason why the file cannot be written, and the remedy, in one line; null if the file seems writable.</summary>
         public string Obstacle => IsReadOnly
-            ? _path + ": the file is read-only; make it writable, or check it out of version control, and try again"
+            ? ManifestMessages.ReadOnly(_path)
             : null;
 
         bool IsLink => (File.GetAttributes(_path) & FileAttributes.ReparsePoint) != 0;
@@ -63,7 +64,7 @@ namespace Nowpose.Editor.Setup
         {
             var size = new FileInfo(path).Length;
             if (size <= MaxSize) return new ManifestFile(path, File.ReadAllBytes(path));
-            throw new InputException(path + ": the file has " + size.ToString(CultureInfo.InvariantCulture) + " bytes; the limit is 1 MiB");
+            throw new InputException(ManifestMessages.TooLong(path, size.ToString(CultureInfo.InvariantCulture)));
         }
 
         /// <summary>Replaces the content of the file.</summary>
@@ -75,7 +76,7 @@ namespace Nowpose.Editor.Setup
         {
             if (Obstacle is string obstacle) throw new InputException(obstacle);
             if (!File.ReadAllBytes(_path).SequenceEqual(_content))
-                throw new InputException(_path + ": another program has changed the file; try again");
+                throw new InputException(ManifestMessages.ChangedMeanwhile(_path));
 
             var backup = Backup();
             if (IsLink) WriteThroughLink(text, backup);
@@ -101,7 +102,7 @@ namespace Nowpose.Editor.Setup
             }
             catch (IOException e)
             {
-                throw new InputException(_path + ": not written completely (" + e.Message + "); copy " + backup + " over it, and try again", e);
+                throw new InputException(ManifestMessages.NotWritten(_path, e.Message, backup), e);
             }
         }
 
@@ -136,7 +137,7 @@ namespace Nowpose.Editor.Setup
             }
             catch (DecoderFallbackException e)
             {
-                throw new InputException(_path + ": the file is not UTF-8; save it as UTF-8", e);
+                throw new InputException(ManifestMessages.NotUtf8(_path), e);
             }
         }
     }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Newtonsoft.Json.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -87,7 +88,7 @@ namespace Nowpose.Editor.Setup
             if (serves == true) return;
             if (serves == null)
             {
-                _notes.Add(package.Name + " is kept at " + version + ": its version cannot be read there; " + package.Bounds + " is needed");
+                _notes.Add(ManifestMessages.VersionUnreadable(package.Name, version, package.Bounds));
                 return;
             }
             var needed = isExact ? package.Reference : package.Bounds;
@@ -124,10 +125,7 @@ namespace Nowpose.Editor.Setup
                 _changes.Add(Registries + ": " + package.Registry.Url + " in place of " + url);
                 return true;
             }
-            _conflicts.Add(
-                _manifest.PlaceOf(other) + ": " + package.Name + " comes from " + (url == null ? "a registry without url" : "the registry " + url)
-                + "; " + package.Registry.Url + " is needed"
-                + (isReplaceable || url == null ? "" : "; the registry has other scopes too, so its url is kept"));
+            _conflicts.Add(ManifestMessages.OtherRegistry(_manifest.PlaceOf(other), package.Name, url, package.Registry.Url, !isReplaceable));
             CanReplaceAll &= isReplaceable;
             return _rule == ConflictRule.Keep;
         }
@@ -173,11 +171,11 @@ namespace Nowpose.Editor.Setup
         {
             var scopes = registry["scopes"];
             if (scopes == null) return Enumerable.Empty<string>();
-            if (!scopes.IsArray) throw new InputException(_manifest.PlaceOf(scopes) + ": scopes must be an array");
+            if (!scopes.IsArray) throw new InputException(ManifestMessages.Scopes(_manifest.PlaceOf(scopes)));
             return scopes.Items.Select(item => item.Text).Where(text => text != null);
         }
 
         string StringOf(JsonOutline entry, string name) =>
-            entry.Text ?? throw new InputException(_manifest.PlaceOf(entry) + ": " + name + " must be a string: a version or an address");
+            entry.Text ?? throw new InputException(ManifestMessages.NotAString(_manifest.PlaceOf(entry), name));
     }
 }

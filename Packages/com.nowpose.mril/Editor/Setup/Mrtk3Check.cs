@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -7,7 +8,7 @@ namespace Nowpose.Editor.Setup
     sealed class Mrtk3Check : ProjectCheck
     {
         public Mrtk3Check()
-            : base("MRTK3 (optional)", "Hand menu, voice and grabbing of the sample HoloLens 2 (MRTK3); the package works without it.", null) { }
+            : base("MRTK3 (optional)", CheckReasons.Mrtk3, null) { }
 
         public override CheckResult Look(IProjectSettings project)
         {
@@ -26,8 +27,6 @@ namespace Nowpose.Editor.Setup
         public override string Fix(IProjectSettings project) => null;
 
         static string WhatToDo(List<string> missing) =>
-            string.Join(", ", missing) + (missing.Count == 1 ? " is" : " are")
-            + " not installed; close Unity and run `nowpose unity PATH --mrtk3`, or get the tarballs from the releases of "
-            + "github.com/MixedRealityToolkit/MixedRealityToolkit-Unity";
+            CheckResults.NotInstalled(string.Join(", ", missing), missing.Count);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -19,10 +20,8 @@ namespace Nowpose.Editor.Setup
         const double RobotMetres = 1.5;
 
         public NearClipCheck()
-            : base(
-                "Main camera's near clip plane is at 0.1 m",
-                "The headset stabilises the picture with a 16-bit depth, whose steps are larger if the plane is closer: at 1.5 m they are "
-                + "0.34 mm with 0.1 m, and 1.7 mm with the 0.02 m of MRTK3's rig.", "Set it to 0.1 m")
+            : base(CheckTitles.NearClip,
+                CheckReasons.NearClip, "Set it to 0.1 m")
         { }
 
         public override CheckResult Look(IProjectSettings project)
@@ -30,15 +29,15 @@ namespace Nowpose.Editor.Setup
             if (!(project.NearClipMetres is float near)) return new CheckResult(CheckState.Unknown, CameraBackgroundCheck.NoCamera);
             var found = FormattableString.Invariant($"{near:0.###} m");
             if (near < RecommendedMetres - ToleranceMetres)
-                return Missing(FormattableString.Invariant($"{found}; one step of the depth is {StepMillimetres(near):0.##} mm at {RobotMetres} m"));
+                return Missing(CheckResults.NearClip(found, StepMillimetres(near), RobotMetres));
             return near > MaxMetres + ToleranceMetres
-                ? new CheckResult(CheckState.Advice, found + "; objects closer to the eyes are not drawn")
+                ? new CheckResult(CheckState.Advice, CheckResults.FarNearClip(found))
                 : Good(found);
         }
 
         public override string Fix(IProjectSettings project)
         {
-            if (project.NearClipMetres == null) return "Open a scene with a main camera first.";
+            if (project.NearClipMetres == null) return CheckFixes.OpenScene;
             project.NearClipMetres = RecommendedMetres;
             return null;
         }

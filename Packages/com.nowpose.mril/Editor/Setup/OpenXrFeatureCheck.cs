@@ -1,3 +1,5 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     /// <summary>Checks whether an OpenXR feature is enabled for the player.</summary>
@@ -24,7 +26,7 @@ namespace Nowpose.Editor.Setup
             {
                 case true: return Good("ticked");
                 case false: return new CheckResult(_without, "not ticked");
-                default: return new CheckResult(_without, "the project does not have this feature yet: its package adds it when OpenXR is ticked");
+                default: return new CheckResult(_without, CheckResults.NoFeature);
             }
         }
 
@@ -32,7 +34,7 @@ namespace Nowpose.Editor.Setup
         {
             if (project.TurnFeatureOn(_id)) return null;
             project.OpenProjectSettings();
-            return "Project Settings, XR Plug-in Management, OpenXR: tick " + _name + ".";
+            return CheckFixes.Feature(_name);
         }
     }
 }

@@ -1,12 +1,13 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     sealed class OpenXrLoaderCheck : ProjectCheck
     {
         // The fix only opens the Project Settings, because another package owns the setting, and this assembly does not reference that package.
         public OpenXrLoaderCheck(HeadsetPlatform platform)
-            : base(
-                "OpenXR starts in the " + platform.ShortPlayer + " player",
-                "Without it the app is a flat window in front of the wearer.", "Open Project Settings")
+            : base(CheckTitles.OpenXrLoader(platform.ShortPlayer),
+                CheckReasons.OpenXrLoader, "Open Project Settings")
         { }
 
         public override CheckResult Look(IProjectSettings project)
@@ -14,15 +15,15 @@ namespace Nowpose.Editor.Setup
             switch (project.UsesOpenXr)
             {
                 case true: return Good("OpenXR is ticked");
-                case false: return Missing("no plug-in or another one is ticked");
-                default: return Missing("the project has no settings for XR plug-ins yet");
+                case false: return Missing(CheckResults.NoLoader);
+                default: return Missing(CheckResults.NoXrSettings);
             }
         }
 
         public override string Fix(IProjectSettings project)
         {
             project.OpenProjectSettings();
-            return "Project Settings, XR Plug-in Management, tab " + project.Platform.Player + ": tick OpenXR and the feature group of your headset.";
+            return CheckFixes.OpenXrLoader(project.Platform.Player);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -25,7 +26,7 @@ namespace Nowpose.Editor.Setup
 
         public override CheckResult Look(IProjectSettings project)
         {
-            if (!(project.OpenXrOption(_field) is int value)) return Missing("the project has no settings of OpenXR yet");
+            if (!(project.OpenXrOption(_field) is int value)) return Missing(CheckResults.NoOpenXrSettings);
             var name = value >= 0 && value < _names.Length ? _names[value] : FormattableString.Invariant($"unknown value {value}");
             return value == _wanted ? Good(name) : Missing(name + " is chosen");
         }
@@ -34,7 +35,7 @@ namespace Nowpose.Editor.Setup
         {
             if (project.ChooseOpenXrOption(_field, _wanted)) return null;
             project.OpenProjectSettings();
-            return "Project Settings, XR Plug-in Management, OpenXR: " + _title + " " + _names[_wanted] + ".";
+            return CheckFixes.OpenXrOption(_title, _names[_wanted]);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -34,7 +35,7 @@ namespace Nowpose.Editor.Setup
             get
             {
                 if (_min == null) return _below == null ? null : "older than " + _below;
-                return _min + (_below == null ? " or newer" : " or newer, but older than " + _below);
+                return _min + (_below == null ? " or newer" : CheckResults.OrNewer(_below));
             }
         }
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Nowpose.Editor.Messages;
 using UnityEditor;
 
 namespace Nowpose.Editor.Setup
@@ -25,35 +26,33 @@ namespace Nowpose.Editor.Setup
             new InputHandlingCheck(),
             OpenXr,
             new PackageCheck(
-                "Mixed Reality OpenXR", "Features of a HoloLens beyond OpenXR: anchors, markers and display times.",
+                "Mixed Reality OpenXR", CheckReasons.MixedRealityOpenXr,
                 ProjectNeeds.MixedRealityOpenXr),
             new PackageCheck(
-                "AR Foundation", "Microsoft's plug-in needs it for markers and anchors; without it the robot's base can be placed by hand only.",
+                "AR Foundation", CheckReasons.ArFoundation,
                 ProjectNeeds.ArFoundation, CheckState.Advice),
             new OpenXrLoaderCheck(HeadsetPlatform.HoloLens2),
             new OpenXrFeatureCheck(
-                "Mixed Reality Features", "It provides markers, anchors and the predicted display time.", "com.microsoft.openxr.feature.hololens"),
+                "Mixed Reality Features", CheckReasons.MixedRealityFeatures, "com.microsoft.openxr.feature.hololens"),
             new OpenXrFeatureCheck(
-                "Hand Tracking", "It provides the joints of the hands for MRTK3's hand menu and for grabbing.", "com.microsoft.openxr.feature.handtracking",
+                "Hand Tracking", CheckReasons.HandTracking, "com.microsoft.openxr.feature.handtracking",
                 CheckState.Advice),
-            new OpenXrFeatureCheck(
-                "Microsoft Hand Interaction Profile", "It provides pinch and ray of a hand for MRTK3.", "com.unity.openxr.feature.input.handtracking",
+            new OpenXrFeatureCheck(CheckTitles.HandInteraction, CheckReasons.HandInteraction, "com.unity.openxr.feature.input.handtracking",
                 CheckState.Advice),
-            new OpenXrFeatureCheck(
-                "Eye Gaze Interaction Profile", "Needed by MRTK3 to select a button by looking at it and pinching.", "com.unity.openxr.feature.input.eyetracking",
+            new OpenXrFeatureCheck(CheckTitles.EyeGaze, CheckReasons.EyeGaze, "com.unity.openxr.feature.input.eyetracking",
                 CheckState.Advice),
             RenderMode,
             new OpenXrOptionCheck(
-                "Depth Submission Mode", "The headset stabilises the picture with the depth of the scene; 24 bits cost more than they improve.",
+                "Depth Submission Mode", CheckReasons.DepthSubmission,
                 "m_depthSubmissionMode", DepthModes, 1),
             new CapabilityCheck(
-                PlayerSettings.WSACapability.InternetClient, "Needed to connect to a gateway in another network or by its public address."),
+                PlayerSettings.WSACapability.InternetClient, CheckReasons.InternetClient),
             new CapabilityCheck(
-                PlayerSettings.WSACapability.PrivateNetworkClientServer, "Needed to connect to a gateway in the same private network, which is the usual case."),
-            new CapabilityCheck(PlayerSettings.WSACapability.WebCam, "Needed to find the robot's base by a marker with the headset's camera."),
-            new CapabilityCheck(PlayerSettings.WSACapability.SpatialPerception, "Needed to keep the robot's base at its place in the room."),
-            new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, "Needed by MRTK3 to select a button by looking at it and pinching.", CheckState.Advice),
-            new CapabilityCheck(PlayerSettings.WSACapability.Microphone, "Needed for the voice commands.", CheckState.Advice),
+                PlayerSettings.WSACapability.PrivateNetworkClientServer, CheckReasons.PrivateNetwork),
+            new CapabilityCheck(PlayerSettings.WSACapability.WebCam, CheckReasons.WebCam),
+            new CapabilityCheck(PlayerSettings.WSACapability.SpatialPerception, CheckReasons.SpatialPerception),
+            new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, CheckReasons.EyeGaze, CheckState.Advice),
+            new CapabilityCheck(PlayerSettings.WSACapability.Microphone, CheckReasons.Microphone, CheckState.Advice),
             FrameTiming,
             RunInBackground,
             new CameraBackgroundCheck(),
@@ -73,7 +72,7 @@ namespace Nowpose.Editor.Setup
             new InputHandlingCheck(),
             OpenXr,
             new PackageCheck(
-                "Input System", "OpenXR provides the poses of head and controllers through it.", ProjectNeeds.InputSystem),
+                "Input System", CheckReasons.InputSystem, ProjectNeeds.InputSystem),
             new OpenXrLoaderCheck(HeadsetPlatform.AndroidHeadset),
             RenderMode,
             new InternetAccessCheck(),
@@ -83,17 +82,17 @@ namespace Nowpose.Editor.Setup
         };
 
         static ProjectCheck OpenXr => new PackageCheck(
-            "OpenXR", "Unity's interface to the headset.", ProjectNeeds.OpenXr);
+            "OpenXR", CheckReasons.OpenXr, ProjectNeeds.OpenXr);
 
         static ProjectCheck RenderMode => new OpenXrOptionCheck(
-            "Render Mode", "The package's shaders support it, and it draws both eyes in one pass.", "m_renderMode", RenderModes, 1);
+            "Render Mode", CheckReasons.RenderMode, "m_renderMode", RenderModes, 1);
 
         static ProjectCheck FrameTiming => new FrameTimingCheck();
 
         static ProjectCheck RunInBackground => new RunInBackgroundCheck();
 
         static ProjectCheck NativeWebSocket => new PackageCheck(
-            "NativeWebSocket (optional)", "An alternative to the package's own WebSocket client.", ProjectNeeds.NativeWebSocket,
+            "NativeWebSocket (optional)", CheckReasons.NativeWebSocket, ProjectNeeds.NativeWebSocket,
             CheckState.Advice);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
@@ -6,22 +7,20 @@ namespace Nowpose.Editor.Setup
     sealed class RenderPipelineCheck : ProjectCheck
     {
         public RenderPipelineCheck()
-            : base(
-                "Render pipeline is the built-in one or URP",
-                "The package's shaders support both. The visualisation latency depends on the pipeline: calibrate again "
-                + "after a change.", null)
+            : base(CheckTitles.RenderPipeline,
+                CheckReasons.RenderPipeline, null)
         { }
 
         public override CheckResult Look(IProjectSettings project)
         {
-            const string choose = "choose URP or none under Project Settings, Graphics and Quality";
+            const string choose = CheckResults.ChoosePipeline;
             var asset = project.RenderPipeline;
-            if (asset == null) return Good("built-in render pipeline; the shaders' built-in SubShader is used");
+            if (asset == null) return Good(CheckResults.BuiltIn);
             if (asset.StartsWith("UniversalRenderPipeline", StringComparison.Ordinal))
-                return Good("URP (" + asset + "); the shaders' SubShader for URP is used");
+                return Good(CheckResults.Urp(asset));
             if (asset.StartsWith("HDRenderPipeline", StringComparison.Ordinal))
-                return Missing("HDRP (" + asset + "): the package has no shaders for it; " + choose);
-            return new CheckResult(CheckState.Unknown, asset + ": the package's shaders do not support it; " + choose);
+                return Missing(CheckResults.Hdrp(asset, choose));
+            return new CheckResult(CheckState.Unknown, CheckResults.OtherPipeline(asset, choose));
         }
 
         public override string Fix(IProjectSettings project) => null;

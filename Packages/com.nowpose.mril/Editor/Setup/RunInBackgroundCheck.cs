@@ -1,12 +1,13 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     sealed class RunInBackgroundCheck : ProjectCheck
     {
         public RunInBackgroundCheck()
-            : base(
-                "Run In Background is on",
-                "Otherwise the session ends whenever the system's menu opens, and must synchronise its clock again.",
-                "Turn Run In Background on")
+            : base(CheckTitles.RunInBackground,
+                CheckReasons.RunInBackground,
+                CheckTitles.TurnRunInBackgroundOn)
         { }
 
         public override CheckResult Look(IProjectSettings project) => project.RunsInBackground

@@ -1,11 +1,13 @@
+using Nowpose.Editor.Messages;
+
 namespace Nowpose.Editor.Setup
 {
     sealed class ScriptingBackendCheck : ProjectCheck
     {
         public ScriptingBackendCheck(HeadsetPlatform platform)
-            : base("Scripting backend is IL2CPP", "It is the only backend for the ARM64 processor of " + platform.Headset + ".", "Use IL2CPP") { }
+            : base("Scripting backend is IL2CPP", CheckReasons.ScriptingBackend(platform.Headset), "Use IL2CPP") { }
 
-        public override CheckResult Look(IProjectSettings project) => project.UsesIl2Cpp ? Good("IL2CPP") : Missing("another backend is chosen");
+        public override CheckResult Look(IProjectSettings project) => project.UsesIl2Cpp ? Good("IL2CPP") : Missing(CheckResults.ScriptingBackend);
 
         public override string Fix(IProjectSettings project)
         {

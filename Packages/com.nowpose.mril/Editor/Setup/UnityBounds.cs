@@ -1,26 +1,22 @@
 using System;
 using System.Linq;
+using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
     /// <summary>Rates Unity versions: the package was compiled against some of them, and others have known failures.</summary>
     static class UnityBounds
     {
-        public const string Recommended = "use 2022.3 for a HoloLens 2";
-
-        const string PlugInFails =
-            "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3 (6000.3), and its newer versions have not been tested; " + Recommended;
-
         // Each row applies from its version up to the version of the next row.
         static readonly Row[] Rows =
         {
-            new Row("2021.3", CheckState.Advice, "compiled against 2021.3.26; " + Recommended),
-            new Row("2022.1", CheckState.Advice, "not compiled against this release; " + Recommended),
-            new Row("2022.3", CheckState.Good, "compiled against 2022.3.7; the release for a HoloLens 2"),
-            new Row("2023.1", CheckState.Advice, "not compiled against this release; " + Recommended),
-            new Row("6000.0", CheckState.Advice, "compiled against 6000.0.78, not tested on a device; " + Recommended),
-            new Row("6000.1", CheckState.Advice, "not compiled against this release, not tested on a device; " + Recommended),
-            new Row("6000.3", CheckState.Advice, "not compiled against this release, not tested on a device", PlugInFails),
+            new Row("2021.3", CheckState.Advice, UnityVersionMessages.Compiled2021),
+            new Row("2022.1", CheckState.Advice, UnityVersionMessages.NotCompiled),
+            new Row("2022.3", CheckState.Good, UnityVersionMessages.Compiled2022),
+            new Row("2023.1", CheckState.Advice, UnityVersionMessages.NotCompiled),
+            new Row("6000.0", CheckState.Advice, UnityVersionMessages.Compiled6000),
+            new Row("6000.1", CheckState.Advice, UnityVersionMessages.NotTested),
+            new Row("6000.3", CheckState.Advice, UnityVersionMessages.NotTestedOnDevice, UnityVersionMessages.PlugInFails),
         };
 
         /// <summary>Oldest version of Unity with which the package compiles.</summary>
@@ -35,7 +31,7 @@ namespace Nowpose.Editor.Setup
         {
             var row = Rows.LastOrDefault(r => version.Number >= r.From);
             if (row == null)
-                return new CheckResult(CheckState.Missing, version + " is older than " + Oldest + ", the oldest that the package compiles with");
+                return new CheckResult(CheckState.Missing, UnityVersionMessages.TooOld(version, Oldest));
             return withMicrosoft && row.Failure != null
                 ? new CheckResult(CheckState.Missing, version + ": " + row.Failure)
                 : new CheckResult(row.State, version + ": " + row.Words);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Nowpose.Editor.Messages;
 using UnityEditor;
 using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
@@ -28,7 +29,7 @@ namespace Nowpose.Editor.Setup
         public string Activity => _adding == null || _adding.IsCompleted ? null : "adding " + _package.Name + " …";
 
         public string Trouble => _adding != null && _adding.Status == StatusCode.Failure
-            ? _package.Name + " could not be added: " + _adding.Error.message
+            ? SetupTexts.PackageNotAdded(_package.Name, _adding.Error.message)
             : _trouble;
 
         public string EditorVersion => Application.unityVersion;
@@ -149,7 +150,7 @@ namespace Nowpose.Editor.Setup
             }
             catch (Exception e) when (e is InputException || e is IOException || e is UnauthorizedAccessException)
             {
-                _trouble = package.Name + " could not be added: " + e.Message;
+                _trouble = SetupTexts.PackageNotAdded(package.Name, e.Message);
             }
         }
     }

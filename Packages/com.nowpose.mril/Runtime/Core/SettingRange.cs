@@ -1,9 +1,11 @@
 using System;
-using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose
 {
-    /// <summary>Checks settings. An error is one line with the name, the value with its unit, and what is allowed.</summary>
+    /// <summary>
+    /// Checks settings. The message of an error is one line with the name of the setting, its value and unit, and the allowed range.
+    /// </summary>
     static class SettingRange
     {
         /// <param name="unit">Empty for a value without unit.</param>
@@ -12,8 +14,7 @@ namespace Nowpose
         {
             if (value >= min && value <= max) return value;
             var suffix = unit.Length == 0 ? "" : " " + unit;
-            throw new InputException(string.Format(
-                CultureInfo.InvariantCulture, "{0}: {1}{4} is out of range; allowed: {2} to {3}{4}", name, value, min, max, suffix));
+            throw new InputException(SettingMessages.OutOfRange(name, value, suffix, min, max));
         }
 
         /// <inheritdoc cref="Require"/>

@@ -1,10 +1,14 @@
 using System;
 using System.IO;
 using System.Text;
+using Nowpose.Messages;
 
 namespace Nowpose
 {
-    /// <summary>Reads and writes small text files. Writing is atomic: after a failure the file is complete, old or new.</summary>
+    /// <summary>
+    /// Reads and writes small text files. Writing is atomic: after a failure, the path holds either the complete old file or the complete
+    /// new file.
+    /// </summary>
     static class WholeFile
     {
         /// <param name="maxBytes">Maximum size; a larger file is rejected.</param>
@@ -14,7 +18,7 @@ namespace Nowpose
             try
             {
                 using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-                if (file.Length > maxBytes) throw new InputException(path + ": file has " + file.Length + " bytes; the limit is " + maxBytes);
+                if (file.Length > maxBytes) throw new InputException(FileMessages.TooLong(path, file.Length, maxBytes));
                 using var reader = new StreamReader(file, Encoding.UTF8);
                 return reader.ReadToEnd();
             }
@@ -24,8 +28,8 @@ namespace Nowpose
             }
         }
 
-        /// <summary>Writes a temporary file beside the old one, flushes it to the disk and then replaces the old one.</summary>
-        /// <param name="path">Path of the file. Creates its folder if there is none.</param>
+        /// <summary>Writes a temporary file in the same folder, flushes it to the disk, and then replaces the old file with it.</summary>
+        /// <param name="path">Path of the file. Its folder is created if it does not exist.</param>
         /// <param name="what">Kind of the content, for messages.</param>
         /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
         public static void Write(string path, string text, string what)
@@ -41,11 +45,11 @@ namespace Nowpose
             }
             catch (Exception fault) when (IsOfFiles(fault))
             {
-                throw new InputException(path + ": the " + what + " cannot be saved: " + FirstLine(fault.Message), fault);
+                throw new InputException(FileMessages.NotSaved(path, what, FirstLine(fault.Message)), fault);
             }
         }
 
-        /// <summary>Renames an unusable file, so that the user can examine it; replaces an older one of the new name.</summary>
+        /// <summary>Renames an unusable file, so that the user can examine it; replaces an older file with the new name.</summary>
         /// <returns>The new path; null if the file could not be renamed.</returns>
         public static string PutAside(string path)
         {

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
+using Nowpose.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -151,7 +151,7 @@ namespace Nowpose.OpenXR
 
         void LogState()
         {
-            var problem = DepthSubmissionWords.ProblemOf(Depth);
+            var problem = DepthSubmissionMessages.ProblemOf(Depth);
             if (problem != null) ConsoleLog.Warn(this, problem);
             else if (Depth == DepthSubmission.Active) ConsoleLog.Info(this, _isLacking ? "depth is submitted again" : "depth is submitted");
             _isLacking = problem != null;

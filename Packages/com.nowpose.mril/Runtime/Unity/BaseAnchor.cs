@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Unity.Anchoring;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Robot;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -127,8 +128,8 @@ namespace Nowpose.Unity
         public void Place(Vector3 position, Quaternion rotation)
         {
             var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
-            if (!IsFinite(position)) throw new ArgumentException("position " + position + " is not finite", nameof(position));
-            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException("rotation " + rotation + " is not a valid rotation", nameof(rotation));
+            if (!IsFinite(position)) throw new ArgumentException(BaseMessages.PositionNotFinite(position), nameof(position));
+            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException(BaseMessages.RotationInvalid(rotation), nameof(rotation));
             transform.SetPositionAndRotation(
                 position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
             Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -180,7 +181,7 @@ namespace Nowpose.Unity
         bool Has(UnityEngine.Object needed, string kind)
         {
             if (needed != null) return true;
-            ConsoleLog.Warn(this, "cell actions '" + name + "' have no " + kind + "; assign one");
+            ConsoleLog.Warn(this, ComponentMessages.NoAction(name, kind));
             return false;
         }
     }

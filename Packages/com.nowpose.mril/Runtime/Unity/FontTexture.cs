@@ -1,3 +1,4 @@
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -39,7 +40,7 @@ namespace Nowpose.Unity
             _renderer = GetComponent<Renderer>();
             _shown = null;
             if (_fontMaterial == null && Application.isPlaying)
-                ConsoleLog.Fail(this, "font texture '" + name + "' has no font material, so its letters are blocks; assign the material below the font");
+                ConsoleLog.Fail(this, ComponentMessages.NoFontMaterial(name));
             Apply();
         }
 

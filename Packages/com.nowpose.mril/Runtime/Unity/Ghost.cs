@@ -1,3 +1,4 @@
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -39,7 +40,7 @@ namespace Nowpose.Unity
             _own = GetComponent<RobotRig>();
             _other = _displayed != null ? _displayed : DisplayedBeside(transform.parent);
             if (_other == null)
-                ConsoleLog.Warn(this, "ghost '" + name + "' has no rig beside it for the comparison; assign one");
+                ConsoleLog.Warn(this, ComponentMessages.GhostWithoutRig(name));
         }
 
         static RobotRig DisplayedBeside(Transform parent)

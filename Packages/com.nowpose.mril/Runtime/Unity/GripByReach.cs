@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -49,7 +50,7 @@ namespace Nowpose.Unity
             {
                 if (_source == null) return "no rig";
                 if (_followed == null) return "no session";
-                if (_grip == null) return _problem ?? "its robot is unknown";
+                if (_grip == null) return _problem ?? ObjectMessages.RobotUnknown;
                 return _grip.Fault ?? SignalFollower.FaultOf(_followed, Signal);
             }
         }
@@ -61,7 +62,7 @@ namespace Nowpose.Unity
             _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (_source == null)
             {
-                ConsoleLog.Warn(this, "grip by reach '" + name + "' has no rig on a parent; assign one");
+                ConsoleLog.Warn(this, ComponentMessages.GripWithoutRig(name));
                 return;
             }
             _title = "gripper " + name;
@@ -101,7 +102,7 @@ namespace Nowpose.Unity
             var index = _robot.Robot.IndexOfLink(link);
             if (index < 0)
             {
-                _problem = "the robot '" + _robot.Robot.Name + "' has no link '" + link + "'";
+                _problem = ObjectMessages.NoLink(_robot.Robot.Name, link);
                 ConsoleLog.Fail(this, "grip by reach '" + name + "': " + _problem);
                 return;
             }

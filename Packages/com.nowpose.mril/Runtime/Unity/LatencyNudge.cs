@@ -5,6 +5,7 @@ using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 using Nowpose.Latency.Profile;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -95,7 +96,7 @@ namespace Nowpose.Unity
         {
             var session = NudgedSession();
             if (!(_speed.MmPerS is double speed) || !_speed.IsConstant)
-                throw new InputException("nudge: the tool does not move steadily; mark while it moves at constant speed");
+                throw new InputException(NudgeReports.NotSteady);
             // Marks that were made with different values of L_visu cannot be combined.
             if (_marks == null || session.Visualisation.Length != _usedVisu)
             {
@@ -127,9 +128,7 @@ namespace Nowpose.Unity
             var profile = ProfileOf(result, session);
             var isKept = _loader == null || _loader.Save(profile);
             session.Calibrate(profile);
-            Report = string.Format(
-                CultureInfo.InvariantCulture, "nudge: L_visu {0:0.0} ms ± {1:0.0} ms from {2} marks; the base is misplaced by {3:0.0} mm along {4}",
-                result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
+            Report = NudgeReports.Result(result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
             ConsoleLog.Info(this, Report);
             Clear();
             // The session now uses the result, so the remaining shift would correct the robot a second time.
@@ -143,7 +142,7 @@ namespace Nowpose.Unity
             if (_source == null) return;
             if (_loader == null) _loader = _source.GetComponent<LatencyProfileLoader>();
             var rig = _rig != null ? _rig : DisplayedBelow(_source);
-            if (rig == null) ConsoleLog.Warn(this, "latency nudge '" + name + "' has no rig below the session; assign one");
+            if (rig == null) ConsoleLog.Warn(this, ComponentMessages.NudgeWithoutRig(name));
             else
             {
                 _moved = rig.transform;
@@ -191,10 +190,10 @@ namespace Nowpose.Unity
         CompensationSession NudgedSession()
         {
             var session = _source != null ? _source.Session : null;
-            if (session == null) throw new InputException("nudge: there is no session; assign one");
+            if (session == null) throw new InputException(NudgeReports.NoSession);
             // With display times from the runtime, L_visu does not affect the displayed robot.
             if (session.Statistics(default).IsLightPredicted)
-                throw new InputException("nudge: the runtime predicts display times, so L_visu needs no correction");
+                throw new InputException(NudgeReports.Predicted);
             return session;
         }
 

@@ -2,6 +2,7 @@ using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Session;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -30,7 +31,7 @@ namespace Nowpose.Unity
             + "none.")]
         TextAsset _shipped = null;
 
-        const string NotSaved = "a calibration that is not kept";
+        const string NotSaved = LoaderMessages.Unkept;
 
         MrilSession _source;
         CompensationSession _calibrated;
@@ -121,7 +122,7 @@ namespace Nowpose.Unity
             Profile = profile;
             From = from;
             _calibrated = null;
-            ConsoleLog.Info(this, "latency profile: " + CalibrationWords.Of(profile) + "; from " + from);
+            ConsoleLog.Info(this, "latency profile: " + CalibrationMessages.Of(profile) + "; from " + from);
         }
 
         void Fail(string problem)

@@ -1,6 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Latency.Load;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -63,9 +64,9 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             Problem = null;
-            if (_material == null) Fail("has no material; assign one");
+            if (_material == null) Fail(ComponentMessages.NoMaterial);
             else if (_vertices < 0 || _vertices > LoadMesh.MaxVertices)
-                Fail("has a load of " + _vertices + " vertices; allowed: 0 to " + LoadMesh.MaxVertices);
+                Fail(ComponentMessages.Vertices(_vertices, LoadMesh.MaxVertices));
             else _patches = new LoadPatches(
                 transform, _material, _widthMetres, this.SessionOr(null).ClockOrDevices(),
                 Mathf.Clamp(_msPerFrame, MinMsPerFrame, MaxMsPerFrame));

@@ -6,6 +6,7 @@ using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
 using Nowpose.Session;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -114,9 +115,9 @@ namespace Nowpose.Unity
             _source = this.SessionOr(_session);
             _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>();
             _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
-            if (_source == null) Fail("has no session on its object or a parent; assign one");
-            else if (_generator == null) Fail("has no load generator on its object or a child; assign one");
-            else if (_measures == null) Fail("has no render time source at its session; assign one");
+            if (_source == null) Fail(ComponentMessages.NoSession);
+            else if (_generator == null) Fail(ComponentMessages.NoLoadGenerator);
+            else if (_measures == null) Fail(ComponentMessages.NoRenderTimeSource);
             else Begin();
         }
 
@@ -125,8 +126,8 @@ namespace Nowpose.Unity
         {
             if (!IsRunning) return;
             End();
-            ShowText(SweepWords.Stopped);
-            ConsoleLog.Info(this, "load sweep stopped; its log is " + Path);
+            ShowText(LoadSweepMessages.Stopped);
+            ConsoleLog.Info(this, LoadSweepMessages.StoppedWithLog(Path));
         }
 
         void OnEnable()
@@ -169,7 +170,7 @@ namespace Nowpose.Unity
             _frame = null;
             _logged = (-1, 0);
             _source.Shown += Keep;
-            ConsoleLog.Info(this, SweepWords.Begun(_plan, Path));
+            ConsoleLog.Info(this, LoadSweepMessages.Begun(_plan, Path));
         }
 
         // Completes the session's conditions with those of the device: the session may have read them before the display reported its rate.
@@ -210,7 +211,7 @@ namespace Nowpose.Unity
             if (_run.IsDone)
             {
                 _judging = End();
-                ShowText(SweepWords.Judging);
+                ShowText(LoadSweepMessages.Judging);
                 return;
             }
             _file.EndLoad();
@@ -218,7 +219,7 @@ namespace Nowpose.Unity
             var changes = _conditions.MismatchesWith(now);
             if (changes.Count > 0)
             {
-                Abandon(SweepWords.Changed(changes[0]));
+                Abandon(LoadSweepMessages.Changed(changes[0]));
                 return;
             }
             // The display reports its rate only some frames after the start of the scene.
@@ -229,16 +230,16 @@ namespace Nowpose.Unity
         // Returns why the load cannot be built. Without this check, the sweep would wait for such a load forever.
         string ProblemOfLoad()
         {
-            if (_generator == null) return "load sweep '" + name + "' has lost its load generator; its log is kept";
+            if (_generator == null) return LoadSweepMessages.NoGenerator(name);
             if (_generator.Problem != null) return _generator.Problem;
-            return _generator.isActiveAndEnabled ? null : "load generator '" + _generator.name + "' is switched off; the sweep needs it";
+            return _generator.isActiveAndEnabled ? null : LoadSweepMessages.GeneratorOff(_generator.name);
         }
 
         void Abandon(string problem)
         {
             End();
             Problem = problem;
-            ShowText(SweepWords.Stopped);
+            ShowText(LoadSweepMessages.Stopped);
             ConsoleLog.Warn(this, problem);
         }
 
@@ -263,7 +264,7 @@ namespace Nowpose.Unity
                 ConsoleLog.Warn(this, Problem);
                 return;
             }
-            var message = "load sweep done: " + Verdict.Words + "; log: " + Path;
+            var message = LoadSweepMessages.Done(Verdict.Words, Path);
             if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Info(this, message);
             else ConsoleLog.Warn(this, message);
             ShowText(Verdict.Words);
@@ -275,7 +276,7 @@ namespace Nowpose.Unity
             var phase = !(_frame is SweepFrame frame) || !frame.Control.HasValue ? 1 : frame.IsShown ? 3 : 2;
             if (_logged == (_run.Index, phase)) return;
             _logged = (_run.Index, phase);
-            ShowText(phase == 1 ? SweepWords.WaitingForClock : phase == 2 ? SweepWords.Building(_run.Vertices) : SweepWords.Showing(_run, _plan));
+            ShowText(phase == 1 ? LoadSweepMessages.WaitingForClock : phase == 2 ? LoadSweepMessages.Building(_run.Vertices) : LoadSweepMessages.Showing(_run, _plan));
         }
 
         void ShowText(string words)

@@ -3,6 +3,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -271,7 +272,7 @@ namespace Nowpose.Unity
 
         SessionSettings ReadSettings() => _settings != null
             ? _settings.ToSettings()
-            : throw new InputException("session '" + name + "' has no settings; assign a Session Settings asset");
+            : throw new InputException(ComponentMessages.NoSettings(name));
 
         // Returns the same object for the same text, so rigs stay bound to the robot after a restart.
         RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();

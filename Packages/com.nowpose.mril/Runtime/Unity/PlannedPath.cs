@@ -2,6 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -43,10 +44,10 @@ namespace Nowpose.Unity
             _line.useWorldSpace = true;
             _line.widthMultiplier = _widthMetres;
             if (_line.sharedMaterial == null)
-                ConsoleLog.Warn(this, "planned path '" + name + "' has no material, so its line is magenta; assign one in its Line Renderer");
+                ConsoleLog.Warn(this, ComponentMessages.NoLineMaterial(name));
             Hide();
             _source = _rig != null ? _rig : GetComponentInParent<RobotRig>();
-            if (_source == null) ConsoleLog.Warn(this, "planned path '" + name + "' has no rig on a parent; assign one");
+            if (_source == null) ConsoleLog.Warn(this, ComponentMessages.PathWithoutRig(name));
             else Follow(_source.Session);
         }
 

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
@@ -230,16 +231,11 @@ namespace Nowpose.Unity
         {
             var isMissing = material == null;
             if (!_reported.Add(isMissing ? (Object)part : material)) return;
-            var problem = "pose appearance '" + name + "': " + (isMissing
-                ? "a material of '" + part.name + "' is missing"
-                : "material '" + material.name + "' of '" + part.name + "' is opaque, not blended by its alpha, or one of several, "
-                    + "and its shader lacks _Hatch or _Fade") + ". While the pose is not current, the part is ";
-            var remedy = isMissing
-                ? "assign a material to the part"
-                : "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
+            var problem = isMissing ? AppearanceMessages.NoMaterial(part.name) : AppearanceMessages.NotFadeable(material.name, part.name);
+            var remedy = isMissing ? AppearanceMessages.AssignMaterial : AppearanceMessages.ChangeShader;
             if (_materials.Substitute != null)
-                ConsoleLog.Info(this, problem + "drawn with '" + _materials.Substitute.name + "'. To keep its own look, " + remedy);
-            else ConsoleLog.Warn(this, problem + "hidden. Assign a Substitute with _Fade and _Hatch, or " + remedy);
+                ConsoleLog.Info(this, AppearanceMessages.Substituted(name, problem, _materials.Substitute.name, remedy));
+            else ConsoleLog.Warn(this, AppearanceMessages.Hidden(name, problem, remedy));
         }
 
         void Follow(PoseCarrier carrier)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using Nowpose.Latency;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -120,7 +121,7 @@ namespace Nowpose.Unity
 
         void LogSource()
         {
-            var message = "render time: " + RenderTimeWords.NameOf(Source);
+            var message = "render time: " + RenderTimeNames.NameOf(Source);
             if (Source == RenderTimeSourceKind.None || Source == RenderTimeSourceKind.CameraCpu) _log.Warn(message);
             else _log.Info(message);
         }

@@ -1,4 +1,5 @@
 using Nowpose.Kinematics;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity
@@ -28,7 +29,7 @@ namespace Nowpose.Unity
         /// <exception cref="InputException">The URDF is missing or not supported. The message names this asset, the line and the element.</exception>
         public RobotModel Read()
         {
-            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException("'" + name + "': contains no URDF; load the URDF of the robot");
+            if (string.IsNullOrWhiteSpace(_urdf)) throw new InputException(RigMessages.NoUrdf(name));
             return UrdfReader.Read(_urdf, "'" + name + "'");
         }
     }

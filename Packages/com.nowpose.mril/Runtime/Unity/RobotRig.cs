@@ -2,6 +2,7 @@ using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Robot;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -107,10 +108,9 @@ namespace Nowpose.Unity
         /// <param name="joints">One position per moving joint of the model, including mimic joints, in rad or m.</param>
         public void Apply(ReadOnlySpan<double> joints)
         {
-            if (Model == null) throw new InvalidOperationException("rig '" + name + "': bind it to a robot before joints are applied");
+            if (Model == null) throw new InvalidOperationException(RigMessages.NotBound(name));
             if (joints.Length != _joints.Length)
-                throw new ArgumentException(
-                    "rig '" + name + "': " + joints.Length + " values for " + _joints.Length + " moving joints", nameof(joints));
+                throw new ArgumentException(RigMessages.ValueCount(name, joints.Length, _joints.Length), nameof(joints));
             joints.CopyTo(_joints);
             _hierarchy.Apply(joints);
             Posed?.Invoke();
@@ -146,7 +146,7 @@ namespace Nowpose.Unity
         {
             if (_source != null) FollowRobot();
             else if (Model == null)
-                ConsoleLog.Warn(this, "rig '" + name + "' has no session on its object or a parent; assign one, or call Bind and Apply");
+                ConsoleLog.Warn(this, ComponentMessages.RigWithoutSession(name));
         }
 
         void OnDestroy()
@@ -193,10 +193,7 @@ namespace Nowpose.Unity
             var links = RigBuilder.Build(model, transform, look);
             made = look.Made;
             if (look.LacksMaterial && !_isMaterialReported)
-                Debug.LogWarning(
-                    "[Nowpose] rig '" + name + "' has no material for the robot that it built, so the robot is "
-                    + (made != null ? "drawn by the shader Nowpose/Hologram" : "magenta, because this build does not contain the shader Nowpose/Hologram")
-                    + "; assign Arm Material and Tool Material", this);
+                ConsoleLog.Warn(this, RigMessages.NoMaterial(name, made != null));
             _isMaterialReported |= look.LacksMaterial;
             return links;
         }

@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using Nowpose.Recording;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -105,7 +106,7 @@ namespace Nowpose.Unity
                 Fail("session recording '" + name + "': " + fault.Message);
                 return;
             }
-            ConsoleLog.Info(this, "recording the session to " + Path);
+            ConsoleLog.Info(this, SessionMessages.Recording(Path));
         }
 
         void Report()

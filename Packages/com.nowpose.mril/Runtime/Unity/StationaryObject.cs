@@ -4,6 +4,7 @@ using Nowpose.Kinematics;
 using Nowpose.Protocol.Cell;
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -59,7 +60,7 @@ namespace Nowpose.Unity
         {
             if (_followed == null) return;
             if (_followed.IsMoved)
-                ConsoleLog.Warn(this, "stationary object '" + name + "': its source or a gripper moves it, so it cannot be placed by hand");
+                ConsoleLog.Warn(this, ObjectMessages.NotPlaceable(name));
             else IsMoving = true;
         }
 
@@ -76,7 +77,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _followed = FollowedFrame.Of(
-                this, _session, "stationary object", Frame, missing: "not placed; place it by hand, or publish its frame on /tf_static");
+                this, _session, "stationary object", Frame, missing: ObjectMessages.NotPlaced);
             if (_followed == null) return;
             _saved = Saved();
             _source = this.SessionOr(_session);
@@ -126,7 +127,7 @@ namespace Nowpose.Unity
             catch (InputException fault)
             {
                 var aside = WholeFile.PutAside(SavedPath);
-                ConsoleLog.Warn(this, fault.Message + (aside == null ? "" : "; kept as " + aside) + "; place the objects again");
+                ConsoleLog.Warn(this, ObjectMessages.PlacesLost(fault.Message, aside));
                 return new TransformsMessage();
             }
         }

@@ -1,3 +1,4 @@
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
 using UnityEngine;
@@ -60,7 +61,7 @@ namespace Nowpose.Unity
             _anchor = _source != null ? _source.GetComponentInChildren<BaseAnchor>(true) : null;
             _pairing = _source != null ? _source.GetComponentInChildren<CellPairing>(true) : null;
             _due = 0;
-            if (_cell == null) ConsoleLog.Fail(this, "status panel '" + name + "' has no text to copy; assign a text on a child object");
+            if (_cell == null) ConsoleLog.Fail(this, ComponentMessages.PanelWithoutText(name));
         }
 
         // Hides the texts, because nothing updates them while this component is disabled.

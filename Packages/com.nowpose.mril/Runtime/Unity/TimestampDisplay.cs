@@ -1,5 +1,6 @@
 using Nowpose.Session;
 using Nowpose.Unity.Calibration;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -43,7 +44,7 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _source = this.RequiredSession(_session, "timestamp display");
-            if (_light == null) ConsoleLog.Fail(this, "timestamp display '" + name + "' has no material for its squares; assign one");
+            if (_light == null) ConsoleLog.Fail(this, ComponentMessages.DisplayWithoutMaterial(name));
             if (_source == null) return;
             _source.Shown += Show;
             _source.Hidden += Hide;

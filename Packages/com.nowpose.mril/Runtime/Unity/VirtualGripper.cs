@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -63,7 +64,7 @@ namespace Nowpose.Unity
         {
             var rig = _rig != null ? _rig : GetComponentInParent<RobotRig>();
             if (rig != null) Mount(rig);
-            else ConsoleLog.Fail(this, "gripper '" + name + "' has no rig; move it below a rig, or assign a rig");
+            else ConsoleLog.Fail(this, ComponentMessages.GripperWithoutRig(name));
         }
 
         void OnDisable() => Unmount();
@@ -72,7 +73,7 @@ namespace Nowpose.Unity
         {
             _flange = string.IsNullOrEmpty(_flangeLink) ? _source.Flange : _source.Link(_flangeLink);
             if (_flange == null)
-                ConsoleLog.Fail(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no link '" + _flangeLink + "'; correct Flange Link");
+                ConsoleLog.Fail(this, ComponentMessages.GripperWithoutLink(name, _source.Model.Name, _flangeLink));
             Rest();
             var drives = new List<FingerDrive>();
             var unknown = "";
@@ -81,8 +82,7 @@ namespace Nowpose.Unity
             _drives = drives.ToArray();
             // This is not a warning, because a robot without a gripper has no such joints.
             if (unknown.Length > 0)
-                ConsoleLog.Info(this, "gripper '" + name + "': robot '" + _source.Model.Name + "' has no moving joint " + unknown
-                    + ", so its finger does not move");
+                ConsoleLog.Info(this, ComponentMessages.GripperWithoutJoint(name, _source.Model.Name, unknown));
         }
 
         bool TryDrive(GripperFinger finger, ref string unknown, out FingerDrive drive)

@@ -11,9 +11,11 @@ namespace Nowpose.Anchoring
         /// <param name="maxObliqueDegrees">Maximum angle between the normal of the print and the line to the viewer's head.</param>
         /// <param name="lockErrorMetres">Maximum estimated error (root mean square) of each marker's mean position for a lock.</param>
         /// <param name="lockErrorDegrees">Maximum estimated error of each marker's mean angle for a lock.</param>
-        /// <param name="toleranceMetres">Distance of a marker from its position at the lock above which it has moved.</param>
-        /// <param name="toleranceDegrees">Change of a marker's angle since the lock above which it has moved.</param>
-        /// <param name="easeMs">Duration over which a changed lock is blended in, except for 2 % of the change; 0 for an immediate change.</param>
+        /// <param name="toleranceMetres">Distance of a marker from its position at the lock above which the marker counts as moved.</param>
+        /// <param name="toleranceDegrees">Change of a marker's angle since the lock above which the marker counts as moved.</param>
+        /// <param name="easeMs">
+        /// Duration over which a changed lock is blended in, so that 2 % of the change remain; 0 for an immediate change.
+        /// </param>
         /// <exception cref="InputException">A number is out of range.</exception>
         public AnchoringSettings(
             double settleMs = 1850, double oldestMs = 400, double farthestMetres = 2.5, double maxObliqueDegrees = 60,

@@ -1,4 +1,5 @@
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 
 namespace Nowpose.Anchoring
 {
@@ -10,7 +11,9 @@ namespace Nowpose.Anchoring
 
         const double MaxOffsetMetres = 100;
 
-        /// <summary>Minimum and maximum length of an edge: smaller codes are not readable from a distance, larger ones are not prints.</summary>
+        /// <summary>
+        /// Minimum and maximum length of an edge: smaller codes are not readable from a distance, and larger codes cannot be printed.
+        /// </summary>
         const double MinSizeMetres = 0.005, MaxSizeMetres = 5;
 
         /// <param name="payload">Exact text of the code.</param>
@@ -19,14 +22,14 @@ namespace Nowpose.Anchoring
         /// <exception cref="InputException">The payload is empty or too long, or the pose, its distance or the size is out of range.</exception>
         public BaseMarker(string payload, in RigidTransform markerInBase, double sizeMetres = 0)
         {
-            if (string.IsNullOrEmpty(payload)) throw new InputException("marker: its payload is empty; enter the text of its code");
+            if (string.IsNullOrEmpty(payload)) throw new InputException(MarkerMessages.PayloadEmpty);
             if (payload.Length > MaxPayloadLength)
-                throw new InputException("marker: its payload has " + payload.Length + " characters; the maximum is " + MaxPayloadLength);
+                throw new InputException(MarkerMessages.PayloadTooLong(payload.Length, MaxPayloadLength));
             var name = MarkerName.Of(payload);
             SettingRange.Require(markerInBase.X, -MaxOffsetMetres, MaxOffsetMetres, name + ": x of its offset", "m");
             SettingRange.Require(markerInBase.Y, -MaxOffsetMetres, MaxOffsetMetres, name + ": y of its offset", "m");
             SettingRange.Require(markerInBase.Z, -MaxOffsetMetres, MaxOffsetMetres, name + ": z of its offset", "m");
-            if (!markerInBase.IsPose()) throw new InputException(name + ": its rotation is invalid; enter three finite angles");
+            if (!markerInBase.IsPose()) throw new InputException(MarkerMessages.RotationInvalid(name));
             if (sizeMetres != 0) SettingRange.Require(sizeMetres, MinSizeMetres, MaxSizeMetres, name + ": its size", "m");
             Payload = payload;
             MarkerInBase = markerInBase;

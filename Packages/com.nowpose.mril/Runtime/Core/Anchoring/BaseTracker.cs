@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring
 {
     /// <summary>
-    /// Determines the position of a robot's base from its markers: locks it, lets the device store it, and monitors whether it is still valid.
+    /// Determines the pose of a robot's base from its markers: locks it, lets the device store it, and monitors whether it is still valid.
     /// </summary>
     /// <remarks>
     /// Use it on the frame's thread only. A frame without a new lock allocates nothing, except for a few kB four times a second while
@@ -22,11 +22,11 @@ namespace Nowpose.Anchoring
         readonly MarkerSet _markers = new MarkerSet();
         BaseAnchorState _state;
         HeadsetTime _now;
-        HeadsetTime? _put, _lastReport;
+        HeadsetTime? _lastPlaced, _lastReport;
         RelockedFrom? _former;
         RigidTransform? _placed;
         MapCorrection _correction;
-        bool _isNews, _isHeldByHand, _wasLost;
+        bool _hasNewSightings, _isHeldByHand, _wasLost;
 
         internal BaseTracker(AnchoringSettings settings)
         {
@@ -43,17 +43,17 @@ namespace Nowpose.Anchoring
 
         public BaseAnchorState State => IsLost ? BaseAnchorState.Lost : _state;
 
-        /// <summary>The state and the required action in one line. The same object as long as the text is the same.</summary>
+        /// <summary>The state and the required action in one line. Returns the same object as long as the text does not change.</summary>
         public string Words => _words.Text;
 
-        /// <summary>Base in the room frame; null while the placement by a person or a script applies.</summary>
-        /// <remarks>During a new search, the previous pose.</remarks>
+        /// <summary>Base in the room frame; null if a person or a script has placed the base.</summary>
+        /// <remarks>During a new search, this is the previous pose.</remarks>
         public RigidTransform? Base { get; private set; }
 
         /// <summary>Displayed pose of the base, which follows <see cref="Base"/> without jumps.</summary>
         public RigidTransform? Shown => Base.HasValue ? _shown.Pose : null;
 
-        /// <summary>Details of the newest lock; null before the first lock by markers.</summary>
+        /// <summary>Details of the newest lock; null before the first lock, and after the lock was removed.</summary>
         public LockReport Lock { get; private set; }
 
         /// <summary>Distance by which the device has moved the base since the newest lock, by correcting its map, in metres.</summary>
@@ -71,16 +71,16 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
 
-        /// <summary>Reason why a source reports no markers, shown during a search; null unless there is a problem.</summary>
+        /// <summary>Reason why a source reports no markers, which is shown during a search; null unless there is a problem.</summary>
         public string SourceProblem { get; set; }
 
         /// <summary>Time of the newest report of any code by a source; null if there is none since the start of the search.</summary>
         internal HeadsetTime? LastReport => _lastReport;
 
-        /// <summary>Whether a person is moving a marker by hand, and the base with it.</summary>
+        /// <summary>Whether a person is moving a marker, and the base with it, by hand.</summary>
         public bool IsBeingPlaced { get; private set; }
 
-        /// <summary>Whether the device holds the position.</summary>
+        /// <summary>Whether the device holds the position of the base.</summary>
         public bool IsHeld => _place.IsThere;
 
         /// <summary>Name under which the device stores the position across restarts; null when it is not stored.</summary>
@@ -113,7 +113,7 @@ namespace Nowpose.Anchoring
             Cell = cell ?? "";
             if (isSameCell && hasAllParts && markers.Count > 0)
             {
-                if (_state == BaseAnchorState.Moved) JudgeMoved();
+                if (_state == BaseAnchorState.Moved) UpdateMoved();
                 _words.Update(this, _now);
                 return;
             }
@@ -122,7 +122,7 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Starts a new search with the markers; the base stays in its position until they have determined a new one.</summary>
+        /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new position.</summary>
         /// <remarks>
         /// If no marker comes into view for a long time, the previous lock is restored. Without any markers, a position restored from an
         /// earlier run is confirmed.
@@ -139,12 +139,14 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Reports that the base was placed elsewhere and removes the lock. A search continues.</summary>
-        /// <param name="at">Pose in the room frame, from which the next lock is blended in; null if unknown: the next lock applies at once.</param>
+        /// <summary>Reports that the base was placed elsewhere, and removes the lock. A running search continues.</summary>
+        /// <param name="at">
+        /// Pose in the room frame from which the next lock is blended in; null if unknown, so that the next lock applies at once.
+        /// </param>
         public void Place(RigidTransform? at = null)
         {
             _place.Release(seekAgain: false);
-            LetGo();
+            ClearBase();
             _placed = at;
             _shown.Jump(at);
             (IsBeingPlaced, _isHeldByHand, _former) = (false, false, null);
@@ -156,12 +158,12 @@ namespace Nowpose.Anchoring
         public void Release()
         {
             _place.Release(seekAgain: true);
-            LetGo();
+            ClearBase();
             Begin();
         }
 
         /// <summary>Processes one frame.</summary>
-        /// <param name="sightings">Sightings of all sources; those of other codes are ignored.</param>
+        /// <param name="sightings">Sightings of all sources; sightings of other codes are ignored.</param>
         /// <param name="head">Viewer's head in the room frame, x forward; null when unknown, which omits the checks that depend on it.</param>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
@@ -169,10 +171,10 @@ namespace Nowpose.Anchoring
             if (sightings == null) throw new ArgumentNullException(nameof(sightings));
             _now = now;
             FollowPlace(anchors);
-            var putDown = IsBeingPlaced;
-            for (var i = 0; i < sightings.Count; i++) putDown &= !Take(sightings[i], now, head);
-            if (putDown) LockByHand(anchors);
-            if (_isNews && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
+            var isReleased = IsBeingPlaced;
+            for (var i = 0; i < sightings.Count; i++) isReleased &= !Take(sightings[i], now, head);
+            if (isReleased) LockByHand(anchors);
+            if (_hasNewSightings && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
             if (_former is RelockedFrom former && former.IsOver(now, _markers.All)) Return(former);
             if (Base is RigidTransform pose) _shown.Follow(pose, now);
             else _shown.Rest(now);
@@ -187,7 +189,7 @@ namespace Nowpose.Anchoring
             {
                 // The deviations were measured in a map that is no longer valid.
                 _wasLost = IsLost;
-                _markers.ForgetSeen();
+                _markers.RemoveSightings();
             }
             if (IsBeingPlaced || !(_place.Follow(Base) is RigidTransform pose)) return;
             if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
@@ -200,13 +202,13 @@ namespace Nowpose.Anchoring
         {
             if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting, now);
             _lastReport = now;
-            _isNews |= _markers.Take(sighting, now, head, IsWatching ? Base : null);
+            _hasNewSightings |= _markers.Take(sighting, now, head, IsWatching ? Base : null);
             return false;
         }
 
         bool TakePlaced(in MarkerSighting sighting, HeadsetTime now)
         {
-            if (!sighting.Pose.IsPose() || (_put is HeadsetTime put && sighting.LastSeen <= put)) return false;
+            if (!sighting.Pose.IsPose() || (_lastPlaced is HeadsetTime last && sighting.LastSeen <= last)) return false;
             if (!(_markers.PoseInBase(sighting.Payload) is RigidTransform placed)) return false;
             if (!IsBeingPlaced)
             {
@@ -215,7 +217,7 @@ namespace Nowpose.Anchoring
                 _state = BaseAnchorState.Searching;
                 IsBeingPlaced = true;
             }
-            _put = sighting.LastSeen;
+            _lastPlaced = sighting.LastSeen;
             Base = sighting.Pose * placed.Inverse;
             _shown.Jump(Base);
             return true;
@@ -237,22 +239,22 @@ namespace Nowpose.Anchoring
 
         void Judge(HeadsetTime now, ISpatialAnchors anchors)
         {
-            _isNews = false;
+            _hasNewSightings = false;
             if (IsWatching)
             {
-                JudgeMoved();
+                UpdateMoved();
                 if (_state == BaseAnchorState.Moved) return;
             }
             if (_state != BaseAnchorState.Placed && _attempt.Make(now, _markers.All, Base)) LockByMarkers(anchors);
         }
 
-        void JudgeMoved()
+        void UpdateMoved()
         {
             if (_markers.HasMoved) _state = BaseAnchorState.Moved;
             else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;
         }
 
-        // No marker was in view, so the previous state is restored. The next marker in view confirms or refutes it.
+        // No marker was in view, so the previous state is restored. The next marker that comes into view confirms or refutes it.
         void Return(in RelockedFrom former)
         {
             _state = former.State == BaseAnchorState.Moved ? (Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored) : former.State;
@@ -283,12 +285,12 @@ namespace Nowpose.Anchoring
         {
             _markers.Restart();
             _attempt.Reset();
-            (_isNews, _isHeldByHand, IsBeingPlaced) = (false, false, false);
+            (_hasNewSightings, _isHeldByHand, IsBeingPlaced) = (false, false, false);
             (_former, _lastReport) = (null, null);
             _state = _markers.Count > 0 ? BaseAnchorState.Searching : BaseAnchorState.Placed;
         }
 
-        void LetGo()
+        void ClearBase()
         {
             Base = null;
             (Lock, _placed) = (null, null);

@@ -5,15 +5,15 @@ namespace Nowpose.Anchoring
     /// <summary>Reports the markers in the room, for example from a device's code detection, from placement by hand, or from a recording.</summary>
     public interface IMarkerSource
     {
-        /// <summary>Adds all currently known markers to the list, each once, and keeps the entries in it. Must not throw.</summary>
-        /// <remarks>Called once per frame on its thread; must be fast and must not allocate when no marker is new.</remarks>
+        /// <summary>Adds all currently known markers to the list, each once, and keeps the existing entries. Must not throw.</summary>
+        /// <remarks>Called once per frame on the frame's thread; must be fast and must not allocate if no marker is new.</remarks>
         void Read(List<MarkerSighting> markers);
     }
 
-    /// <summary>A source of markers that can report why it has none.</summary>
+    /// <summary>A source of markers that can report why it finds no markers.</summary>
     public interface IMarkerProblem
     {
-        /// <summary>The problem in one line; null without a problem. The same object as long as the text is the same.</summary>
+        /// <summary>The problem in one line; null without a problem. Returns the same object as long as the text does not change.</summary>
         string Problem { get; }
     }
 }

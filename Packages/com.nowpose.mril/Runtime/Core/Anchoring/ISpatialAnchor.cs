@@ -20,14 +20,14 @@ namespace Nowpose.Anchoring
         /// <summary>Reason why the anchor is not held or not stored, in one line; null unless there is a problem.</summary>
         string Problem { get; }
 
-        /// <summary>Stores the anchor under a name as soon as it is held, replacing the one stored before; returns at once.</summary>
+        /// <summary>Stores the anchor under a name as soon as it is held, and replaces the anchor stored before. Returns at once.</summary>
         void Keep(string name);
     }
 
     /// <summary>Whether the device holds a position.</summary>
     public enum SpatialAnchorState
     {
-        /// <summary>Requested; the device has not answered yet.</summary>
+        /// <summary>The position is requested; the device has not answered yet.</summary>
         Pending,
 
         /// <summary>The device holds the position, and its pose is known.</summary>
@@ -36,7 +36,7 @@ namespace Nowpose.Anchoring
         /// <summary>The device holds the position, but its pose is currently unknown, for example in the dark or in another room.</summary>
         Lost,
 
-        /// <summary>The device does not hold the position; see <see cref="ISpatialAnchor.Problem"/>. Final state.</summary>
+        /// <summary>The device does not hold the position; see <see cref="ISpatialAnchor.Problem"/>. This state is final.</summary>
         Failed,
     }
 }

@@ -11,13 +11,13 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the stored anchors are known. Always false if the device stores none.</summary>
         bool IsReady { get; }
 
-        /// <summary>Starts to hold a position; returns at once. Disposing the anchor releases it but does not remove a stored one.</summary>
+        /// <summary>Starts to hold a position, and returns at once. Disposing the anchor releases it but does not remove a stored anchor.</summary>
         /// <param name="pose">Pose in the room frame.</param>
         ISpatialAnchor Hold(in RigidTransform pose);
 
         /// <summary>
-        /// Returns the anchor stored under a name in this run or an earlier one; returns at once. Null when there is none, or while
-        /// <see cref="IsReady"/> is false.
+        /// Returns the anchor that was stored under a name in this run or an earlier one; null if there is none, or while
+        /// <see cref="IsReady"/> is false. Returns at once.
         /// </summary>
         ISpatialAnchor Find(string name);
 

@@ -11,7 +11,7 @@ namespace Nowpose.Anchoring
         /// <summary>The markers have not yet determined the position.</summary>
         Searching,
 
-        /// <summary>The position of an earlier run, as the device stored it; not yet confirmed by a marker.</summary>
+        /// <summary>The device has restored the position of an earlier run. No marker has confirmed it yet.</summary>
         Restored,
 
         /// <summary>The markers have determined the position.</summary>
@@ -53,7 +53,7 @@ namespace Nowpose.Anchoring
         /// <summary>Distance by which the base moved from its previous position, in metres; 0 for the first lock.</summary>
         public double ChangeMetres { get; }
 
-        /// <summary>Angle by which the base turned, in radians.</summary>
+        /// <summary>Angle by which the base turned from its previous orientation, in radians.</summary>
         public double ChangeRadians { get; }
     }
 }

@@ -16,7 +16,9 @@ namespace Nowpose.Anchoring
         /// </param>
         /// <param name="pose">Marker frame in the room frame. Not validated: devices also report the origin and invalid numbers.</param>
         /// <param name="sizeMetres">Length of an edge; 0 when it is unknown.</param>
-        /// <param name="lastSeen">Time at which a camera last saw it, which may be old although <paramref name="tracking"/> is unchanged.</param>
+        /// <param name="lastSeen">
+        /// Time at which a camera last saw the marker. It may be old although <paramref name="tracking"/> is unchanged.
+        /// </param>
         public MarkerSighting(
             string id, string payload, in RigidTransform pose, double sizeMetres, HeadsetTime lastSeen, MarkerTracking tracking)
         {
@@ -39,17 +41,17 @@ namespace Nowpose.Anchoring
     /// <summary>Quality of a marker's pose according to its source.</summary>
     public enum MarkerTracking
     {
-        /// <summary>Not tracked: the pose is old or missing.</summary>
+        /// <summary>The marker is not tracked: the pose is old or missing.</summary>
         None,
 
-        /// <summary>Known approximately, or remembered.</summary>
+        /// <summary>The pose is approximate or remembered.</summary>
         Limited,
 
-        /// <summary>Tracked according to the source; the pose may still be stale, see <see cref="MarkerSighting.LastSeen"/>.</summary>
+        /// <summary>The source tracks the marker. The pose may still be stale, see <see cref="MarkerSighting.LastSeen"/>.</summary>
         Tracking,
 
         /// <summary>
-        /// Placed by hand: the pose is exact by definition and independent of the view. While a person moves it,
+        /// The marker is placed by hand: its pose is exact by definition and independent of the view. While a person moves it,
         /// <see cref="MarkerSighting.LastSeen"/> advances with time; afterwards it is the time at which the marker was released.
         /// </summary>
         Placed,

@@ -29,7 +29,7 @@ namespace Nowpose.Anchoring
             return Math.Atan2(Length(x, y, z) / 2, (Trace(a, b) - 1) / 2);
         }
 
-        /// <summary>Returns the rotation vector: along the axis, with the angle as its length, up to π rad.</summary>
+        /// <summary>Returns the rotation vector: its direction is the axis, and its length is the angle, up to π rad.</summary>
         public static (double X, double Y, double Z) RotationVector(this in RigidTransform pose)
         {
             var (x, y, z) = TwiceSine(RigidTransform.Identity, pose);
@@ -49,7 +49,7 @@ namespace Nowpose.Anchoring
             return (scale * x, scale * y, scale * z);
         }
 
-        /// <summary>Returns the rotation of a rotation vector, in rad.</summary>
+        /// <summary>Returns the rotation that a rotation vector in rad describes.</summary>
         public static RigidTransform Turn(double x, double y, double z)
         {
             var angle = Length(x, y, z);

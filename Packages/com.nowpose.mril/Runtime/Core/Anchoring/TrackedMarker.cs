@@ -8,13 +8,13 @@ namespace Nowpose.Anchoring
     /// <summary>One of the markers of a base, with its sightings.</summary>
     public sealed class TrackedMarker
     {
-        /// <summary>Minimum distance of two sightings of the same code that counts as two prints; smaller distances may be noise.</summary>
+        /// <summary>Minimum distance between two sightings of the same code to count as two prints. A smaller distance may be noise.</summary>
         const double ApartMetres = 0.05;
 
-        /// <summary>Minimum number of sightings: fewer do not show the scatter.</summary>
+        /// <summary>Minimum number of sightings for an estimate. Fewer sightings do not show the scatter.</summary>
         const int MinSightings = 8;
 
-        /// <summary>Maximum age of sightings; older ones may be of another position.</summary>
+        /// <summary>Maximum age of sightings. Older sightings may show the marker in another position.</summary>
         static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(15);
 
         readonly AnchoringSettings _settings;
@@ -39,7 +39,7 @@ namespace Nowpose.Anchoring
         /// <summary>Number of ignored sightings for each reason.</summary>
         internal SightingFaults Ignored { get; } = new SightingFaults();
 
-        /// <summary>Reason why the newest sighting was ignored; None when it was accepted, or without a sighting.</summary>
+        /// <summary>Reason why the newest sighting was ignored; None if it was accepted, or if there is no sighting.</summary>
         internal SightingFault Fault { get; private set; }
 
         /// <summary>Time of the newest accepted sighting; null if there is none.</summary>
@@ -69,7 +69,9 @@ namespace Nowpose.Anchoring
         /// <summary>Recent median deviation from the expected rotation, in radians; null with too few sightings.</summary>
         public double? DeviationRadians => Watch.IsKnown ? Watch.Radians : (double?)null;
 
-        /// <summary>Root mean square distance of the poses from their mean at the newest estimate, in metres; null before the first.</summary>
+        /// <summary>
+        /// Root mean square distance of the poses from their mean at the newest estimate, in metres; null before the first estimate.
+        /// </summary>
         public double? SpreadMetres => _mean?.SpreadMetres;
 
         /// <summary>Root mean square angle of the poses to their mean, in radians.</summary>
@@ -80,13 +82,13 @@ namespace Nowpose.Anchoring
         /// <summary>Estimate at the lock, in the frame of the base; valid only if the marker is part of the lock.</summary>
         internal MarkerEstimate Locked { get; private set; }
 
-        /// <summary>Whether the marker may improve a lock.</summary>
+        /// <summary>Whether the marker may be added to a lock.</summary>
         internal bool IsOpen => !IsPart && !IsContradicted;
 
         /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
         internal bool IsReady => _window.Count >= MinSightings && _window.CountOver(_settings.Settle) > 0;
 
-        /// <summary>Whether the sightings are recent enough for a comparison with those of other markers.</summary>
+        /// <summary>Whether the sightings are recent enough for a comparison with sightings of other markers.</summary>
         internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= MaxAge;
 
         /// <summary>Whether the newest estimate shows that the marker is moving.</summary>
@@ -100,14 +102,14 @@ namespace Nowpose.Anchoring
         internal bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? belongs)
         {
             LastReported = now;
-            // The clock has gone back.
+            // The clock was set back, so the earlier sightings have no valid times.
             if (_taken is HeadsetTime last && last - now > SightingGate.Ahead)
             {
-                ForgetSeen();
+                RemoveSightings();
                 (_taken, _twice) = (null, null);
             }
             var fault = SightingGate.Judge(sighting, Marker, now, head, _settings);
-            if (fault == SightingFault.None) fault = JudgePlace(sighting, now, belongs);
+            if (fault == SightingFault.None) fault = CheckPlace(sighting, now, belongs);
             if (fault != SightingFault.None)
             {
                 // A repeated report of the same sighting counts once.
@@ -119,7 +121,7 @@ namespace Nowpose.Anchoring
             if (_taken is HeadsetTime taken && sighting.LastSeen <= taken) return false;
             Fault = SightingFault.None;
             // After a gap the marker may be elsewhere, and the gap does not count as observation time.
-            if (_window.Count > 0 && sighting.LastSeen - _window.Newest > _settings.Oldest + _settings.Oldest) ForgetSeen();
+            if (_window.Count > 0 && sighting.LastSeen - _window.Newest > _settings.Oldest + _settings.Oldest) RemoveSightings();
             _taken = sighting.LastSeen;
             _id = sighting.Id;
             _pose = sighting.Pose;
@@ -141,8 +143,8 @@ namespace Nowpose.Anchoring
             else if (Watch.IsWithin(metres, radians)) HasMoved = false;
         }
 
-        /// <summary>Removes the sightings.</summary>
-        internal void ForgetSeen()
+        /// <summary>Removes the sightings and their results.</summary>
+        internal void RemoveSightings()
         {
             _window.Clear();
             Watch.Clear();
@@ -152,12 +154,12 @@ namespace Nowpose.Anchoring
         /// <summary>Resets the marker for a new search.</summary>
         internal void Restart()
         {
-            ForgetSeen();
+            RemoveSightings();
             IsPart = IsContradicted = HasMoved = false;
         }
 
         /// <summary>Makes the marker a part of the lock.</summary>
-        /// <param name="inBase">Its estimate in the frame of the base.</param>
+        /// <param name="inBase">Estimate of the marker's pose in the frame of the base.</param>
         internal void Join(in MarkerEstimate inBase)
         {
             IsPart = true;
@@ -191,14 +193,14 @@ namespace Nowpose.Anchoring
             mean.Inliers >= MinSightings && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians
             && mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
-        SightingFault JudgePlace(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? belongs)
+        SightingFault CheckPlace(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? belongs)
         {
             var isOther = _id != null && sighting.Id != _id && IsFresh(now) && _pose.DistanceTo(sighting.Pose) > ApartMetres;
             if (isOther && belongs is RigidTransform place)
             {
-                // Of two prints with the same code, the one nearer to the expected position is monitored.
+                // If there are two prints with the same code, the print nearer to the expected position is monitored.
                 if (place.DistanceTo(sighting.Pose) >= place.DistanceTo(_pose)) return SightingFault.TwoPlaces;
-                ForgetSeen();
+                RemoveSightings();
                 return SightingFault.None;
             }
             if (isOther)

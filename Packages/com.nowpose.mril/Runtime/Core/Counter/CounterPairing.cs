@@ -1,16 +1,17 @@
 using System;
 using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose.Counter
 {
     /// <summary>Converts counts of one counter to readings of another that runs on the same oscillator.</summary>
     /// <remarks>
     /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. The
-    /// two therefore never drift apart, even in sleep, and one measurement of the offset is valid as long as the process runs.
+    /// offset between the two therefore never changes, even during sleep, and one measurement is valid as long as the process runs.
     /// </remarks>
     sealed class CounterPairing
     {
-        /// <summary>Number of readings: an interrupt disturbs one or a few of them, never all.</summary>
+        /// <summary>Number of readings. An interrupt disturbs one or a few readings, never all.</summary>
         const int Brackets = 32;
 
         readonly long _frequency, _targetFrequency, _count, _reading;
@@ -45,18 +46,20 @@ namespace Nowpose.Counter
             // A missing library and a missing entry point both derive from this exception.
             catch (TypeLoadException missing)
             {
-                fault = "this platform has no performance counter of Windows (" + missing.Message + ")";
+                fault = CounterMessages.Missing(missing.Message);
                 return false;
             }
             fault = FaultOf(counter.Frequency, target.Frequency);
             if (fault != null) return false;
             pairing = Shortest(counter, target);
-            fault = pairing == null ? "the performance counter went back in all of " + Brackets + " readings" : null;
+            fault = pairing == null ? CounterMessages.WentBack(Brackets) : null;
             return pairing != null;
         }
 
-        /// <summary>Converts a count, exactly to one count of the target, rounded towards the time of the pairing. Allocates nothing.</summary>
-        /// <param name="count">A count that a device cannot reach gives a meaningless result, not an exception.</param>
+        /// <summary>
+        /// Converts a count with an error below one count of the target, rounded towards the time of the pairing. Allocates nothing.
+        /// </summary>
+        /// <param name="count">Count to convert. A count that a device cannot reach gives an undefined result, not an exception.</param>
         public long ToTarget(long count)
         {
             // Converts whole seconds separately: the product of a large count and the other frequency would overflow.
@@ -66,8 +69,8 @@ namespace Nowpose.Counter
 
         static string FaultOf(long frequency, long targetFrequency)
         {
-            if (frequency <= 0) return "the performance counter does not work (frequency " + Hz(frequency) + ")";
-            return frequency > long.MaxValue / targetFrequency ? "the frequency of the performance counter is implausible: " + Hz(frequency) : null;
+            if (frequency <= 0) return CounterMessages.NotWorking(Hz(frequency));
+            return frequency > long.MaxValue / targetFrequency ? CounterMessages.FrequencyImplausible(Hz(frequency)) : null;
         }
 
         static CounterPairing Shortest(ICounter counter, ICounter target)

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Frames
 {
@@ -13,9 +14,8 @@ namespace Nowpose.Frames
         public PoseSample(double time, in Vector3D position, in UnitQuaternion rotation, double order)
         {
             if (!double.IsFinite(time) || !double.IsFinite(position.X + position.Y + position.Z) || !double.IsFinite(order))
-                throw new ArgumentException("time, position and order must be finite; they are " + time + " s, ("
-                    + position.X + ", " + position.Y + ", " + position.Z + ") m, " + order + " s");
-            if (!rotation.IsRotation) throw new ArgumentException("the rotation has length 0; a unit quaternion is needed", nameof(rotation));
+                throw new ArgumentException(FrameMessages.NotFinite(time, position.X, position.Y, position.Z, order));
+            if (!rotation.IsRotation) throw new ArgumentException(FrameMessages.RotationLength, nameof(rotation));
             Time = time;
             Position = position;
             Rotation = rotation;

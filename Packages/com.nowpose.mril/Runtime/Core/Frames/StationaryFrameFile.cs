@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 using Newtonsoft.Json;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -12,7 +13,7 @@ namespace Nowpose.Frames
     static class StationaryFrameFile
     {
         const int MaxBytes = 1024 * 1024, Nesting = 6;
-        const string What = "list of stationary frames";
+        const string What = FrameMessages.List;
 
         /// <exception cref="InputException">The file cannot be read or is invalid; the message names the file, the line and the reason.</exception>
         public static TransformsMessage Load(string path)
@@ -46,13 +47,13 @@ namespace Nowpose.Frames
         {
             switch (fault)
             {
-                case DropReason.NotUnitQuaternion: return "a rotation must be a quaternion with the norm 1 within " + FrameTransform.NormTolerance.ToString(CultureInfo.InvariantCulture);
-                case DropReason.NotFinite: return "a number must be finite";
-                case DropReason.OwnParent: return "a frame is its own parent";
+                case DropReason.NotUnitQuaternion: return FrameMessages.NotUnitQuaternion(FrameTransform.NormTolerance.ToString(CultureInfo.InvariantCulture));
+                case DropReason.NotFinite: return FrameMessages.FileNumber;
+                case DropReason.OwnParent: return FrameMessages.OwnParent;
                 case DropReason.DuplicateName: return "a child_frame_id occurs twice";
                 case DropReason.TooManyFrames: return "more than " + ProtocolLimits.Frames + " frames";
-                case DropReason.MissingField: return "a field is missing";
-                default: return "is not a tf2_msgs/TFMessage as JSON (" + fault + ")";
+                case DropReason.MissingField: return FrameMessages.FieldMissing;
+                default: return FrameMessages.NotTransforms(fault);
             }
         }
     }

@@ -1,11 +1,10 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
     /// <summary>Computes the poses of all links from the joint positions.</summary>
-    /// <remarks>
-    /// The constructor computes all constants. Immutable afterwards, so any thread may use it.
-    /// </remarks>
+    /// <remarks>The constructor computes all constants. Immutable afterwards and thread-safe.</remarks>
     sealed class ForwardKinematics
     {
         readonly RobotModel _model;
@@ -19,13 +18,13 @@ namespace Nowpose.Kinematics
         }
 
         /// <summary>Computes poses relative to the root link, right-handed as in the URDF. Ignores limits; allocates nothing.</summary>
-        /// <param name="positions">One per <see cref="RobotModel.MovingJoints"/>, in rad or m; mimic joints use their own value.</param>
-        /// <param name="linkPoses">One per <see cref="RobotModel.Links"/>, in that order.</param>
+        /// <param name="positions">One position per element of <see cref="RobotModel.MovingJoints"/>, in rad or m, also for mimic joints.</param>
+        /// <param name="linkPoses">Receives one pose per element of <see cref="RobotModel.Links"/>, in that order.</param>
         public void Compute(ReadOnlySpan<double> positions, Span<RigidTransform> linkPoses)
         {
             _model.RequireOnePerMovingJoint(positions.Length, nameof(positions));
             if (linkPoses.Length != _motions.Length + 1)
-                throw new ArgumentException(linkPoses.Length + " poses were passed for " + (_motions.Length + 1) + " links", nameof(linkPoses));
+                throw new ArgumentException(RobotMessages.PoseCount(linkPoses.Length, _motions.Length + 1), nameof(linkPoses));
 
             linkPoses[0] = RigidTransform.Identity;
             for (var i = 0; i < _motions.Length; i++)

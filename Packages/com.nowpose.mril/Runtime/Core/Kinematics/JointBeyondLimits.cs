@@ -1,4 +1,4 @@
-using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -23,11 +23,7 @@ namespace Nowpose.Kinematics
         static string WordsOf(RobotJoint joint, double position)
         {
             var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
-            return string.Format(
-                CultureInfo.InvariantCulture,
-                "joint '{0}': {1:0.###} {4} is outside its limits {2:0.###} to {3:0.###} {4}, and is drawn at the limit; "
-                + "check that the robot description belongs to this robot and that the source sends {4}, not {5}",
-                joint.Name, position, joint.Limits.Lower, joint.Limits.Upper, unit, other);
+            return RobotMessages.BeyondLimits(joint.Name, position, unit, joint.Limits.Lower, joint.Limits.Upper, other);
         }
     }
 }

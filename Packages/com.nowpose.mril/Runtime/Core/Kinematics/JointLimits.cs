@@ -2,8 +2,8 @@ using System;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Limits of a joint in rad, s and N·m, for a prismatic joint in m, s and N; infinite without a limit.</summary>
-    /// <remarks><c>default</c> allows no motion at all; <see cref="None"/> allows everything.</remarks>
+    /// <summary>Limits of a joint in rad, s and N·m, or in m, s and N for a prismatic joint. Infinite if there is no limit.</summary>
+    /// <remarks><c>default</c> allows no motion; <see cref="None"/> allows every motion.</remarks>
     public readonly struct JointLimits
     {
         public JointLimits(

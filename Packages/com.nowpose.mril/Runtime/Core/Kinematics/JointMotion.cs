@@ -19,7 +19,7 @@ namespace Nowpose.Kinematics
         public readonly int Position;
         public readonly RigidTransform Origin;
 
-        // The terms of the rotation. The translation of _sine is R0·a, the direction of sliding; the others' is zero.
+        // Terms of the rotation. The translation of _sine is R0·a, the direction of sliding; the other two have no translation.
         readonly RigidTransform _constant, _sine, _cosine;
 
         public JointMotion(RobotLink link)

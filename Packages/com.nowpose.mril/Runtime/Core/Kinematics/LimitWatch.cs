@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Detects joints whose samples are outside the limits of the robot description: a sign of another robot or unit.</summary>
+    /// <summary>Detects joints whose samples are outside the limits of the robot description, which indicates another robot or unit.</summary>
     /// <remarks>
-    /// A joint is beyond its limits after three consecutive samples outside, until a hundred consecutive samples inside, so that an
-    /// oscillating joint is reported once. A tolerance of 0.02 rad or 2 mm covers noise at a stop and rounded limits. Allocates only
+    /// A joint counts as beyond its limits after three consecutive samples outside them, until a hundred consecutive samples are inside, so
+    /// that an oscillating joint is reported once. A tolerance of 0.02 rad or 2 mm covers noise at a stop and rounded limits. Allocates only
     /// at the first detection of a joint; not thread-safe.
     /// </remarks>
     sealed class LimitWatch
@@ -48,7 +48,7 @@ namespace Nowpose.Kinematics
         /// <param name="position">Position of a sample, in rad or m.</param>
         public void Add(int joint, double position)
         {
-            // Number of consecutive samples that contradict the current state.
+            // Counts the consecutive samples that contradict the current state.
             _inARow[joint] = IsOutside(_joints[joint], position) == _isBeyond[joint] ? 0 : _inARow[joint] + 1;
             if (_inARow[joint] < (_isBeyond[joint] ? SamplesToForget : SamplesToFind)) return;
             _inARow[joint] = 0;

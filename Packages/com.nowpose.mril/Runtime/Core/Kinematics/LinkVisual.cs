@@ -25,16 +25,16 @@ namespace Nowpose.Kinematics
 
         public VisualShape Shape { get; }
 
-        /// <summary>The shape's frame in the link's.</summary>
+        /// <summary>Frame of the shape in the frame of the link.</summary>
         public RigidTransform Origin { get; }
 
-        /// <summary>Full extent along the shape's own axes in metres (diameters, not radii); for a mesh its scale, without unit.</summary>
+        /// <summary>Full extent along the shape's own axes in metres (diameters, not radii); for a mesh, the dimensionless scale.</summary>
         public (double X, double Y, double Z) Size { get; }
 
-        /// <summary>Name in the URDF (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>
+        /// <summary>Mesh file as named in the URDF (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>
         public string MeshFile { get; }
 
-        /// <summary>Null if the URDF specifies none.</summary>
+        /// <summary>Colour of the shape; null if the URDF specifies none.</summary>
         public VisualColour? Colour { get; }
     }
 

@@ -5,7 +5,7 @@ namespace Nowpose.Kinematics
 {
     /// <summary>A rotation followed by a translation in metres: the pose of one right-handed frame in another.</summary>
     /// <remarks>
-    /// <c>parent * child</c> is the child's pose in the reference frame of the parent's pose. 96 bytes: pass it by <c>in</c>.
+    /// <c>parent * child</c> is the child's pose in the reference frame of the parent's pose. It has 96 bytes, so pass it by <c>in</c>.
     /// <c>default</c> is not a valid pose (its rotation is zero); start from <see cref="Identity"/>.
     /// </remarks>
     public readonly struct RigidTransform
@@ -35,7 +35,7 @@ namespace Nowpose.Kinematics
         /// <summary>Translation along the parent's z, metres.</summary>
         public double Z { get; }
 
-        /// <summary>Makes a pose from a URDF origin: metres, and radians about the parent's fixed x, then y, then z axis.</summary>
+        /// <summary>Creates a pose from a URDF origin: metres, and radians about the parent's fixed x, then y, then z axis.</summary>
         public static RigidTransform FromXyzRpy(double x, double y, double z, double roll, double pitch, double yaw)
         {
             double sr = Math.Sin(roll), cr = Math.Cos(roll);
@@ -68,7 +68,7 @@ namespace Nowpose.Kinematics
             R00, R10, R20, R01, R11, R21, R02, R12, R22,
             -(R00 * X + R10 * Y + R20 * Z), -(R01 * X + R11 * Y + R21 * Z), -(R02 * X + R12 * Y + R22 * Z));
 
-        /// <summary>The 4×4 matrix for column vectors, row by row: the translation is in elements 3, 7 and 11.</summary>
+        /// <summary>Returns the 4×4 matrix for column vectors, row by row: the translation is in elements 3, 7 and 11.</summary>
         public double[] ToRowMajor16() => new[]
         {
             R00, R01, R02, X,

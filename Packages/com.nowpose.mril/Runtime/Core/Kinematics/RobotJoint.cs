@@ -34,22 +34,22 @@ namespace Nowpose.Kinematics
         public string ParentLink { get; }
         public string ChildLink { get; }
 
-        /// <summary>Index of its value among the positions (<see cref="RobotModel.MovingJoints"/>), -1 for a fixed joint.</summary>
+        /// <summary>Index of the joint in <see cref="RobotModel.MovingJoints"/> and of its position; -1 for a fixed joint.</summary>
         public int MovingIndex { get; }
 
         /// <summary>The joint's frame in the parent link's frame, which is also the child link's pose at position 0.</summary>
         public RigidTransform Origin { get; }
 
         /// <summary>
-        /// Unit vector in the joint's own frame; positive positions turn about it by the right-hand rule or slide along
-        /// it. Meaningless for a fixed joint.
+        /// Unit vector in the joint's own frame. Positive positions turn about it by the right-hand rule, or slide along it. Undefined for a
+        /// fixed joint.
         /// </summary>
         public (double X, double Y, double Z) Axis { get; }
 
-        /// <summary><see cref="JointLimits.None"/> for a fixed joint.</summary>
+        /// <summary>Limits of the joint; <see cref="JointLimits.None"/> for a fixed joint.</summary>
         public JointLimits Limits { get; }
 
-        /// <summary>Null unless the joint follows another.</summary>
+        /// <summary>Rule by which the joint follows another joint; null if it follows none.</summary>
         public JointMimic Mimic { get; }
 
         public override string ToString() => Name;
@@ -65,7 +65,7 @@ namespace Nowpose.Kinematics
             Offset = offset;
         }
 
-        /// <summary>Name of the joint that is mimicked. It is a moving joint, and may mimic another one.</summary>
+        /// <summary>Name of the joint that is mimicked. It is a moving joint, and may mimic another joint.</summary>
         public string Master { get; }
 
         public double Multiplier { get; }

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A rigid part of a robot. Its frame is that of the joint that carries it.</summary>
+    /// <summary>A rigid part of a robot. Its frame is the frame of its parent joint.</summary>
     public sealed class RobotLink
     {
         internal RobotLink(string name, RobotJoint parentJoint, int parentIndex, IReadOnlyList<LinkVisual> visuals)
@@ -15,7 +15,7 @@ namespace Nowpose.Kinematics
 
         public string Name { get; }
 
-        /// <summary>Null for the root link.</summary>
+        /// <summary>Joint that connects the link to its parent; null for the root link.</summary>
         public RobotJoint ParentJoint { get; }
 
         /// <summary>Index of the parent in <see cref="RobotModel.Links"/>, always lower than the link's own; -1 for the root link.</summary>

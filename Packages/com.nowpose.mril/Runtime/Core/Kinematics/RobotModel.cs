@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -44,13 +45,13 @@ namespace Nowpose.Kinematics
         public RobotLink Root => Links[0];
 
         /// <summary>
-        /// The link of the tool: <c>tool_centre_point</c>, else <c>tool0</c>, else <c>flange</c>, else the leaf with the most
-        /// moving joints above it (the first in the URDF of several).
+        /// Link of the tool: <c>tool_centre_point</c>, else <c>tool0</c>, else <c>flange</c>, else the leaf with the most moving joints above it
+        /// (the first in the URDF if there are several).
         /// </summary>
         public RobotLink ToolLink { get; }
 
         /// <summary>
-        /// The link that a tool is mounted on: the child of the last moving joint before <see cref="ToolLink"/>; the root if no joint moves.
+        /// Link on which a tool is mounted: the child of the last moving joint before <see cref="ToolLink"/>; the root if no joint moves.
         /// </summary>
         public RobotLink FlangeLink { get; }
 
@@ -60,9 +61,9 @@ namespace Nowpose.Kinematics
         /// <summary>Returns an index in <see cref="MovingJoints"/>, -1 if there is no such joint or it is fixed.</summary>
         public int IndexOfMovingJoint(string name) => _movingIndices.TryGetValue(name, out var index) ? index : -1;
 
-        /// <summary>Computes the position of each mimic joint that was not given from its master's; allocates nothing.</summary>
+        /// <summary>Computes the position of each mimic joint without a given position from the position of its master; allocates nothing.</summary>
         /// <param name="positions">One per moving joint, in rad or m.</param>
-        /// <param name="given">One per moving joint: whether its position was given and stays.</param>
+        /// <param name="given">One per moving joint: whether its position is given and must not be changed.</param>
         public void CompleteMimics(Span<double> positions, ReadOnlySpan<bool> given)
         {
             RequireOnePerMovingJoint(positions.Length, nameof(positions));
@@ -77,7 +78,7 @@ namespace Nowpose.Kinematics
         internal void RequireOnePerMovingJoint(int length, string argument)
         {
             if (length != MovingJoints.Count)
-                throw new ArgumentException(length + " values were passed for " + MovingJoints.Count + " moving joints", argument);
+                throw new ArgumentException(RobotMessages.ValueCount(length, MovingJoints.Count), argument);
         }
     }
 }

@@ -2,10 +2,12 @@ using System;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>The only conversion between right-handed URDF poses (x forward, y left, z up) and Unity's left-handed ones.</summary>
+    /// <summary>
+    /// Converts between right-handed URDF poses (x forward, y left, z up) and Unity's left-handed poses. This is the only conversion.
+    /// </summary>
     /// <remarks>
-    /// Unity's (x, y, z) is (−y, z, x) of the URDF. That mirrors, so a rotation keeps its angle while its axis maps
-    /// with the opposite sign: (y, −z, −x). Poses convert one by one: ToUnity(a * b) is ToUnity(a) followed by ToUnity(b).
+    /// Unity's (x, y, z) is (−y, z, x) of the URDF. This mapping is a reflection, so a rotation keeps its angle, and its axis maps with the
+    /// opposite sign, to (y, −z, −x). The conversion keeps products: ToUnity(a * b) is ToUnity(a) followed by ToUnity(b).
     /// </remarks>
     public static class UnityFrame
     {

@@ -14,13 +14,13 @@ namespace Nowpose.Kinematics
             RotationW = rotationW;
         }
 
-        /// <summary>Position, metres.</summary>
+        /// <summary>Position in metres, like <see cref="Y"/> and <see cref="Z"/>.</summary>
         public double X { get; }
 
         public double Y { get; }
         public double Z { get; }
 
-        /// <summary>Unit quaternion, the components of Unity's <c>Quaternion</c>.</summary>
+        /// <summary>Component of the rotation's unit quaternion, as in Unity's <c>Quaternion</c>.</summary>
         public double RotationX { get; }
 
         public double RotationY { get; }

@@ -1,9 +1,10 @@
 using System.Collections.Generic;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>A joint of the URDF, with the element for error messages.</summary>
+    /// <summary>A joint of the URDF, with its XML element for error messages.</summary>
     sealed class UrdfJoint
     {
         const double MinAxisLength = 1e-9;
@@ -25,7 +26,7 @@ namespace Nowpose.Kinematics
             for (var i = 0; i < elements.Length; i++)
             {
                 joints[i] = Read(source, elements[i], moving);
-                if (!names.Add(joints[i].Joint.Name)) throw source.Error(elements[i], "another joint has the same name");
+                if (!names.Add(joints[i].Joint.Name)) throw source.Error(elements[i], UrdfMessages.JointTwice);
                 if (joints[i].Joint.Kind != JointKind.Fixed) moving++;
             }
             return joints;
@@ -54,8 +55,7 @@ namespace Nowpose.Kinematics
                 case "continuous": return JointKind.Continuous;
                 case "prismatic": return JointKind.Prismatic;
                 default:
-                    throw source.Error(element,
-                        "type " + UrdfSource.Quote(type) + " is not supported; allowed: fixed, revolute, continuous and prismatic");
+                    throw source.Error(element, UrdfMessages.JointType(UrdfSource.Quote(type)));
             }
         }
 
@@ -72,7 +72,7 @@ namespace Nowpose.Kinematics
             var (x, y, z) = source.Triple(axis, "xyz", (1, 0, 0));
             var length = System.Math.Sqrt(x * x + y * y + z * z);
             if (!(length >= MinAxisLength) || double.IsInfinity(length))
-                throw source.Error(axis, "xyz is not a direction; a moving joint needs a vector other than 0 0 0");
+                throw source.Error(axis, UrdfMessages.Axis);
             return (x / length, y / length, z / length);
         }
 
@@ -86,7 +86,7 @@ namespace Nowpose.Kinematics
                 lower = source.Number(limit, "lower", 0);
                 upper = source.Number(limit, "upper", 0);
             }
-            if (lower > upper) throw source.Error(limit, System.FormattableString.Invariant($"lower {lower} is above upper {upper}"));
+            if (lower > upper) throw source.Error(limit, UrdfMessages.Limits(lower, upper));
             return new JointLimits(
                 lower, upper, Bound(source, limit, "velocity"), Bound(source, limit, "effort"), Bound(source, limit, "acceleration"),
                 Bound(source, limit, "jerk"));

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -45,7 +46,7 @@ namespace Nowpose.Kinematics
         (double X, double Y, double Z) Size(XElement box)
         {
             var size = _source.Triple(box, "size", (double.NaN, 0, 0));
-            if (!(size.X >= 0 && size.Y >= 0 && size.Z >= 0)) throw _source.Error(box, "size must be 3 lengths of at least 0 m");
+            if (!(size.X >= 0 && size.Y >= 0 && size.Z >= 0)) throw _source.Error(box, UrdfMessages.BoxSize);
             return size;
         }
 
@@ -54,7 +55,7 @@ namespace Nowpose.Kinematics
         double Length(XElement shape, string attribute)
         {
             var length = _source.Number(shape, attribute, double.NaN);
-            if (!(length >= 0)) throw _source.Error(shape, attribute + " must be a length of at least 0 m");
+            if (!(length >= 0)) throw _source.Error(shape, UrdfMessages.Length(attribute));
             return length;
         }
     }

@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Colours by material name. A visual may define a colour for others, so all are collected first.</summary>
+    /// <summary>Colours by material name. A visual may define a material that other visuals use, so all materials are collected first.</summary>
     sealed class UrdfMaterials
     {
         readonly UrdfSource _source;
@@ -16,7 +17,7 @@ namespace Nowpose.Kinematics
             foreach (var material in root.Descendants(root.Name.Namespace + "material"))
             {
                 var name = (string)material.Attribute("name");
-                if (IsOfTheRobot(material, root) && name != null && Inline(material) is VisualColour colour)
+                if (IsRobotMaterial(material, root) && name != null && Inline(material) is VisualColour colour)
                     _colours[name] = colour;
             }
         }
@@ -31,7 +32,7 @@ namespace Nowpose.Kinematics
         }
 
         // The <material> elements of gazebo contain a name as text and belong to another format.
-        static bool IsOfTheRobot(XElement material, XElement root) =>
+        static bool IsRobotMaterial(XElement material, XElement root) =>
             material.Parent == root || material.Parent.Name.LocalName == "visual" && material.Parent.Parent.Parent == root;
 
         VisualColour? Inline(XElement material)
@@ -40,7 +41,7 @@ namespace Nowpose.Kinematics
             if (colour == null) return null;
             var rgba = _source.Numbers(colour, "rgba");
             if (rgba.Length != 3 && rgba.Length != 4)
-                throw _source.Error(colour, "rgba has " + rgba.Length + " numbers; it needs 4");
+                throw _source.Error(colour, UrdfMessages.Colour(rgba.Length));
             return new VisualColour(rgba[0], rgba[1], rgba[2], rgba.Length == 4 ? rgba[3] : 1);
         }
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -14,13 +15,13 @@ namespace Nowpose.Kinematics
             var done = new HashSet<UrdfJoint>();
             foreach (var joint in joints)
             {
-                // Follows the masters up to a joint that moves by itself or is in the list already; the stack reverses the order.
+                // Follows the masters up to a joint that is not a mimic joint or is already in the list; the stack reverses the order.
                 var chain = new Stack<UrdfJoint>();
                 var at = joint;
                 for (; at.Joint.Mimic != null && done.Add(at); at = Master(source, at, byName)) chain.Push(at);
                 if (chain.Contains(at))
                     throw MimicError(
-                        source, at, "the chain of mimicked joints through " + UrdfSource.Quote(at.Joint.Mimic.Master) + " leads back to this joint");
+                        source, at, UrdfMessages.MimicCycle(UrdfSource.Quote(at.Joint.Mimic.Master)));
                 foreach (var follower in chain) steps.Add(Step(follower.Joint, byName));
             }
             return steps.ToArray();
@@ -32,7 +33,7 @@ namespace Nowpose.Kinematics
             if (!byName.TryGetValue(name, out var master))
                 throw MimicError(source, follower, "unknown joint " + UrdfSource.Quote(name));
             if (master.Joint.Kind == JointKind.Fixed)
-                throw MimicError(source, follower, "joint " + UrdfSource.Quote(name) + " is fixed; only a moving joint can be mimicked");
+                throw MimicError(source, follower, UrdfMessages.MimicOfFixed(UrdfSource.Quote(name)));
             return master;
         }
 
@@ -43,7 +44,7 @@ namespace Nowpose.Kinematics
             follower.MovingIndex, byName[follower.Mimic.Master].Joint.MovingIndex, follower.Mimic.Multiplier, follower.Mimic.Offset);
     }
 
-    /// <summary>One mimic joint with indices instead of names. In a model, masters precede their followers.</summary>
+    /// <summary>A mimic joint with indices instead of names. In a model, masters precede their followers.</summary>
     readonly struct MimicStep
     {
         public MimicStep(int joint, int master, double multiplier, double offset)

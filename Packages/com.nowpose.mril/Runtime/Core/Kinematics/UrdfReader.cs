@@ -1,5 +1,6 @@
 using System.Linq;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -10,17 +11,17 @@ namespace Nowpose.Kinematics
     /// </remarks>
     public static class UrdfReader
     {
-        /// <param name="text">The whole document, xacro already expanded.</param>
-        /// <param name="sourceName">Name in error messages, usually the file's.</param>
+        /// <param name="text">The whole document, with xacro already expanded.</param>
+        /// <param name="sourceName">Name in error messages, usually the file name.</param>
         /// <exception cref="InputException">
-        /// The text is not a robot that can be computed; the message names the line, the element and the error.
+        /// The text does not describe a robot that can be computed; the message names the line, the element and the error.
         /// </exception>
         public static RobotModel Read(string text, string sourceName)
         {
             var source = new UrdfSource(sourceName);
             var root = source.ParseRoot(text);
             if (root.Name.LocalName != "robot")
-                throw source.Error(root, "the root element must be <robot>");
+                throw source.Error(root, UrdfMessages.Root);
 
             var materials = new UrdfMaterials(source, root);
             var links = Children(root, "link").Select(e => new UrdfLink(source, e, materials)).ToArray();

@@ -4,10 +4,11 @@ using System.IO;
 using System.Linq;
 using System.Xml;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Reads attributes of one URDF, and makes error messages with its name and the line.</summary>
+    /// <summary>Reads attributes of one URDF, and creates error messages with the name of the source and the line.</summary>
     sealed class UrdfSource
     {
         const int MaxDepth = 100;
@@ -31,7 +32,7 @@ namespace Nowpose.Kinematics
             }
         }
 
-        /// <summary>Returns a child in the parent's own namespace, because extensions such as gazebo's may reuse the names.</summary>
+        /// <summary>Returns a child in the parent's own namespace, because extensions such as gazebo's may reuse the element names.</summary>
         public static XElement Child(XElement parent, string name) => parent.Element(parent.Name.Namespace + name);
 
         public InputException Error(XElement at, string message)
@@ -45,7 +46,7 @@ namespace Nowpose.Kinematics
         public string RequiredName(XElement element, string attribute)
         {
             var name = (string)element.Attribute(attribute);
-            if (string.IsNullOrWhiteSpace(name)) throw Error(element, "its attribute " + attribute + " is missing or empty");
+            if (string.IsNullOrWhiteSpace(name)) throw Error(element, UrdfMessages.AttributeMissing(attribute));
             return name;
         }
 
@@ -59,7 +60,7 @@ namespace Nowpose.Kinematics
         {
             if (element?.Attribute(attribute) == null) return absent;
             var numbers = Numbers(element, attribute);
-            if (numbers.Length != 3) throw Error(element, attribute + " has " + numbers.Length + " numbers; it needs 3");
+            if (numbers.Length != 3) throw Error(element, UrdfMessages.NotATriple(attribute, numbers.Length));
             return (numbers[0], numbers[1], numbers[2]);
         }
 
@@ -83,8 +84,7 @@ namespace Nowpose.Kinematics
         {
             const NumberStyles plain = NumberStyles.Float;
             if (!double.TryParse(text, plain, CultureInfo.InvariantCulture, out var number) || !double.IsFinite(number))
-                throw Error(element, attribute + " " + Quote(text) + " is not a finite number"
-                    + (text.Contains("${") ? "; expand the file with xacro first" : ""));
+                throw Error(element, UrdfMessages.NotANumber(attribute, Quote(text), text.Contains("${")));
             return number;
         }
 
@@ -99,17 +99,16 @@ namespace Nowpose.Kinematics
             while (reader.Read())
             {
                 if (reader.Depth > MaxDepth)
-                    throw new InputException(_name + ":" + ((IXmlLineInfo)reader).LineNumber
-                        + ": elements are nested more than " + MaxDepth + " levels deep");
+                    throw new InputException(UrdfMessages.TooDeep(_name, ((IXmlLineInfo)reader).LineNumber, MaxDepth));
             }
         }
 
         InputException Malformed(string text, XmlException e)
         {
             var isDtd = e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase);
-            // The reader reports a line before that of the document type.
+            // The reader reports a line before the line of the document type.
             var line = isDtd ? 1 + text.Take(text.IndexOf("<!DOCTYPE", StringComparison.Ordinal)).Count(c => c == '\n') : e.LineNumber;
-            var reason = isDtd ? "a document type (DTD) with its entities is not allowed in a URDF" : "not well-formed XML: " + e.Message;
+            var reason = isDtd ? UrdfMessages.DocumentType : "not well-formed XML: " + e.Message;
             return new InputException(_name + ":" + Math.Max(1, line) + ": " + reason, e);
         }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Xml.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
@@ -18,12 +19,12 @@ namespace Nowpose.Kinematics
         public UrdfTree(UrdfSource source, XElement robot, UrdfLink[] links, UrdfJoint[] joints)
         {
             _source = source;
-            if (links.Length == 0) throw source.Error(robot, "the robot has no links");
+            if (links.Length == 0) throw source.Error(robot, UrdfMessages.NoLinks);
             foreach (var link in links)
-                if (!_links.TryAdd(link.Name, link)) throw source.Error(link.Element, "another link has the same name");
+                if (!_links.TryAdd(link.Name, link)) throw source.Error(link.Element, UrdfMessages.LinkTwice);
             foreach (var joint in joints) Connect(joint);
             _below = joints.ToLookup(joint => joint.Joint.ParentLink, StringComparer.Ordinal);
-            Links = FromTheRootDown(Root(links));
+            Links = OrderFromRoot(Root(links));
             var reached = new HashSet<string>(Links.Select(link => link.Name), StringComparer.Ordinal);
             if (Array.Find(links, link => !reached.Contains(link.Name)) is UrdfLink unreached) throw Cycle(unreached);
         }
@@ -31,7 +32,7 @@ namespace Nowpose.Kinematics
         /// <summary>The links: the root first, parents before children, children in the order of their joints in the URDF.</summary>
         public RobotLink[] Links { get; }
 
-        /// <param name="links">The links in the URDF's order; the first of several equal candidates is chosen.</param>
+        /// <param name="links">The links in the order of the URDF; the first of several equal candidates is chosen.</param>
         public RobotLink ToolLink(UrdfLink[] links)
         {
             foreach (var name in ToolNames)
@@ -47,8 +48,7 @@ namespace Nowpose.Kinematics
             Require(joint, "parent", joint.Joint.ParentLink);
             Require(joint, "child", joint.Joint.ChildLink);
             if (_above.TryGetValue(joint.Joint.ChildLink, out var other))
-                throw _source.Error(joint.Element, "link " + UrdfSource.Quote(joint.Joint.ChildLink)
-                    + " is already the child of joint " + UrdfSource.Quote(other.Joint.Name) + "; a link has one parent");
+                throw _source.Error(joint.Element, UrdfMessages.TwoParents(UrdfSource.Quote(joint.Joint.ChildLink), UrdfSource.Quote(other.Joint.Name)));
             _above.Add(joint.Joint.ChildLink, joint);
         }
 
@@ -63,12 +63,11 @@ namespace Nowpose.Kinematics
             var roots = links.Where(link => !_above.ContainsKey(link.Name)).ToArray();
             if (roots.Length == 0) throw Cycle(links[0]);
             if (roots.Length > 1)
-                throw _source.Error(roots[1].Element, "there are two root links, this one and " + UrdfSource.Quote(roots[0].Name)
-                    + "; every link except one must be the child of a joint");
+                throw _source.Error(roots[1].Element, UrdfMessages.TwoRoots(UrdfSource.Quote(roots[0].Name)));
             return roots[0];
         }
 
-        RobotLink[] FromTheRootDown(UrdfLink root)
+        RobotLink[] OrderFromRoot(UrdfLink root)
         {
             var links = new List<RobotLink>();
             var open = new Stack<(UrdfLink Link, RobotJoint Joint, int Parent)>();
@@ -89,7 +88,7 @@ namespace Nowpose.Kinematics
             var passed = new HashSet<string>();
             var link = unreached.Name;
             while (passed.Add(link)) link = _above[link].Joint.ParentLink;
-            return _source.Error(_above[link].Element, "link " + UrdfSource.Quote(link) + " is above itself: the joints form a cycle");
+            return _source.Error(_above[link].Element, UrdfMessages.Cycle(UrdfSource.Quote(link)));
         }
 
         Dictionary<string, int> MovingJointsAbove()

@@ -11,12 +11,12 @@ namespace Nowpose.Latency
 
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
 
-        /// <summary>Samples measured since the start.</summary>
+        /// <summary>Number of samples measured since the start.</summary>
         public long Count { get; private set; }
 
         /// <summary>
-        /// Number of samples whose time stamp is later than their arrival. A few at the start come from the error of the clock
-        /// estimate; more mean that a source does not stamp with the control clock.
+        /// Number of samples whose time stamp is later than their arrival. A few at the start result from the error of the clock estimate;
+        /// a larger number means that a source does not stamp with the control clock.
         /// </summary>
         public long NegativeCount { get; private set; }
 

@@ -1,8 +1,9 @@
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
-    /// <summary>A condition in which a device differs from the one that was calibrated.</summary>
+    /// <summary>A display condition whose value on a device differs from its value at the calibration.</summary>
     public sealed class ConditionMismatch
     {
         internal ConditionMismatch(DisplayCondition condition, string calibrated, string actual)
@@ -30,20 +31,16 @@ namespace Nowpose.Latency
         /// <summary>Whether the profile must not be used: L_visu depends on the device and on the refresh rate.</summary>
         public bool IsRefusal => Condition == DisplayCondition.Device || Condition == DisplayCondition.DisplayRate;
 
-        /// <summary>One line: the condition, both values, and what to do.</summary>
+        /// <summary>Message in one line: the condition, both values, and the action to take.</summary>
         public string Words { get; }
 
         string WordsOf()
         {
             switch (Condition)
             {
-                case DisplayCondition.Device:
-                    return "latency profile is of device '" + Calibrated + "', this one is '" + Actual + "'; calibrate this one";
-                case DisplayCondition.DisplayRate:
-                    return "latency profile was measured at " + Calibrated + " Hz, this display shows " + Actual + " Hz; calibrate at this rate";
-                default:
-                    return "latency profile was measured with " + Label + " '" + Calibrated + "', this device has '" + Actual
-                        + "'; calibrate again, or set it back (" + DisplayConditionNames.PlaceOf(Condition) + ")";
+                case DisplayCondition.Device: return ConditionMessages.OtherDevice(Calibrated, Actual);
+                case DisplayCondition.DisplayRate: return ConditionMessages.OtherRate(Calibrated, Actual);
+                default: return ConditionMessages.Other(Label, Calibrated, Actual, DisplayConditionNames.PlaceOf(Condition));
             }
         }
     }

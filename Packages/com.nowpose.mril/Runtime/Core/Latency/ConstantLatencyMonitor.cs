@@ -17,18 +17,18 @@ namespace Nowpose.Latency
         /// <summary>Too few frames were measured with the current source.</summary>
         TooFewFrames,
 
-        /// <summary>The limit was found with another source of the render time and does not apply to this one.</summary>
+        /// <summary>The limit was found with another source of the render time and does not apply to the current source.</summary>
         OtherSource,
 
         /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>
         BeyondMeasured,
     }
 
-    /// <summary>Whether L_visu has its calibrated value: whether the render time is in the constant-latency range.</summary>
+    /// <summary>Whether the render time is in the constant-latency range, so that L_visu has its calibrated value.</summary>
     /// <remarks>Schnierle &amp; Röck 2022, Fig. 11b.</remarks>
     public enum RangeState
     {
-        /// <summary>Cannot be determined; <see cref="RangeUnknownReason"/> has the reason. The calibrated L_visu is used.</summary>
+        /// <summary>The state cannot be determined; <see cref="RangeUnknownReason"/> gives the reason. The calibrated L_visu is used.</summary>
         Unknown,
 
         /// <summary>L_visu is constant.</summary>
@@ -40,16 +40,18 @@ namespace Nowpose.Latency
 
     /// <summary>Detects, frame by frame, whether the render time is in the constant-latency range.</summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Fig. 11b. Uses the median of the newest 15 frames, so that one slow frame changes nothing.
-    /// Detects a sudden load that is a tenth or more above the limit within 10 frames. A load slightly above the limit takes some
-    /// frames longer because single frames of it are below the limit. Allocates nothing; not thread-safe.
+    /// Schnierle &amp; Röck 2022, Fig. 11b. Uses the median of the newest 15 frames, so that one slow frame has no effect. A sudden load
+    /// that raises the render time to 10 % or more above the limit is detected within 10 frames. A load slightly above the limit takes
+    /// longer, because some of its frames are below the limit. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class ConstantLatencyMonitor
     {
         const int Window = 15;
         const int FramesToJudge = 8;
 
-        /// <summary>Hysteresis: share of the limit below which the median must stay for <see cref="FramesToReturn"/> frames.</summary>
+        /// <summary>
+        /// Hysteresis: fraction of the limit below which the median must stay for <see cref="FramesToReturn"/> frames to be inside again.
+        /// </summary>
         const double ClearlyInside = 0.94;
         const int FramesToReturn = 30;
 
@@ -61,7 +63,7 @@ namespace Nowpose.Latency
         /// <param name="range">Initial value of <see cref="Range"/>.</param>
         public ConstantLatencyMonitor(ConstantLatencyRange range) => _range = range;
 
-        /// <summary>The range to monitor; null when no range is known, which keeps the state unknown. A change applies from the next frame.</summary>
+        /// <summary>Range to monitor; null if no range is known, which keeps the state unknown. A change applies from the next frame.</summary>
         public ConstantLatencyRange Range
         {
             get => _range;

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -15,7 +16,7 @@ namespace Nowpose.Latency
             IsLimitReached = isLimitReached;
             Limit = SettingRange.RequireMs(limitMs, 0.1, 1000, "render time limit");
             if (source == RenderTimeSourceKind.None)
-                throw new InputException("render time limit: state the source of the render times from which it was determined");
+                throw new InputException(ProfileMessages.LimitWithoutSource);
             Source = source;
         }
 
@@ -24,7 +25,8 @@ namespace Nowpose.Latency
         public RenderTimeSourceKind Source { get; }
 
         /// <summary>
-        /// Whether L_visu is known to be longer beyond the limit. False when no calibration went beyond it: L_visu is unknown there.
+        /// Whether L_visu is known to be longer beyond the limit. False if the calibration did not exceed the limit, so that L_visu is unknown
+        /// beyond it.
         /// </summary>
         public bool IsLimitReached { get; }
     }

@@ -1,6 +1,6 @@
 namespace Nowpose.Latency
 {
-    /// <summary>Whether the depth buffer of a frame reaches the display, which needs it to correct each surface for head motion.</summary>
+    /// <summary>Whether the depth buffer of a frame reaches the display, which uses it to correct each surface for head motion.</summary>
     public enum DepthSubmission
     {
         /// <summary>The state is not reported, or no headset display is running.</summary>
@@ -15,10 +15,10 @@ namespace Nowpose.Latency
         /// <summary>The runtime does not support the extension XR_KHR_composition_layer_depth, or the extension was not enabled.</summary>
         NotSupported,
 
-        /// <summary>No enabled camera has the tag MainCamera; its near and far planes define the scale of the depth buffer.</summary>
+        /// <summary>No enabled camera has the tag MainCamera. The near and far planes of that camera define the scale of the depth buffer.</summary>
         NoMainCamera,
 
-        /// <summary>The display does not ask Unity to fill its depth buffer, though it is turned on and supported.</summary>
+        /// <summary>The display does not ask Unity to fill its depth buffer, although depth submission is turned on and supported.</summary>
         NotRequested,
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -36,7 +37,9 @@ namespace Nowpose.Latency
         {
         }
 
-        /// <param name="visuMs">L_visu: trigger of the render job to the middle of the interval in which its frame is shown, 0 to 500 ms.</param>
+        /// <param name="visuMs">
+        /// L_visu: time from the trigger of the render job to the middle of the interval in which its frame is shown, 0 to 500 ms.
+        /// </param>
         /// <param name="spreadMs">Standard deviation of a single measurement of L_visu, 0 to 500 ms.</param>
         /// <param name="conditions">Conditions of the measurement.</param>
         /// <param name="measuredUtc">Date and time of the measurement, UTC.</param>
@@ -45,9 +48,9 @@ namespace Nowpose.Latency
         /// <param name="renderLimitMs">Maximum render time with constant L_visu, 0.1 to 1000 ms; null when it was not found.</param>
         /// <param name="renderTimeSource">Source of the render times. Required with a limit, which is valid for this source only.</param>
         /// <param name="validToRenderMs">
-        /// Maximum render time at which this L_visu was observed, 0.1 to 1000 ms; null to use the limit, or when none was measured.
+        /// Maximum render time at which this L_visu was observed, 0.1 to 1000 ms; null to use the limit, or if no render time was measured.
         /// </param>
-        /// <param name="headMotion">Latency that remains for head motion; null when it was not measured.</param>
+        /// <param name="headMotion">Latency with which the picture follows head motion; null if it was not measured.</param>
         /// <exception cref="InputException">A value is out of range; the message names it in one line.</exception>
         internal LatencyProfile(
             double visuMs, double spreadMs, DisplayConditions conditions, DateTime measuredUtc, CalibrationMethod method,
@@ -55,7 +58,7 @@ namespace Nowpose.Latency
             double? validToRenderMs = null, HeadMotionLatency headMotion = null)
         {
             Visualisation = VisualisationLatency.FromMilliseconds(visuMs);
-            Spread = SettingRange.RequireMs(spreadMs, 0, MaxVisuMs, "spread of the visualisation latency");
+            Spread = SettingRange.RequireMs(spreadMs, 0, MaxVisuMs, SettingNames.VisualisationSpread);
             Conditions = conditions ?? throw new ArgumentNullException(nameof(conditions));
             MeasuredUtc = measuredUtc.Kind == DateTimeKind.Local
                 ? measuredUtc.ToUniversalTime() : DateTime.SpecifyKind(measuredUtc, DateTimeKind.Utc);
@@ -65,7 +68,7 @@ namespace Nowpose.Latency
             HeadMotion = headMotion;
             Range = renderLimitMs.HasValue ? new ConstantLatencyRange(renderLimitMs.Value, renderTimeSource) : null;
             ValidToRenderTime = validToRenderMs.HasValue
-                ? SettingRange.RequireMs(validToRenderMs.Value, MinRenderMs, MaxRenderMs, "maximum render time measured") : Range?.Limit;
+                ? SettingRange.RequireMs(validToRenderMs.Value, MinRenderMs, MaxRenderMs, SettingNames.MaxRenderTime) : Range?.Limit;
             WatchedRange = Range ?? (validToRenderMs.HasValue && renderTimeSource != RenderTimeSourceKind.None
                 ? new ConstantLatencyRange(validToRenderMs.Value, renderTimeSource, isLimitReached: false) : null);
         }
@@ -84,7 +87,7 @@ namespace Nowpose.Latency
         /// <summary>Refresh rate; 0 when it is not known.</summary>
         public double DisplayHz => Conditions.DisplayHz ?? 0;
 
-        /// <summary>Latency that remains for head motion; null when it was not measured.</summary>
+        /// <summary>Latency with which the picture follows head motion; null if it was not measured.</summary>
         internal HeadMotionLatency HeadMotion { get; }
 
         public DateTime MeasuredUtc { get; }
@@ -99,28 +102,32 @@ namespace Nowpose.Latency
         /// <summary>The constant-latency range; null when no limit is known.</summary>
         public ConstantLatencyRange Range { get; }
 
-        /// <summary>Maximum render time at which this L_visu was observed, or else the limit; null when none was measured.</summary>
+        /// <summary>Maximum render time at which this L_visu was observed, or else the limit; null if neither is known.</summary>
         public TimeSpan? ValidToRenderTime { get; }
 
-        /// <summary>Range for a monitor: the constant-latency range, else the range with observed L_visu; null when neither is known.</summary>
+        /// <summary>
+        /// Range for a monitor: the constant-latency range, or else the range in which L_visu was observed; null if neither is known.
+        /// </summary>
         internal ConstantLatencyRange WatchedRange { get; }
 
         /// <summary>Returns the profile without the range, for a headset that renders nothing and therefore has no render times.</summary>
         internal LatencyProfile WithoutRange() => new LatencyProfile(
             Visualisation.Length.TotalMilliseconds, Spread.TotalMilliseconds, Conditions, MeasuredUtc, Method, Measurements, headMotion: HeadMotion);
 
-        /// <summary>Returns the conditions that are known on both sides and differ.</summary>
+        /// <summary>Returns the conditions that are known for both the profile and the device, and that differ.</summary>
         /// <param name="actual">Conditions of the device that uses the profile.</param>
         /// <returns>Empty when nothing differs.</returns>
         internal IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual) => Conditions.MismatchesWith(actual);
 
-        /// <summary>Returns why the profile must not be used on a device, or null when it may be used. Unknown values are not compared.</summary>
+        /// <summary>
+        /// Returns the reason why the profile must not be used on a device; null if it may be used. Unknown values are not compared.
+        /// </summary>
         /// <param name="device">Model name that the device reports; the comparison ignores case.</param>
         /// <param name="displayHz">0 or NaN when it is not known.</param>
         /// <returns>One line with the calibrated and the actual value.</returns>
         public string RefusalFor(string device, double displayHz) => RefusalFor(new DisplayConditions(device, displayHz));
 
-        /// <summary>Returns why the profile must not be used under these conditions, or null when it may be used.</summary>
+        /// <summary>Returns the reason why the profile must not be used under these conditions; null if it may be used.</summary>
         /// <returns>The <see cref="ConditionMismatch.Words"/> of the first mismatch that is a refusal.</returns>
         internal string RefusalFor(DisplayConditions actual) => MismatchesWith(actual).FirstOrDefault(each => each.IsRefusal)?.Words;
     }

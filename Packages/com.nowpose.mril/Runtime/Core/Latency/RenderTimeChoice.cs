@@ -5,8 +5,8 @@ namespace Nowpose.Latency
     /// <summary>Selects one of several render-time sources.</summary>
     /// <remarks>
     /// Only a running application shows which sources a device supports, and a source may stop. A source is selected after its 30th
-    /// time if no better source has started to deliver times, and dropped after 30 frames without a time. This keeps the selection
-    /// from alternating, which would restart the range monitor each time. Allocates nothing after construction; single-threaded.
+    /// time if no better source has started to deliver times. It is dropped after 30 frames without a time. This prevents a selection
+    /// that alternates and restarts the range monitor each time. Allocates nothing after construction; single-threaded.
     /// </remarks>
     sealed class RenderTimeChoice
     {
@@ -24,13 +24,15 @@ namespace Nowpose.Latency
             for (var i = 0; i < bestFirst.Length; i++) _candidates[i].Kind = bestFirst[i];
         }
 
-        /// <summary>The selected source; <see cref="RenderTimeSourceKind.None"/> before the first selection and after a drop.</summary>
+        /// <summary>Selected source; <see cref="RenderTimeSourceKind.None"/> before the first selection and after the source was dropped.</summary>
         public RenderTimeSourceKind Source => _inUse == None ? RenderTimeSourceKind.None : _candidates[_inUse].Kind;
 
-        /// <summary>Render time that the selected source delivered in the last ended frame; null when it delivered none.</summary>
+        /// <summary>Render time that the selected source delivered in the newest completed frame; null if it delivered none.</summary>
         public TimeSpan? RenderTime { get; private set; }
 
-        /// <summary>Reports a render time that became known in this frame. If one source reports several, the last one is used.</summary>
+        /// <summary>
+        /// Reports a render time that became known in this frame. If a source reports several render times in a frame, the last is used.
+        /// </summary>
         /// <param name="candidate">Index of the source in the constructor's list.</param>
         /// <param name="renderTime">Zero and negative values are ignored: drivers that do not measure report zero.</param>
         public void Report(int candidate, TimeSpan renderTime)
@@ -38,22 +40,22 @@ namespace Nowpose.Latency
             if (renderTime > TimeSpan.Zero) _candidates[candidate].Newest = renderTime;
         }
 
-        /// <summary>Ends the frame after all its times were reported.</summary>
+        /// <summary>Ends the frame. Call it after all render times of the frame were reported.</summary>
         /// <returns>Whether <see cref="Source"/> has changed.</returns>
         public bool EndFrame()
         {
             var before = Source;
             for (var i = 0; i < _candidates.Length; i++) _candidates[i].Count();
             if (_inUse != None && _candidates[_inUse].Times == 0) _inUse = None;
-            var better = FirstThatGivesTimes();
+            var better = BestActive();
             if (better != None && _candidates[better].Times >= TimesToTrust) _inUse = better;
             RenderTime = _inUse == None ? null : _candidates[_inUse].Newest;
             for (var i = 0; i < _candidates.Length; i++) _candidates[i].Newest = null;
             return Source != before;
         }
 
-        // A source that has just started prevents the selection of worse ones but does not replace the selected one.
-        int FirstThatGivesTimes()
+        // A source that has just started prevents the selection of a worse source but does not replace the selected source.
+        int BestActive()
         {
             var end = _inUse == None ? _candidates.Length : _inUse;
             for (var i = 0; i < end; i++)

@@ -17,7 +17,7 @@ namespace Nowpose.Latency
         /// <summary>Time from the trigger of the render job until the application detects that the GPU has finished it.</summary>
         GpuCompletion,
 
-        /// <summary>CPU time of the camera. Unverified: it does not include the time of the GPU.</summary>
+        /// <summary>CPU time of the camera, without the time of the GPU. Not verified as a measure of the render time.</summary>
         CameraCpu,
     }
 
@@ -29,7 +29,7 @@ namespace Nowpose.Latency
         /// <returns>Empty for <see cref="RenderTimeSourceKind.None"/>.</returns>
         public static string NameOf(RenderTimeSourceKind source) => Names[(int)source];
 
-        /// <param name="name">Exactly as written; empty for <see cref="RenderTimeSourceKind.None"/>.</param>
+        /// <param name="name">Name exactly as in files; empty for <see cref="RenderTimeSourceKind.None"/>.</param>
         public static bool TryParse(string name, out RenderTimeSourceKind source)
         {
             var index = Array.IndexOf(Names, name);
@@ -37,7 +37,7 @@ namespace Nowpose.Latency
             return index >= 0;
         }
 
-        /// <summary>All names except the empty one, separated by commas, for messages.</summary>
+        /// <summary>All names except the empty name, separated by commas, for messages.</summary>
         public static string All => string.Join(", ", Names, 1, Names.Length - 1);
     }
 
@@ -50,7 +50,7 @@ namespace Nowpose.Latency
         /// <param name="ms">Render time in ms; NaN is not a measured time.</param>
         public static bool Is(double ms) => ms >= MinMs && ms <= MaxMs;
 
-        /// <exception cref="InputException">Out of range, or not a number; the message uses the name of the column in files.</exception>
+        /// <exception cref="InputException">The value is out of range or not a number; the message uses the name of the column in files.</exception>
         internal static double RequireMs(double ms) => SettingRange.Require(ms, MinMs, MaxMs, "render_ms", "ms");
     }
 }

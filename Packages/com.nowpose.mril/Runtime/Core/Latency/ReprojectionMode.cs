@@ -31,7 +31,7 @@ namespace Nowpose.Latency
 
         public static string NameOf(ReprojectionMode mode) => Names[(int)mode];
 
-        /// <param name="name">Exactly as written by <see cref="NameOf"/>.</param>
+        /// <param name="name">Name exactly as returned by <see cref="NameOf"/>.</param>
         /// <param name="mode"><see cref="ReprojectionMode.Unknown"/> when the method returns false.</param>
         public static bool TryParse(string name, out ReprojectionMode mode)
         {

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -13,7 +14,7 @@ namespace Nowpose.Latency
         /// <param name="window">Maximum number of stored values, 1 or more.</param>
         public RollingPercentiles(int window)
         {
-            if (window < 1) throw new ArgumentOutOfRangeException(nameof(window), window, "window must be 1 or more");
+            if (window < 1) throw new ArgumentOutOfRangeException(nameof(window), window, StatisticsMessages.WindowSize);
             _byAge = new long[window];
             _sorted = new long[window];
         }
@@ -29,13 +30,13 @@ namespace Nowpose.Latency
             _next = (_next + 1) % _byAge.Length;
         }
 
-        /// <summary>Returns the quantile of the stored values, interpolated linearly between neighbours.</summary>
+        /// <summary>Returns the quantile of the stored values, interpolated linearly between adjacent values.</summary>
         /// <param name="fraction">0 (minimum) to 1 (maximum).</param>
         /// <exception cref="InvalidOperationException">No value is stored yet.</exception>
         public TimeSpan At(double fraction)
         {
-            if (_count == 0) throw new InvalidOperationException("no length was added yet; check Count first");
-            if (!(fraction >= 0 && fraction <= 1)) throw new ArgumentOutOfRangeException(nameof(fraction), fraction, "fraction must be 0 to 1");
+            if (_count == 0) throw new InvalidOperationException(StatisticsMessages.Empty);
+            if (!(fraction >= 0 && fraction <= 1)) throw new ArgumentOutOfRangeException(nameof(fraction), fraction, StatisticsMessages.Fraction);
             var position = fraction * (_count - 1);
             var below = (int)position;
             var above = Math.Min(below + 1, _count - 1);

@@ -1,8 +1,9 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
-    /// <summary>The clock that a code shows. Marks in the ring distinguish the two codes of a picture.</summary>
+    /// <summary>Clock that a code shows. Marks in the ring distinguish the two codes of a picture.</summary>
     enum CodeKind
     {
         /// <summary>Shown by the control system, on LEDs or on a monitor: C1(t_VLC) of Eq. (7).</summary>
@@ -14,12 +15,12 @@ namespace Nowpose.Latency
 
     /// <summary>Encodes a control time in 8×8 lights that a camera can read: whole milliseconds in Gray code, with parity.</summary>
     /// <remarks>
-    /// The visible light communication of Schnierle &amp; Röck 2022, Fig. 9. Row 0 is at the top, column 0 on the left. The 28 cells of
-    /// the outer ring are lit except for marks that show the orientation and the <see cref="CodeKind"/>. The inner 6×6 cells are 18
+    /// Implements the visible light communication of Schnierle &amp; Röck 2022, Fig. 9. Row 0 is at the top, column 0 on the left. The 28
+    /// cells of the outer ring are lit except for marks that show the orientation and the <see cref="CodeKind"/>. The inner 6×6 cells are 18
     /// pairs of neighbours, three in a row, with one cell lit and one dark: the left cell is lit for a 1, the right cell for a 0. The
     /// comparison within a pair cancels brightness and background, and a covered pair is recognised as unreadable. In reading order
-    /// the pairs carry g15 … g0, the Gray code g = b ^ (b >> 1) of the time's whole milliseconds modulo 65 536, then the parity of the
-    /// bits with even index, then of those with odd index (even parity: the number of ones is even).
+    /// the pairs carry g15 … g0, the Gray code g = b ^ (b >> 1) of the time's whole milliseconds modulo 65 536, then the parity of the bits
+    /// with even index, and then the parity of the bits with odd index (even parity: the number of ones is even).
     /// From one millisecond to the next, one Gray bit and one parity bit change, so that an exposure over several
     /// milliseconds blurs few pairs.
     /// </remarks>
@@ -57,7 +58,7 @@ namespace Nowpose.Latency
         /// <param name="value">0 to <see cref="PeriodMs"/> − 1.</param>
         public static int WordOf(int value)
         {
-            if (value < 0 || value >= PeriodMs) throw new ArgumentOutOfRangeException(nameof(value), value, "a coded time must be 0 to 65535 ms");
+            if (value < 0 || value >= PeriodMs) throw new ArgumentOutOfRangeException(nameof(value), value, TimestampCodeMessages.TimeOutOfRange);
             var gray = value ^ (value >> 1);
             return gray << 2 | Parity(gray & EvenBits) << 1 | Parity(gray & OddBits);
         }
@@ -86,10 +87,10 @@ namespace Nowpose.Latency
 
         /// <summary>Computes which cells are lit.</summary>
         /// <param name="value">0 to <see cref="PeriodMs"/> − 1.</param>
-        /// <param name="cells">Result of <see cref="CellCount"/> cells in row-major order; all are written.</param>
+        /// <param name="cells">Receives <see cref="CellCount"/> cells in row-major order; all are written.</param>
         public static void Draw(int value, CodeKind kind, Span<bool> cells)
         {
-            if (cells.Length != CellCount) throw new ArgumentException("a code must have 64 cells, not " + cells.Length, nameof(cells));
+            if (cells.Length != CellCount) throw new ArgumentException(TimestampCodeMessages.CellCount(cells.Length), nameof(cells));
             var word = WordOf(value);
             for (var cell = 0; cell < CellCount; cell++) cells[cell] = IsRing(cell) && IsLitRing(cell, kind);
             for (var pair = 0; pair < PairCount; pair++)

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>L_visu: trigger of the render job to display time, the part of L = L_app + L_visu (Eq. (1)) that software cannot measure.</summary>
+    /// <summary>L_visu: time from the trigger of the render job to the display time, the part of L of Eq. (1) that software cannot measure.</summary>
     /// <remarks>A calibrated value, valid while the render time is in the constant-latency range. <c>default</c> is zero.</remarks>
     public readonly struct VisualisationLatency
     {
@@ -10,7 +10,7 @@ namespace Nowpose.Latency
         const string Name = "visualisation latency";
 
         /// <param name="length">0 to 500 ms.</param>
-        /// <exception cref="InputException">Out of range.</exception>
+        /// <exception cref="InputException">The length is out of range.</exception>
         public VisualisationLatency(TimeSpan length)
         {
             SettingRange.Require(length.TotalMilliseconds, 0, MaxMs, Name, "ms");
@@ -18,7 +18,7 @@ namespace Nowpose.Latency
         }
 
         /// <param name="ms">0 to 500 ms.</param>
-        /// <exception cref="InputException">Out of range, or not a number.</exception>
+        /// <exception cref="InputException">The value is out of range or not a number.</exception>
         public static VisualisationLatency FromMilliseconds(double ms) =>
             new VisualisationLatency(SettingRange.RequireMs(ms, 0, MaxMs, Name));
 

@@ -14,7 +14,7 @@ namespace Nowpose.Motion
 
         /// <summary>Computes the position of each joint, in rad or m; allocates nothing.</summary>
         /// <param name="seconds">Time since the cell's start, in s; before the start the robot is at its first position.</param>
-        /// <param name="positions">As long as <see cref="JointNames"/>.</param>
+        /// <param name="positions">Receives one position per element of <see cref="JointNames"/>.</param>
         void At(double seconds, Span<double> positions);
     }
 
@@ -24,7 +24,9 @@ namespace Nowpose.Motion
         /// <summary>Time in the cycle at which the gripper takes the object, s. The arm is at rest then.</summary>
         double GripSeconds { get; }
 
-        /// <summary>Time in the cycle at which the gripper puts it down, s; after <see cref="GripSeconds"/>. The arm is at rest then.</summary>
+        /// <summary>
+        /// Time in the cycle at which the gripper puts the object down, s; after <see cref="GripSeconds"/>. The arm is at rest then.
+        /// </summary>
         double ReleaseSeconds { get; }
     }
 }

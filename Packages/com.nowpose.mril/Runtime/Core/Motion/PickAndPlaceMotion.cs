@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 
 namespace Nowpose.Motion
 {
@@ -15,7 +15,7 @@ namespace Nowpose.Motion
         readonly bool[] _given;
         readonly double _grip, _release;
 
-        /// <param name="robot">The youBot uses its own waypoints; any other robot a cycle derived from its limits.</param>
+        /// <param name="robot">The youBot uses its own waypoints; any other robot uses a cycle derived from its limits.</param>
         /// <exception cref="InputException">The robot has no moving joints or too many, or cannot reach a waypoint.</exception>
         public PickAndPlaceMotion(RobotModel robot)
         {
@@ -31,7 +31,7 @@ namespace Nowpose.Motion
             for (var i = 0; i < _moves.Length; i++)
                 _ends[i] = CycleSeconds += _moves[i].Duration;
             if (!(CycleSeconds > 0))
-                throw new InputException("robot " + robot.Name + ": has no moving joint; choose another robot");
+                throw new InputException(RobotMessages.NoMovingJoint(robot.Name));
             _grip = _ends[(isYoubot ? YoubotWaypoints.Grip : DerivedWaypoints.Grip) - 1];
             _release = _ends[(isYoubot ? YoubotWaypoints.Release : DerivedWaypoints.Release) - 1];
         }
@@ -61,9 +61,7 @@ namespace Nowpose.Motion
                     var position = waypoints[i][joint.MovingIndex];
                     var limits = joint.Limits;
                     if (!limits.Contains(position))
-                        throw new InputException(string.Format(
-                            CultureInfo.InvariantCulture, "robot {0}: waypoint {1} puts {2} at {3}; its limits are {4} to {5}",
-                            _robot.Name, i + 1, joint.Name, position, limits.Lower, limits.Upper));
+                        throw new InputException(RobotMessages.WaypointOutOfLimits(_robot.Name, i + 1, joint.Name, position, limits.Lower, limits.Upper));
                 }
             }
         }

@@ -1,5 +1,6 @@
 using System.Linq;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Motion
@@ -11,8 +12,7 @@ namespace Nowpose.Motion
         public static string[] NamesOf(RobotModel robot)
         {
             if (robot.MovingJoints.Count > ProtocolLimits.Joints)
-                throw new InputException("robot " + robot.Name + ": has " + robot.MovingJoints.Count + " moving joints; "
-                    + "a message carries at most " + ProtocolLimits.Joints + "; make some of them fixed");
+                throw new InputException(RobotMessages.TooManyJoints(robot.Name, robot.MovingJoints.Count, ProtocolLimits.Joints));
             return robot.MovingJoints.Select(joint => joint.Name).ToArray();
         }
     }

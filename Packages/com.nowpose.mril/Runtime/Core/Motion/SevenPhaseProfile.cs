@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Motion
 {
@@ -7,9 +8,9 @@ namespace Nowpose.Motion
     /// Schnierle &amp; Röck 2022, Fig. 12: seven phases of constant jerk, fewer when the stroke is short.
     /// </summary>
     /// <remarks>
-    /// Any unit of length (mm, m, rad) if distance and limits share it; times in seconds from the start of the
+    /// The unit of length is arbitrary (mm, m, rad) but must be the same for distance and limits. Times are in seconds from the start of the
     /// move. The position is 0 before the start, and the distance after <see cref="Duration"/>. <c>default</c> is a move of zero
-    /// distance and duration. Immutable, so any thread may use it.
+    /// distance and duration. Immutable and thread-safe.
     /// </remarks>
     readonly struct SevenPhaseProfile
     {
@@ -49,7 +50,7 @@ namespace Nowpose.Motion
         /// <summary>Duration of the move, in s.</summary>
         public double Duration { get; }
 
-        /// <summary>Distance covered since the start, signed.</summary>
+        /// <summary>Returns the distance covered since the start, signed.</summary>
         public double PositionAt(double t)
         {
             var half = Duration / 2;
@@ -59,14 +60,14 @@ namespace Nowpose.Motion
             return Math.Sign(_distance) * (t <= half ? Covered(t) : stroke - Covered(Duration - t));
         }
 
-        /// <summary>Velocity, signed, per second.</summary>
+        /// <summary>Returns the velocity, signed, per second.</summary>
         public double VelocityAt(double t)
         {
             if (!(t > 0) || t >= Duration) return 0;
             return Math.Sign(_distance) * Speed(Math.Min(t, Duration - t));
         }
 
-        /// <summary>Acceleration, signed, per second squared; continuous, 0 outside the move.</summary>
+        /// <summary>Returns the acceleration, signed, per second squared; continuous, and 0 outside the move.</summary>
         public double AccelerationAt(double t)
         {
             if (!(t > 0) || t >= Duration) return 0;
@@ -75,19 +76,19 @@ namespace Nowpose.Motion
                 : -Math.Sign(_distance) * RampAcceleration(Duration - t);
         }
 
-        /// <summary>The peak velocity at which acceleration and deceleration alone cover the stroke.</summary>
+        /// <summary>Returns the peak velocity at which acceleration and deceleration alone cover the stroke.</summary>
         static double VelocityOfStroke(double stroke, double acceleration, double jerk)
         {
             // Without a phase of constant acceleration: stroke = 2 v sqrt(v/j). Computes roots first, so that a tiny stroke does not underflow.
             var root = Math.Cbrt(stroke);
             var withoutPlateau = root * root * Math.Cbrt(jerk / 4);
             if (withoutPlateau * jerk <= acceleration * acceleration) return withoutPlateau;
-            // With a phase of constant acceleration: stroke = v²/a + v a/j, solved in the form without cancellation.
+            // With a phase of constant acceleration: stroke = v²/a + v a/j, solved in a form that avoids cancellation.
             var jerkTime = acceleration / jerk;
             return 2 * stroke / (jerkTime + Math.Sqrt(jerkTime * jerkTime + 4 * stroke / acceleration));
         }
 
-        // The second half of the move mirrors the first, so only the first is computed.
+        // The second half of the move mirrors the first half, so only the first half is computed.
         double Covered(double t)
         {
             if (t >= _rampTime) return _peakVelocity * (t - _rampTime / 2);
@@ -116,7 +117,7 @@ namespace Nowpose.Motion
         static void RequirePositive(double value, string name)
         {
             if (!(value > 0) || double.IsInfinity(value))
-                throw new ArgumentOutOfRangeException(name, value, "must be positive and finite");
+                throw new ArgumentOutOfRangeException(name, value, SettingMessages.NotPositive);
         }
     }
 }

@@ -4,8 +4,8 @@ using Nowpose.Protocol;
 namespace Nowpose.Network
 {
     /// <summary>
-    /// Delays between connection attempts: 0.2 s doubling to 1.5 s, each with a random variation of ±20 % so that headsets do not
-    /// reconnect all at once.
+    /// Delays between connection attempts: 0.2 s at first, doubling up to 1.5 s. Each delay has a random variation of ±20 %, so that headsets
+    /// do not reconnect all at once.
     /// </summary>
     sealed class Backoff
     {

@@ -1,5 +1,6 @@
 using System;
 using System.Net;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -23,7 +24,7 @@ namespace Nowpose.Network
         /// <summary>TLS with a certificate that the device's own store trusts.</summary>
         DeviceTrust,
 
-        /// <summary>TLS with a certificate that matches the pin of its public key; no other is trusted.</summary>
+        /// <summary>TLS with a certificate that matches the pin of its public key; no other key is trusted.</summary>
         Pinned,
     }
 
@@ -34,11 +35,11 @@ namespace Nowpose.Network
         /// <param name="syncPort">TCP port of the clock sync.</param>
         /// <param name="webSocketPort">Port of the joint positions.</param>
         /// <param name="pin">The gateway's public key. If given, connections use wss and TLS, and trust only this key.</param>
-        /// <param name="deviceTrust">Use wss and TLS, trusting the device's store; ignored if there is a pin.</param>
-        /// <param name="token">Authenticates this headset to the gateway; null for none. Sent over TLS or loopback only.</param>
-        /// <param name="insecureLan">Allows plain connections beyond loopback; the status then shows a warning.</param>
+        /// <param name="deviceTrust">Whether to use wss and TLS with the device's own certificate store; ignored if there is a pin.</param>
+        /// <param name="token">Token that authenticates this headset to the gateway; null for none. It is sent only over TLS or loopback.</param>
+        /// <param name="insecureLan">Whether plain connections beyond loopback are allowed; the status then shows a warning.</param>
         /// <param name="headsetName">Name of this headset in its diagnostics.</param>
-        /// <param name="publishesDisplayed">Publishes the displayed joints to the gateway, for external observers.</param>
+        /// <param name="publishesDisplayed">Whether the displayed joints are published to the gateway, for external observers.</param>
         /// <param name="clockSource">Source of the control time; with ROS time the sync port is not used.</param>
         /// <exception cref="InputException">A value is out of range, or the connection would be plain text without permission.</exception>
         public ConnectionSettings(
@@ -47,7 +48,7 @@ namespace Nowpose.Network
             string headsetName = "headset", bool publishesDisplayed = true, ControlClockSource clockSource = ControlClockSource.ClockSync)
         {
             if (Uri.CheckHostName(host) == UriHostNameType.Unknown)
-                throw new InputException("host: '" + host + "' is neither a host name nor an address");
+                throw new InputException(ConnectionMessages.NotAHost(host));
             Host = host;
             SyncPort = SettingRange.RequireCount(syncPort, 1, IPEndPoint.MaxPort, "sync port");
             WebSocketPort = SettingRange.RequireCount(webSocketPort, 1, IPEndPoint.MaxPort, "WebSocket port");
@@ -87,24 +88,22 @@ namespace Nowpose.Network
         void RequirePlainIsWanted(bool insecureLan)
         {
             if (Token != null)
-                throw new InputException("token: would be sent unencrypted to " + Host + "; use a pin or a device-trusted certificate");
+                throw new InputException(ConnectionMessages.TokenUnencrypted(Host));
             if (!insecureLan)
-                throw new InputException(
-                    "host: " + Host + " is not this machine; enter the gateway's pin, or allow unencrypted connections in a trusted network (insecure LAN)");
+                throw new InputException(ConnectionMessages.PlainNotAllowed(Host));
         }
 
         static string RequireName(string name)
         {
             if (string.IsNullOrWhiteSpace(name) || name.Length > ProtocolLimits.NameLength)
-                throw new InputException(
-                    "headset name: is " + (name?.Length ?? 0) + " characters long; allowed: 1 to " + ProtocolLimits.NameLength);
+                throw new InputException(ConnectionMessages.HeadsetName(name?.Length ?? 0, ProtocolLimits.NameLength));
             return name;
         }
 
         static ControlClockSource RequireSource(ControlClockSource source)
         {
             if (source != ControlClockSource.ClockSync && source != ControlClockSource.RosTime)
-                throw new InputException("clock source: " + (int)source + " is unknown; allowed: 0 (clock sync) and 1 (ROS time)");
+                throw new InputException(ConnectionMessages.UnknownClockSource((int)source));
             return source;
         }
 
@@ -114,8 +113,7 @@ namespace Nowpose.Network
             SyncToken.RequireLength(token);
             foreach (var c in token)
                 if (c <= ' ' || c > '~')
-                    throw new InputException(
-                        "token: contains a character that is not allowed in an HTTP header; use ASCII letters, digits and punctuation");
+                    throw new InputException(ConnectionMessages.TokenCharacter);
             return token;
         }
     }

@@ -7,6 +7,7 @@ using System.Net.Sockets;
 using System.Security.Authentication;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -25,7 +26,7 @@ namespace Nowpose.Network
 
         /// <exception cref="GatewayRefusalException">The certificate is not trusted, or the gateway did not answer in time.</exception>
         /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
-        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
         {
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
@@ -63,7 +64,7 @@ namespace Nowpose.Network
             }
         }
 
-        // IPv4 first, because a gateway listens on it by default and an address without an answer uses up the timeout.
+        // IPv4 addresses come first, because a gateway listens on them by default and an address without an answer uses up the timeout.
         async Task<IPAddress[]> AddressesAsync()
         {
             if (IPAddress.TryParse(_settings.Host, out var literal)) return new[] { literal };
@@ -74,7 +75,7 @@ namespace Nowpose.Network
 
         async Task<Stream> OpenAsync(IPAddress address, int port, CancellationToken cancel)
         {
-            // States the address family, because without it a client supports only IPv4 under Mono and IL2CPP.
+            // The address family is explicit, because without it a client supports only IPv4 under Mono and IL2CPP.
             var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
             try
             {
@@ -107,7 +108,7 @@ namespace Nowpose.Network
                 await secure.AuthenticateAsClientAsync(
                     _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
                 if (secure.SslProtocol < SslProtocols.Tls12)
-                    throw new GatewayRefusalException("TLS: the gateway supports only " + secure.SslProtocol + "; 1.2 or 1.3 is needed");
+                    throw new GatewayRefusalException(ConnectionMessages.TlsVersion(secure.SslProtocol));
                 return secure;
             }
             catch (AuthenticationException failure)

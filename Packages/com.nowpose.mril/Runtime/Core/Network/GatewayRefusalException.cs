@@ -9,19 +9,19 @@ namespace Nowpose.Network
         public GatewayRefusalException(string message) : base(message) { }
         public GatewayRefusalException(string message, Exception innerException) : base(message, innerException) { }
 
-        /// <summary>Whether the gateway rejected the headset's token, or the headset has none.</summary>
+        /// <summary>Whether the gateway rejected the headset's token, or the headset has no token.</summary>
         public bool IsOfToken { get; private set; }
 
-        /// <summary>Makes an exception from the HTTP status of the answer to the WebSocket request.</summary>
+        /// <summary>Creates an exception from the HTTP status of the answer to the WebSocket request.</summary>
         internal static GatewayRefusalException OfStatus(int status, Exception innerException = null) =>
             new GatewayRefusalException(WebSocketUpgrade.RefusalOf(status), innerException) { IsOfToken = status == 401 };
 
         internal static GatewayRefusalException OfToken(string message) => new GatewayRefusalException(message) { IsOfToken = true };
 
-        /// <summary>Makes an exception from a failed handshake; .NET's client reports the status code only in its message.</summary>
+        /// <summary>Creates an exception from a failed handshake. .NET's client reports the status code only in its message.</summary>
         internal static GatewayRefusalException OfHandshake(string message, Exception innerException = null)
         {
-            // Searches the code in quotation marks, because a port such as 40111 contains it as well.
+            // Searches for the code in quotation marks, because a port number such as 40111 also contains it.
             foreach (var status in new[] { 401, 403 })
                 if (message.Contains("'" + status + "'")) return OfStatus(status, innerException);
             return new GatewayRefusalException(message, innerException);

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 
 namespace Nowpose.Network
 {
@@ -21,7 +22,7 @@ namespace Nowpose.Network
 
         public int Status { get; }
 
-        /// <summary>Reads up to the blank line and no byte further, because WebSocket data may follow.</summary>
+        /// <summary>Reads up to and including the blank line, and no further, because WebSocket data may follow.</summary>
         /// <exception cref="GatewayRefusalException">The response is not HTTP/1.1, or too long.</exception>
         /// <exception cref="EndOfStreamException">The connection was closed before the blank line.</exception>
         public static async Task<HttpHead> ReadAsync(Stream stream)
@@ -30,7 +31,7 @@ namespace Nowpose.Network
             var words = lines.Length > 0 ? lines[0].Split(' ') : Array.Empty<string>();
             if (words.Length < 2 || !words[0].StartsWith("HTTP/1.1", StringComparison.Ordinal)
                 || !int.TryParse(words[1], NumberStyles.None, CultureInfo.InvariantCulture, out var status))
-                throw new GatewayRefusalException("the gateway's answer is not HTTP/1.1");
+                throw new GatewayRefusalException(ConnectionMessages.NotHttp);
             return new HttpHead(status, lines);
         }
 
@@ -52,9 +53,9 @@ namespace Nowpose.Network
             while (!IsEnded(head))
             {
                 if (head.Length == MaxHeadBytes)
-                    throw new GatewayRefusalException("the head of the gateway's answer is longer than " + MaxHeadBytes + " bytes");
+                    throw new GatewayRefusalException(ConnectionMessages.HeadTooLong(MaxHeadBytes));
                 if (await stream.ReadAsync(one).ConfigureAwait(false) == 0)
-                    throw new EndOfStreamException("the gateway closed the connection before it had answered");
+                    throw new EndOfStreamException(ConnectionMessages.ClosedBeforeAnswer);
                 head.Append((char)one[0]);
             }
             return head.ToString();

@@ -7,11 +7,11 @@ namespace Nowpose.Network
     interface IRosbridgeListener
     {
         /// <param name="message">
-        /// The message, which passed all checks that need no clock. A <see cref="Session.CompensationSession"/> reuses it for a later message
-        /// once a frame has used its samples: a listener that passes it to a session must copy the values that it keeps.
+        /// The message, which passed all checks that need no clock. A <see cref="Session.CompensationSession"/> reuses it after a frame has used
+        /// its samples, so a listener that passes it to a session must copy the values that it keeps.
         /// </param>
-        /// <param name="arrival">Time at which its last byte was read.</param>
-        /// <param name="robot">Namespace of the robot; empty for the robot without one.</param>
+        /// <param name="arrival">Time at which the last byte of the message was read.</param>
+        /// <param name="robot">Namespace of the robot; empty for the robot without a namespace.</param>
         void Received(JointStateMessage message, HeadsetTime arrival, string robot = "");
 
         /// <summary>Receives set-points that the control system publishes ahead of time.</summary>
@@ -19,29 +19,29 @@ namespace Nowpose.Network
         void Planned(JointTrajectoryMessage message, HeadsetTime arrival, string robot = "");
 
         /// <summary>Receives poses of the cell's frames.</summary>
-        /// <param name="message">As in <see cref="Received"/>.</param>
-        /// <param name="isStationary">Whether the poses are those of stationary frames.</param>
-        /// <param name="arrival">Time at which its last byte was read.</param>
+        /// <param name="message">See <see cref="Received"/>.</param>
+        /// <param name="isStationary">Whether the poses belong to stationary frames.</param>
+        /// <param name="arrival">Time at which the last byte of the message was read.</param>
         void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival);
 
         /// <summary>Receives values of the cell's signals.</summary>
-        /// <param name="message">As in <see cref="Received"/>.</param>
-        /// <param name="arrival">Time at which its last byte was read.</param>
+        /// <param name="message">See <see cref="Received"/>.</param>
+        /// <param name="arrival">Time at which the last byte of the message was read.</param>
         void SignalsReceived(SignalsMessage message, HeadsetTime arrival);
 
         /// <summary>Receives the gateway's status of the joints that are not live.</summary>
-        /// <param name="message">As in <see cref="Received"/>.</param>
-        /// <param name="arrival">Time at which its last byte was read.</param>
+        /// <param name="message">See <see cref="Received"/>.</param>
+        /// <param name="arrival">Time at which the last byte of the message was read.</param>
         void StatusReceived(JointStatusMessage message, HeadsetTime arrival);
 
         /// <summary>Receives the gateway's status of the signals whose source has ended.</summary>
-        /// <param name="message">As in <see cref="Received"/>, with signals in place of joints.</param>
-        /// <param name="arrival">Time at which its last byte was read.</param>
+        /// <param name="message">See <see cref="Received"/>; contains signals in place of joints.</param>
+        /// <param name="arrival">Time at which the last byte of the message was read.</param>
         void SignalStatusReceived(JointStatusMessage message, HeadsetTime arrival);
 
         /// <summary>Receives a robot description. May block, because samples do not wait for it.</summary>
-        /// <param name="urdf">Text within the length limit; not checked otherwise.</param>
-        /// <param name="robot">Namespace of the robot; empty for the robot without one.</param>
+        /// <param name="urdf">Text within the length limit; its content is not checked.</param>
+        /// <param name="robot">Namespace of the robot; empty for the robot without a namespace.</param>
         void Described(string urdf, string robot = "");
 
         /// <summary>Receives the version of the gateway; null when a connection starts.</summary>
@@ -49,7 +49,7 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
-        /// <summary>Gets the displayed joints, up to twenty times a second; null if there are none or none new.</summary>
+        /// <summary>Gets the displayed joints, up to twenty times a second; null if there are no new joints.</summary>
         JointStateMessage Displayed();
 
         /// <summary>Gets the headset's state, once a second; null if there is none to publish.</summary>

@@ -7,13 +7,13 @@ namespace Nowpose.Network
     /// <summary>One WebSocket connection to the gateway. Opened once, then used by one sender and one receiver.</summary>
     interface IWebSocketLink : IDisposable
     {
-        /// <exception cref="GatewayRefusalException">The certificate, token or protocol was rejected; the message says which.</exception>
+        /// <exception cref="GatewayRefusalException">The certificate, token or protocol was rejected, as stated in the message.</exception>
         Task OpenAsync(CancellationToken cancel);
 
         Task SendAsync(string text, CancellationToken cancel);
 
-        /// <summary>Passes on the messages in order, each with its arrival time. Completes after an orderly close of the connection.</summary>
-        /// <param name="take">Called on the receiving thread. Its exceptions end the connection.</param>
+        /// <summary>Passes each received message with its arrival time to a callback, in order. Completes after an orderly close.</summary>
+        /// <param name="take">Callback on the receiving thread. Its exceptions end the connection.</param>
         Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel);
     }
 

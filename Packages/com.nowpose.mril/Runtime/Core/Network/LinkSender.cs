@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -34,7 +35,7 @@ namespace Nowpose.Network
                 }
                 catch (OperationCanceledException late) when (!cancel.IsCancellationRequested)
                 {
-                    throw new IOException("nothing could be sent for " + ProtocolLimits.PongTimeout.TotalSeconds + " s", late);
+                    throw new IOException(ConnectionMessages.NothingSent(ProtocolLimits.PongTimeout.TotalSeconds), late);
                 }
             }
         }
@@ -43,7 +44,7 @@ namespace Nowpose.Network
         {
             await _turn.WaitAsync(cancel).ConfigureAwait(false);
             var begun = _clock.Now;
-            // Also returns if the link ignores the cancellation: with a full buffer and a lost peer, a send may never complete.
+            // OrCancelled also returns if the link ignores the cancellation: with a full buffer and a lost peer, a send may never complete.
             await _link.SendAsync(text, cancel).OrCancelled(cancel).ConfigureAwait(false);
             // The semaphore is not released after a failure, because the link may still be sending that text and supports only one send at a time.
             _turn.Release();

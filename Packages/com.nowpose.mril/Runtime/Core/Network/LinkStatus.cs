@@ -36,13 +36,13 @@ namespace Nowpose.Network
         /// <summary>One line for the user; while waiting, the reason of the failure.</summary>
         public string Detail { get; }
 
-        /// <summary>Whether the connection waits because the gateway rejects the headset's token, or the headset has none.</summary>
+        /// <summary>Whether the connection waits because the gateway rejects the headset's token, or the headset has no token.</summary>
         public bool IsTokenRefused { get; }
 
         public static LinkStatus Waiting(string reason) => new LinkStatus(LinkState.Waiting, reason);
 
         /// <param name="what">Name of the connection.</param>
-        /// <param name="failure">The failure; an AggregateException, as of awaited tasks and Mono's TLS streams, is unwrapped.</param>
+        /// <param name="failure">The failure. An AggregateException, which tasks and Mono's TLS streams throw, is unwrapped.</param>
         internal static LinkStatus Waiting(string what, Exception failure)
         {
             var cause = failure is AggregateException ? failure.GetBaseException() : failure;

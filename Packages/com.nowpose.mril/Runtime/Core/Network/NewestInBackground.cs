@@ -3,7 +3,7 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Network
 {
-    /// <summary>Handles texts on the thread pool if they take long, one at a time. Of the waiting texts, it keeps only the newest.</summary>
+    /// <summary>Handles texts on the thread pool, one at a time, because the handling takes long. Keeps only the newest waiting text.</summary>
     /// <remarks>At any time, at most one text is being handled and one waits.</remarks>
     sealed class NewestInBackground
     {

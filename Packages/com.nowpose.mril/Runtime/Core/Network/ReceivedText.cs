@@ -16,10 +16,10 @@ namespace Nowpose.Network
         /// <summary>The message as received. Valid only during the call, because the next message uses the same memory.</summary>
         public ReadOnlyMemory<byte> Utf8 { get; }
 
-        /// <summary>Why the message was dropped; <see cref="DropReason.None"/> if it was not.</summary>
+        /// <summary>Reason why the message was dropped; <see cref="DropReason.None"/> if it was not dropped.</summary>
         public DropReason Dropped { get; }
 
-        /// <summary>Time at which its last byte was read from the socket.</summary>
+        /// <summary>Time at which the last byte of the message was read from the socket.</summary>
         public HeadsetTime Arrival { get; }
 
         public static ReceivedText Message(ReadOnlyMemory<byte> utf8, HeadsetTime arrival) => new ReceivedText(utf8, DropReason.None, arrival);

@@ -2,24 +2,24 @@ using System;
 
 namespace Nowpose.Network
 {
-    /// <summary>Estimates the resolution of a ROS clock from its answers, because ROS does not report it. One thread.</summary>
+    /// <summary>Estimates the resolution of a ROS clock from its answers, because ROS does not report it. Not thread-safe.</summary>
     /// <remarks>
-    /// A simulated clock advances in whole steps, so every answer is a multiple of the step. It shows the newest message on
-    /// /clock, so it does not advance between messages. The larger of step and standstill is its resolution. The answers of a wall clock
+    /// A simulated clock advances in whole steps, so every answer is a multiple of the step. It returns the time of the newest message on
+    /// /clock, so it stands still between messages. The larger of step and standstill is its resolution. The answers of a wall clock
     /// have no common divisor and never repeat. Only answers in quick succession show the length of a standstill, so it is measured
     /// at intervals (<see cref="IsMeasuring"/>); the value includes the previous measurement.
     /// </remarks>
     sealed class RosClockResolution
     {
-        /// <summary>Minimum answers of a measurement: with this many, a common multiple of the step is very unlikely.</summary>
+        /// <summary>Minimum number of answers in a measurement. With this many, a common divisor larger than the step is very unlikely.</summary>
         const int MinAnswers = 16;
 
-        /// <summary>Minimum changes of a measurement: there is one complete standstill between the first two.</summary>
+        /// <summary>Minimum number of changes in a measurement: one complete standstill lies between the first two changes.</summary>
         const int MinChanges = 2;
 
         static readonly TimeSpan MeasuredEvery = new TimeSpan(20 * TimeSpan.TicksPerSecond);
 
-        /// <summary>Maximum standstill of a running clock; after a longer one it counts as stopped, as in a paused simulation.</summary>
+        /// <summary>Maximum standstill of a running clock. After a longer standstill, it counts as stopped, as in a paused simulation.</summary>
         static readonly TimeSpan MaxStandstill = new TimeSpan(TimeSpan.TicksPerSecond);
 
         long _step = TimeSpan.TicksPerSecond;
@@ -80,8 +80,8 @@ namespace Nowpose.Network
             _firstArrived = arrived;
         }
 
-        // The observed standstill is a lower bound. With quick answers, the clock's advance gives its length. An underestimate would
-        // be used as an error bound.
+        // The observed standstill is a lower bound. If the answers follow in quick succession, the advance of the clock is the length of the
+        // standstill. An underestimate would make the error bound too small.
         TimeSpan LengthOfStandstill(TimeSpan advance, HeadsetTime arrived)
         {
             if (_still <= TimeSpan.Zero || IsStopped || arrived - _sentLast > _still) return TimeSpan.Zero;

@@ -1,3 +1,4 @@
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -17,7 +18,7 @@ namespace Nowpose.Network
         /// <summary>The server's time; null if the answer contains none.</summary>
         public ControlTime? Time { get; }
 
-        /// <summary>Time at which its last byte was read.</summary>
+        /// <summary>Time at which the last byte of the answer was read.</summary>
         public HeadsetTime Arrival { get; }
 
         /// <summary>Reason why the time is unknown, and the remedy; null if it is known.</summary>
@@ -25,10 +26,10 @@ namespace Nowpose.Network
 
         static string ProblemOf(RosbridgeMessage response, DropReason fault)
         {
-            if (fault == DropReason.StampZero) return "the time is zero; with use_sim_time, start the node that publishes /clock";
-            if (response.Result) return "the answer contains no time (" + fault + ")";
+            if (fault == DropReason.StampZero) return ConnectionMessages.RosTimeZero;
+            if (response.Result) return ConnectionMessages.RosTimeMissing(fault);
             var reason = InputException.OneLine(response.Text ?? "the call failed", MaxReasonLength);
-            return reason + "; start the node rosapi beside rosbridge, as rosbridge's launch file does";
+            return ConnectionMessages.StartRosapi(reason);
         }
     }
 }

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
@@ -12,7 +13,7 @@ namespace Nowpose.Network
     /// Exchanges timestamps with the ROS clock over a rosbridge connection, in place of <see cref="SyncClient"/> on connections without a gateway.
     /// </summary>
     /// <remarks>
-    /// The answer contains one time, read at some moment between the call and the answer: it serves as both t2 and t3. The server's
+    /// The answer contains one time, which the server read between the call and the answer; it is used as both t2 and t3. The server's
     /// processing times before and after the reading are unknown, so half the round-trip time bounds the error. One call is in
     /// flight at a time; answers with another id are ignored.
     /// </remarks>
@@ -47,7 +48,7 @@ namespace Nowpose.Network
             _pace = pace;
         }
 
-        /// <summary>State of the exchanges while the connection is open. Any thread may read it.</summary>
+        /// <summary>State of the exchanges while the connection is open. Thread-safe.</summary>
         public LinkStatus Status => _status;
 
         /// <summary>Runs exchanges over one connection until it ends.</summary>
@@ -68,8 +69,8 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Receives every service response, on the receiver's thread; ignores those to other calls.</summary>
-        /// <param name="fault">Why the response could not be read.</param>
+        /// <summary>Receives every service response, on the receiver's thread; ignores responses to other calls.</summary>
+        /// <param name="fault">Reason why the response could not be read.</param>
         public void Answered(RosbridgeMessage response, DropReason fault, HeadsetTime arrival)
         {
             if (response.Id == null || !response.Id.StartsWith(IdPrefix, StringComparison.Ordinal)) return;
@@ -90,7 +91,7 @@ namespace Nowpose.Network
                 return PauseAfterRefusal;
             }
             _resolution.Add(time, sent, answer.Arrival);
-            if (_resolution.IsStopped) _status = LinkStatus.Waiting(Service + ": the clock does not advance; continue the simulation if it is paused");
+            if (_resolution.IsStopped) _status = LinkStatus.Waiting(ConnectionMessages.RosClockStopped(Service));
             else if (_resolution.IsKnown) Take(new SyncExchange(sent, time, time, answer.Arrival, _resolution.Value));
             var pause = _pace.Next(_synchroniser, answer.Arrival);
             return _resolution.IsMeasuring && !_resolution.IsStopped ? answer.Arrival - sent + QuickPause : pause;
@@ -119,8 +120,7 @@ namespace Nowpose.Network
                 }
                 catch (OperationCanceledException late) when (!cancel.IsCancellationRequested)
                 {
-                    throw new IOException(
-                        Service + " did not answer within " + ProtocolLimits.SyncReplyTimeout.TotalSeconds + " s", late);
+                    throw new IOException(ConnectionMessages.NoAnswer(Service, ProtocolLimits.SyncReplyTimeout.TotalSeconds), late);
                 }
             }
         }
@@ -133,7 +133,7 @@ namespace Nowpose.Network
             _faults.Count(fault);
             _dropsInARow = fault == SyncExchangeFault.None ? 0 : _dropsInARow + 1;
             if (_dropsInARow == ProtocolLimits.SyncDropsInARow)
-                throw new GatewayRefusalException(Service + ": " + _dropsInARow + " unusable answers in a row, the last: " + fault);
+                throw new GatewayRefusalException(ConnectionMessages.UnusableAnswers(Service, _dropsInARow, fault));
             if (_dropsInARow == 0) _status = LinkStatus.Connected;
         }
     }

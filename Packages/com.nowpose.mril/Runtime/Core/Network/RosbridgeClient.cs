@@ -4,6 +4,7 @@ using System.IO;
 using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -16,7 +17,9 @@ namespace Nowpose.Network
     {
         static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1);
 
-        /// <summary>This rate is sufficient for a smooth display, and its traffic is small compared with the received traffic.</summary>
+        /// <summary>
+        /// Interval of the displayed joints. It is sufficient for a smooth display, and its traffic is small compared with the received traffic.
+        /// </summary>
         static readonly TimeSpan DisplayedInterval = ClockTicks.Span(0.05);
 
         static readonly TimeSpan TimerStep = new TimeSpan(TimeSpan.TicksPerMillisecond);
@@ -34,7 +37,7 @@ namespace Nowpose.Network
         volatile Task _ending;
         long _lastReceived;
 
-        /// <summary>Starts at once, on the thread pool; frames never wait for it.</summary>
+        /// <summary>Starts the client at once, on the thread pool; frames never wait for it.</summary>
         /// <param name="newLink">Creates the link of each attempt.</param>
         /// <param name="subscriptions">Topics to subscribe to; more can be added while the client runs.</param>
         /// <param name="publishesDisplayed">Whether to publish the listener's displayed joints.</param>
@@ -71,7 +74,7 @@ namespace Nowpose.Network
         /// <summary>Ends the connection. Returns at once and does not wait for the socket; messages in flight may still arrive.</summary>
         public void Dispose()
         {
-            // Cancelling closes sockets on the calling thread.
+            // Runs on the thread pool, because cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 
@@ -89,13 +92,14 @@ namespace Nowpose.Network
             {
                 var end = await EndOfAsync(ServeAsync(backoff)).ConfigureAwait(false);
                 _status = end == null
-                    ? LinkStatus.Waiting("joint positions: the gateway closed the connection")
+                    ? LinkStatus.Waiting(ConnectionMessages.JointsClosed)
                     : LinkStatus.Waiting("joint positions", end);
                 await WaitAsync(backoff.Next()).ConfigureAwait(false);
             }
         }
 
-        /// <returns>The task's exception of any type, because an uncaught one would end the session silently; null if it ended normally.</returns>
+        /// <summary>Awaits a task and catches every exception, because an uncaught exception would end the session silently.</summary>
+        /// <returns>The task's exception; null if the task ended normally.</returns>
         static async Task<Exception> EndOfAsync(Task task)
         {
             try
@@ -116,19 +120,19 @@ namespace Nowpose.Network
             using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 await OpenAsync(link).ConfigureAwait(false);
-                // Another gateway, or an older one that does not report its version, may answer now.
+                // The connection may lead to another gateway, or to an older gateway that does not report its version.
                 _listener.VersionReceived(null);
                 var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
-                var tending = TendAsync(sender, end.Token);
-                var asking = _rosTime == null ? tending : _rosTime.RunAsync(sender, end.Token);
-                var all = new[] { receiving, subscribing, tending, asking, WatchAsync(end.Token) };
+                var publishing = PublishAsync(sender, end.Token);
+                var exchanging = _rosTime == null ? publishing : _rosTime.RunAsync(sender, end.Token);
+                var all = new[] { receiving, subscribing, publishing, exchanging, WatchAsync(end.Token) };
                 var first = await Task.WhenAny(all).ConfigureAwait(false);
                 end.Cancel();
                 link.Dispose();
-                foreach (var one in all) await EndOfAsync(one).ConfigureAwait(false);
-                // A task that ends cancels the others. What was received is the cause even if another task failed first: an exceeded limit, or
-                // the end of the connection by the gateway, after which sending fails.
+                foreach (var task in all) await EndOfAsync(task).ConfigureAwait(false);
+                // The first task that ends cancels the others. If the receiver exceeded a limit, or the gateway closed the connection, that is the
+                // cause, even if a task that sends failed first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
                 var reason = received == null || received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
@@ -183,7 +187,8 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                // Only after a message: a server that accepts and closes at once would otherwise be called five times a second.
+                // Resets the backoff only after a message. Otherwise, the client would call a server that closes each connection at once
+                // five times a second.
                 _status = LinkStatus.Connected;
                 backoff.Reset();
                 MarkReceived(received.Arrival);
@@ -230,7 +235,7 @@ namespace Nowpose.Network
             }
         }
 
-        async Task TendAsync(LinkSender sender, CancellationToken cancel)
+        async Task PublishAsync(LinkSender sender, CancellationToken cancel)
         {
             await AdvertiseAsync(sender, cancel).ConfigureAwait(false);
             var next = _clock.Now + DiagnosticsInterval;
@@ -260,14 +265,14 @@ namespace Nowpose.Network
                     RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
         }
 
-        // Separate from the senders: over a lost connection a send may never complete.
+        // Runs separately from the tasks that send, because a send over a lost connection may never complete.
         async Task WatchAsync(CancellationToken cancel)
         {
             while (true)
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
                 if (left < TimeSpan.Zero) throw new IOException("received nothing for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
-                // One timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last one.
+                // One timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
                 await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
             }
         }
@@ -284,7 +289,7 @@ namespace Nowpose.Network
             }
             catch (OperationCanceledException)
             {
-                // Stopping: the loop ends after this.
+                // The client is stopping; the loop ends after this.
             }
         }
     }

@@ -2,11 +2,12 @@ using System;
 using System.Globalization;
 using System.Net.Security;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Checks whether a server's certificate is the gateway's. The check cannot be switched off.</summary>
+    /// <summary>Checks whether a server's certificate belongs to the gateway. The check cannot be switched off.</summary>
     sealed class ServerTrust
     {
         readonly CertificatePin _pin;
@@ -14,21 +15,20 @@ namespace Nowpose.Network
         /// <param name="pin">The only trusted key; null to trust the device's own store.</param>
         public ServerTrust(CertificatePin pin) => _pin = pin;
 
-        /// <returns>Why the certificate is rejected; null if it is trusted.</returns>
+        /// <returns>Reason why the certificate is rejected; null if it is trusted.</returns>
         /// <param name="certificate">The server's certificate; may be null.</param>
         /// <param name="errors">
-        /// The platform's result. With a pin only the pin and the dates are checked, because the gateway's certificate is usually
+        /// The platform's result. With a pin, only the pin and the dates are checked, because the gateway's certificate is usually
         /// self-signed.
         /// </param>
         /// <param name="now">The device's time of day.</param>
         public string Refusal(X509Certificate certificate, SslPolicyErrors errors, DateTime now)
         {
-            if (certificate == null) return "certificate: the gateway presented none; start it with --tls or --certificate";
+            if (certificate == null) return CertificateMessages.None;
             if (_pin == null)
-                return errors == SslPolicyErrors.None ? null : "certificate: not trusted by this device (" + errors + "); install it or use its pin";
+                return errors == SslPolicyErrors.None ? null : CertificateMessages.NotTrusted(errors);
             if (!_pin.Matches(certificate))
-                return "certificate: its pin is " + CertificatePin.Of(certificate) + ", expected " + _pin
-                    + "; this is another server, or the gateway has a new key; pair again or correct the pin";
+                return CertificateMessages.OtherPin(CertificatePin.Of(certificate), _pin);
             return DatesRefusal(certificate, now);
         }
 
@@ -36,8 +36,8 @@ namespace Nowpose.Network
         {
             using (var full = new X509Certificate2(certificate))
             {
-                if (now > full.NotAfter) return "certificate: expired on " + Day(full.NotAfter) + "; renew it on the gateway";
-                if (now < full.NotBefore) return "certificate: not valid before " + Day(full.NotBefore) + "; check this device's date";
+                if (now > full.NotAfter) return CertificateMessages.Expired(Day(full.NotAfter));
+                if (now < full.NotBefore) return CertificateMessages.NotYetValid(Day(full.NotBefore));
                 return null;
             }
         }

@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>Topics to which a client subscribes after each connection; those that are added later at once. Thread-safe.</summary>
+    /// <summary>Topics to which a client subscribes after connecting, and at once if they are added later. Thread-safe.</summary>
     sealed class Subscriptions
     {
         readonly List<(string Topic, string Type)> _topics = new List<(string, string)>();
@@ -27,7 +27,7 @@ namespace Nowpose.Network
         }
 
         /// <summary>Adds the topics of a robot.</summary>
-        /// <param name="robot">The robot's namespace; empty for the robot without one.</param>
+        /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
         public void AddRobot(string robot)
         {
             Add(RobotTopic.NameOf(robot, RosTopics.JointStates), RosTopics.JointStateType);
@@ -37,7 +37,7 @@ namespace Nowpose.Network
             Add(RosTopics.Version, RosTopics.StringType);
         }
 
-        /// <summary>Returns a topic in the order of adding, as soon as there are that many.</summary>
+        /// <summary>Returns the topic with an index in the order of addition; waits until it has been added.</summary>
         public async Task<(string Topic, string Type)> At(int index, CancellationToken cancel)
         {
             while (true)
@@ -53,7 +53,7 @@ namespace Nowpose.Network
             }
         }
 
-        // Its continuations must not run on the thread that adds, which is the frame's.
+        // Continuations must not run on the thread that adds a topic, because it is the frame's thread.
         static TaskCompletionSource<bool> NewSource() => new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
     }
 }

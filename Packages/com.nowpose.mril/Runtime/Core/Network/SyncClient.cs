@@ -2,12 +2,13 @@ using System;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>Exchanges timestamps with the gateway over TCP; reconnects after failures. Uses its own thread to stamp without delay.</summary>
+    /// <summary>Exchanges timestamps with the gateway over TCP; reconnects after failures. Has its own thread, to stamp without delay.</summary>
     sealed class SyncClient : IDisposable
     {
         readonly ConnectionSettings _settings;
@@ -33,7 +34,7 @@ namespace Nowpose.Network
             _synchroniser = synchroniser;
             _faults = faults;
             _pace = pace;
-            // LongRunning creates a new thread. The scheduler is explicit because the caller's may be that of the frame.
+            // LongRunning creates a new thread. The scheduler is explicit because the caller's scheduler may run on the frame's thread.
             _running = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
 
@@ -45,7 +46,7 @@ namespace Nowpose.Network
         /// <summary>Ends the connection and the thread. Returns at once and does not wait for the socket.</summary>
         public void Dispose()
         {
-            // Cancelling closes sockets on the calling thread.
+            // Runs on the thread pool, because cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 
@@ -101,7 +102,7 @@ namespace Nowpose.Network
                 _faults.Count(fault);
                 dropsInARow = fault == SyncExchangeFault.None ? 0 : dropsInARow + 1;
                 if (dropsInARow == ProtocolLimits.SyncDropsInARow)
-                    throw new GatewayRefusalException(dropsInARow + " unusable replies in a row, the last: " + fault);
+                    throw new GatewayRefusalException(ConnectionMessages.UnusableReplies(dropsInARow, fault));
                 if (dropsInARow == 0)
                 {
                     _status = LinkStatus.Connected;

@@ -1,11 +1,12 @@
 using System;
 using System.IO;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>One connection to the sync server: first the token, then one exchange at a time. Blocking; one thread.</summary>
+    /// <summary>One connection to the sync server: first the token, then one exchange at a time. Blocks; not thread-safe.</summary>
     sealed class SyncConnection
     {
         readonly Stream _stream;
@@ -29,7 +30,7 @@ namespace Nowpose.Network
             _stream.Write(bytes, 0, bytes.Length);
             _stream.Flush();
             if (!Receive(SyncFrameKind.TokenReply).IsAccepted)
-                throw GatewayRefusalException.OfToken("the gateway does not accept this headset's token");
+                throw GatewayRefusalException.OfToken(ConnectionMessages.TokenNotAccepted);
         }
 
         /// <summary>Sends a request and waits for its reply.</summary>
@@ -64,18 +65,18 @@ namespace Nowpose.Network
             var end = _clock.Now + ProtocolLimits.SyncReplyTimeout;
             for (var got = 0; got < _reply.Length;)
             {
-                // One deadline for the whole frame, so that single bytes at long intervals do not extend it.
+                // Uses one deadline for the whole frame, so that single bytes at long intervals do not extend the timeout.
                 var left = (end - _clock.Now).TotalMilliseconds;
                 if (left <= 0) throw new IOException("no reply within " + ProtocolLimits.SyncReplyTimeout.TotalSeconds + " s");
                 _stream.ReadTimeout = (int)Math.Ceiling(left);
                 var read = _stream.Read(_reply, got, _reply.Length - got);
-                if (read == 0) throw new EndOfStreamException("the gateway closed the connection");
+                if (read == 0) throw new EndOfStreamException(ConnectionMessages.Closed);
                 got += read;
             }
             if (!SyncFrame.TryRead(_reply, out var frame, out var fault))
-                throw NotAFrame("the reply is not a sync frame: " + fault);
+                throw NotAFrame(ConnectionMessages.NotASyncFrame(fault));
             if (frame.Kind != kind)
-                throw NotAFrame("the reply is a frame of kind " + frame.Kind + ", expected " + kind);
+                throw NotAFrame(ConnectionMessages.OtherSyncFrame(frame.Kind, kind));
             return frame;
         }
     }

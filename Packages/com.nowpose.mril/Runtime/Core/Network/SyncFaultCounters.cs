@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>Counts dropped sync exchanges by reason. Any thread may use it.</summary>
+    /// <summary>Counts dropped sync exchanges by reason. Thread-safe.</summary>
     sealed class SyncFaultCounters
     {
         readonly long[] _counts = new long[Enum.GetValues(typeof(SyncExchangeFault)).Length];

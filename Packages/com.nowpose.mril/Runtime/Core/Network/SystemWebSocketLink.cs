@@ -27,13 +27,15 @@ namespace Nowpose.Network
 
         public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
-            // Cancels only the waiting: cancelling the receive would abort the WebSocket and prevent an orderly close.
+            // Cancels only the waiting, because cancelling the receive would abort the WebSocket and prevent an orderly close.
             await _reader.ReceiveAsync(take, cancel).OrCancelled(cancel).ConfigureAwait(false);
-            // Repeats the received close code, or sends the normal one if none was received (RFC 6455, 5.5.1).
+            // Repeats the received close code, or sends the code for a normal closure if none was received (RFC 6455, 5.5.1).
             await CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
         }
 
-        /// <summary>Closes in the background within a second; the orderly close shows the server that the connection is not lost.</summary>
+        /// <summary>
+        /// Closes the connection in the background within a second, in an orderly way, so that the server does not consider it lost.
+        /// </summary>
         public void Dispose()
         {
             if (_socket != null) _ = CloseAsync(_socket);

@@ -7,7 +7,7 @@ namespace Nowpose.Network
     /// <summary>Cancels waiting for tasks that cannot be cancelled themselves, such as a name lookup.</summary>
     static class TaskCancellation
     {
-        /// <exception cref="OperationCanceledException">Cancelled before the task completed; the task's result is ignored.</exception>
+        /// <exception cref="OperationCanceledException">The wait was cancelled before the task completed; the task's result is ignored.</exception>
         public static async Task OrCancelled(this Task task, CancellationToken cancel)
         {
             var cancelled = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);

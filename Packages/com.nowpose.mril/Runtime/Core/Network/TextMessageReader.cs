@@ -3,17 +3,18 @@ using System.IO;
 using System.Net.WebSockets;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
     /// <summary>Assembles the fragments of WebSocket messages within the protocol's limits.</summary>
     /// <remarks>
-    /// The library returns bytes as they arrive and does not report where a fragment ends, so a piece smaller than a TCP
-    /// segment counts as a fragment. The length of a message bounds the larger ones.
+    /// The library returns bytes as they arrive and does not report where a fragment ends, so a piece smaller than a TCP segment counts as
+    /// a fragment. The maximum length of a message limits the number of larger pieces.
     /// A message that is too long or has too many pieces is read to its end and dropped, and the connection continues. A message that
     /// is not complete in time, or is longer than sixteen times the maximum length, ends the connection, because the start of the
-    /// next one is unknown.
+    /// next message is unknown.
     /// </remarks>
     sealed class TextMessageReader
     {
@@ -37,9 +38,11 @@ namespace Nowpose.Network
             _clock = clock;
         }
 
-        /// <summary>Passes on the messages in order until the connection is closed. Allocates nothing for a message of one piece.</summary>
+        /// <summary>
+        /// Passes the messages to a callback, in order, until the connection is closed. Allocates nothing for a message of one piece.
+        /// </summary>
         /// <param name="cancel">Stops at the next message; it is not passed to the socket, which would abort the connection.</param>
-        /// <exception cref="MessageLimitException">The message broke a limit that ends the connection.</exception>
+        /// <exception cref="MessageLimitException">A message exceeded a limit that ends the connection.</exception>
         /// <exception cref="WebSocketException">The connection was lost.</exception>
         public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)
         {
@@ -70,15 +73,14 @@ namespace Nowpose.Network
                         Append(next);
                         if (next.EndOfMessage) return next;
                         if (_length > MaxDiscardedBytes)
-                            throw new MessageLimitException(
-                                "a message of more than " + MaxDiscardedBytes + " bytes", DropReason.TooLarge);
+                            throw new MessageLimitException(ConnectionMessages.MessageTooLong(MaxDiscardedBytes), DropReason.TooLarge);
                     }
                 }
                 catch (Exception failure) when (timeUp.IsCancellationRequested)
                 {
-                    // On cancellation the library aborts the connection and reports either that or the cancellation.
+                    // On cancellation, the library aborts the connection and reports either the abort or the cancellation.
                     throw new MessageLimitException(
-                        "a message that was not complete within " + ProtocolLimits.MessageTimeout.TotalSeconds + " s", DropReason.TooSlow, failure);
+                        ConnectionMessages.MessageTooSlow(ProtocolLimits.MessageTimeout.TotalSeconds), DropReason.TooSlow, failure);
                 }
             }
         }
@@ -101,13 +103,13 @@ namespace Nowpose.Network
         }
     }
 
-    /// <summary>A message exceeded a limit such that the start of the next message is unknown; the connection has to end.</summary>
+    /// <summary>Thrown when a message exceeds a limit, so that the start of the next message is unknown. The connection must end.</summary>
     sealed class MessageLimitException : IOException
     {
         public MessageLimitException(string message, DropReason reason, System.Exception innerException = null)
             : base(message, innerException) => Reason = reason;
 
-        /// <summary>The reason to count.</summary>
+        /// <summary>Drop reason to count.</summary>
         public DropReason Reason { get; }
     }
 }

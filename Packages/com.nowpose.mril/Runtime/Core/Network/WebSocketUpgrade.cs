@@ -4,6 +4,7 @@ using System.IO;
 using System.Security.Cryptography;
 using System.Text;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 
 namespace Nowpose.Network
 {
@@ -26,9 +27,9 @@ namespace Nowpose.Network
         {
             switch (status)
             {
-                case 401: return "the gateway does not accept this headset's token (401)";
-                case 403: return "the gateway refuses requests from another origin (403)";
-                default: return "the gateway answered the WebSocket request with status " + status.ToString(CultureInfo.InvariantCulture);
+                case 401: return ConnectionMessages.TokenNotAcceptedByHttp;
+                case 403: return ConnectionMessages.OriginRefused;
+                default: return ConnectionMessages.UpgradeRefused(status.ToString(CultureInfo.InvariantCulture));
             }
         }
 
@@ -53,7 +54,7 @@ namespace Nowpose.Network
         {
             if (head.Status != 101) throw GatewayRefusalException.OfStatus(head.Status);
             if (!IsAcceptance(head.Field("Sec-WebSocket-Accept"), key))
-                throw new GatewayRefusalException("the server does not accept the WebSocket request; check that it is a gateway");
+                throw new GatewayRefusalException(ConnectionMessages.NotAWebSocket);
         }
 
         static bool IsAcceptance(string value, string key)

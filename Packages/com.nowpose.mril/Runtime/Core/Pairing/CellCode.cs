@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Net;
 using System.Text;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 
@@ -22,8 +23,8 @@ namespace Nowpose.Pairing
         /// <param name="cell">Name of the cell, 1 to 40 letters, digits, blanks, hyphens, underscores and full stops.</param>
         /// <param name="host">Name or address of the gateway, in ASCII.</param>
         /// <param name="pin">The gateway's public key; null only for a gateway on the headset's own machine, which needs no TLS.</param>
-        /// <param name="marker">Null if the code does not specify the base frame.</param>
-        /// <param name="sizeMetres">Edge of the printed code in metres; 0 if it is unknown.</param>
+        /// <param name="marker">Pose of the marker in the base frame; null if the code does not specify it.</param>
+        /// <param name="sizeMetres">Edge length of the printed code in metres; 0 if it is unknown.</param>
         /// <exception cref="InputException">A value is invalid, or the values together do not fit into a code.</exception>
         public CellCode(
             string cell, string host, CertificatePin pin, MarkerOffset marker = null, double sizeMetres = 0,
@@ -35,14 +36,13 @@ namespace Nowpose.Pairing
             Cell = CellName.Require(cell, "cell code: name");
             Host = GatewayHost.Require(host, "cell code: host");
             if (pin == null && !GatewayHost.IsLoopback(Host))
-                throw new InputException(
-                    "cell code: the certificate pin is missing; only a gateway on the headset's own machine can be used without it");
+                throw new InputException(PairingCodeMessages.PinMissing);
             Pin = pin;
             Marker = marker;
-            if (sizeMetres != 0) SettingRange.Require(sizeMetres, MinSizeMetres, MaxSizeMetres, "cell code: marker size", "m");
+            if (sizeMetres != 0) SettingRange.Require(sizeMetres, MinSizeMetres, MaxSizeMetres, SettingNames.CodeMarkerSize, "m");
             SizeMetres = sizeMetres;
-            SyncPort = SettingRange.RequireCount(syncPort, 1, IPEndPoint.MaxPort, "cell code: sync port");
-            WebSocketPort = SettingRange.RequireCount(webSocketPort, 1, IPEndPoint.MaxPort, "cell code: WebSocket port");
+            SyncPort = SettingRange.RequireCount(syncPort, 1, IPEndPoint.MaxPort, SettingNames.CodeSyncPort);
+            WebSocketPort = SettingRange.RequireCount(webSocketPort, 1, IPEndPoint.MaxPort, SettingNames.CodeWebSocketPort);
             Text = text ?? Write();
         }
 
@@ -60,13 +60,13 @@ namespace Nowpose.Pairing
         /// <summary>The marker's pose in the base frame; null if the code does not specify it.</summary>
         public MarkerOffset Marker { get; }
 
-        /// <summary>Edge of the printed code in metres; 0 if it is unknown.</summary>
+        /// <summary>Edge length of the printed code in metres; 0 if it is unknown.</summary>
         public double SizeMetres { get; }
 
         /// <summary>The exact text of the printed code.</summary>
         public string Text { get; }
 
-        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
+        /// <param name="text">A text of any length; a text longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
         /// <exception cref="InputException">The text is not a cell code of this version, or a value is invalid; the message is one line.</exception>
         public static CellCode Parse(string text)
         {
@@ -74,7 +74,7 @@ namespace Nowpose.Pairing
             var offset = fields.OptionalText('o');
             return new CellCode(
                 CellName.Decode(fields.Text('n'), "cell code: name"), fields.Text('h'), PinOf(fields),
-                offset == null ? null : MarkerOffset.Parse(offset, "cell code: marker offset"), SizeOf(fields),
+                offset == null ? null : MarkerOffset.Parse(offset, SettingNames.CodeMarkerOffset), SizeOf(fields),
                 (int)fields.Count('s', ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort),
                 (int)fields.Count('w', ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort), text);
         }
@@ -94,7 +94,7 @@ namespace Nowpose.Pairing
         {
             var text = fields.OptionalText('p');
             if (text == null) return null;
-            if (!Base64Url.TryRead(text, PinBytes, out var hash)) throw fields.Fault("certificate pin is not the base64url of 32 bytes");
+            if (!Base64Url.TryRead(text, PinBytes, out var hash)) throw fields.Fault(PairingCodeMessages.PinInvalid);
             return CertificatePin.Parse(System.Convert.ToBase64String(hash));
         }
 
@@ -106,8 +106,7 @@ namespace Nowpose.Pairing
             var text = fields.OptionalText('m');
             if (text == null) return 0;
             // Callers use zero for an unknown size; a code omits the field instead.
-            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault("marker size is not a number; allowed: "
-                + MarkerOffset.Write(MinSizeMetres) + " to " + MarkerOffset.Write(MaxSizeMetres) + " m");
+            return MarkerOffset.TryReadNumber(text, out var size) && size != 0 ? size : throw fields.Fault(PairingCodeMessages.MarkerSize(MarkerOffset.Write(MinSizeMetres), MarkerOffset.Write(MaxSizeMetres)));
         }
 
         string Write()
@@ -120,8 +119,7 @@ namespace Nowpose.Pairing
             if (Marker != null) text.Append("&o=").Append(Marker);
             if (SizeMetres != 0) text.Append("&m=").Append(MarkerOffset.Write(SizeMetres));
             return text.Length <= PairingCode.MaxLength ? text.ToString() : throw new InputException(
-                "cell code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength
-                + "; shorten the names of cell and host");
+                PairingCodeMessages.CellCodeTooLong(text.Length, PairingCode.MaxLength));
         }
     }
 }

@@ -1,10 +1,11 @@
 using System;
 using System.Globalization;
 using System.Text;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Checks and encodes cell names. Allows no characters that could change the appearance of a question to the wearer.</summary>
+    /// <summary>Checks and encodes cell names. Rejects characters that could change the appearance of a question to the wearer.</summary>
     static class CellName
     {
         public const int MaxLength = 40;
@@ -19,14 +20,11 @@ namespace Nowpose.Pairing
         public static string Require(string name, string what)
         {
             if (string.IsNullOrEmpty(name) || name.Length > MaxLength)
-                throw new InputException(what + ": is " + (name?.Length ?? 0) + " characters long; allowed: 1 to " + MaxLength);
+                throw new InputException(PairingCodeMessages.NameLength(what, name?.Length ?? 0, MaxLength));
             for (var i = 0; i < name.Length; i++)
                 if (!IsAllowed(name[i]))
-                    throw new InputException(string.Format(
-                        CultureInfo.InvariantCulture,
-                        "{0}: character {1} is U+{2:X4}; allowed: letters, digits, spaces, hyphens, underscores and full stops",
-                        what, i + 1, (int)name[i]));
-            if (name[0] == ' ' || name[name.Length - 1] == ' ') throw new InputException(what + ": begins or ends with a space");
+                    throw new InputException(PairingCodeMessages.NameCharacter(what, i + 1, (int)name[i]));
+            if (name[0] == ' ' || name[name.Length - 1] == ' ') throw new InputException(PairingCodeMessages.NameSpace(what));
             return name;
         }
 
@@ -53,7 +51,7 @@ namespace Nowpose.Pairing
                     i += 2;
                 }
                 else if (IsUnreserved(text[i])) bytes[length++] = (byte)text[i];
-                else throw new InputException(what + ": character " + (i + 1) + " must be percent-encoded as %XX");
+                else throw new InputException(PairingCodeMessages.NotEncoded(what, i + 1));
             }
             try
             {
@@ -61,7 +59,7 @@ namespace Nowpose.Pairing
             }
             catch (DecoderFallbackException)
             {
-                throw new InputException(what + ": its percent-encoded bytes are not UTF-8");
+                throw new InputException(PairingCodeMessages.NotUtf8(what));
             }
         }
 

@@ -6,7 +6,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Holds the newest gateway code until a cell needs it, and exchanges it; one exchange at a time.</summary>
+    /// <summary>Keeps the newest gateway code until a cell needs it, and exchanges it for the headset's token, one exchange at a time.</summary>
     sealed class CodeExchange : IDisposable
     {
         readonly string _headsetName;
@@ -31,7 +31,7 @@ namespace Nowpose.Pairing
         /// <inheritdoc cref="TokenExchange.Trouble"/>
         public string Trouble => _running?.Trouble;
 
-        /// <summary>Returns whether a gateway has accepted or rejected the code, or none answered while it was valid.</summary>
+        /// <summary>Returns whether a gateway has accepted or rejected the code, or whether none answered while the code was valid.</summary>
         public bool WasTried(TokenCode code) => _tried.Contains(code.Token);
 
         public void Wait(TokenCode code, HeadsetTime now)
@@ -54,7 +54,7 @@ namespace Nowpose.Pairing
         public PairingAnswer Follow(HeadsetTime now)
         {
             var answer = _running?.Follow(now);
-            // An interrupted exchange is not recorded, so it may be repeated: the gateway may not have received the code.
+            // An interrupted exchange is not recorded, so that it can be repeated: the gateway may not have received the code.
             if (answer != null) _tried.Add(_running.Token);
             return answer;
         }

@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
     /// <summary>The fields of a pairing code. Rejects a text that does not match the grammar, with a message of one line.</summary>
-    /// <remarks>Unknown fields are rejected, because one might be relevant to security; each new field needs a new version.</remarks>
+    /// <remarks>Unknown fields are rejected, because such a field might be relevant to security; each new field needs a new version.</remarks>
     sealed class CodeFields
     {
         readonly string _what;
@@ -14,19 +15,21 @@ namespace Nowpose.Pairing
         /// <param name="kind">"cell" or "token".</param>
         /// <param name="version">The only supported version.</param>
         /// <param name="keys">All allowed keys; each may occur once.</param>
-        /// <exception cref="InputException">The text is too long, of another kind or version, or invalid. Never contains a field's value.</exception>
+        /// <exception cref="InputException">
+        /// The text is too long, of another kind or version, or invalid. The message never contains the value of a field.
+        /// </exception>
         public CodeFields(string text, string kind, int version, string keys)
         {
             _what = kind + " code";
             // Checked first, because a code in view may have thousands of characters.
             if (text == null || text.Length > PairingCode.MaxLength)
-                throw Fault((text?.Length ?? 0) + " characters; allowed: up to " + PairingCode.MaxLength);
+                throw Fault(PairingCodeMessages.TooLong(text?.Length ?? 0, PairingCode.MaxLength));
             RequirePlain(text);
             var begin = PairingCode.Scheme + kind + "/";
-            if (!text.StartsWith(begin, StringComparison.Ordinal)) throw Fault("does not begin with " + begin);
+            if (!text.StartsWith(begin, StringComparison.Ordinal)) throw Fault(PairingCodeMessages.OtherBegin(begin));
             var query = text.IndexOf('?');
             RequireVersion(query < 0 ? text.Substring(begin.Length) : text.Substring(begin.Length, query - begin.Length), version);
-            if (query < 0) throw Fault("has no fields; allowed: " + List(keys));
+            if (query < 0) throw Fault(PairingCodeMessages.NoFields(List(keys)));
             foreach (var field in text.Substring(query + 1).Split('&')) Add(field, keys);
         }
 
@@ -36,7 +39,7 @@ namespace Nowpose.Pairing
         /// <returns>Null if the field is missing.</returns>
         public string OptionalText(char key) => _values.TryGetValue(key, out var value) ? value : null;
 
-        /// <summary>Reads a number of digits without sign or leading zero; returns <paramref name="otherwise"/> if it is missing.</summary>
+        /// <summary>Reads an integer without sign and leading zeros; returns <paramref name="otherwise"/> if the field is missing.</summary>
         public long Count(char key, long otherwise, long min, long max)
         {
             var text = OptionalText(key);
@@ -44,8 +47,8 @@ namespace Nowpose.Pairing
             var isNumber = long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var value)
                 && (text.Length == 1 || text[0] != '0');
             if (isNumber && value >= min && value <= max) return value;
-            // A value that is not a number may contain anything, so the message does not repeat it.
-            throw Fault(key + (isNumber ? "=" + value : " is not a whole number") + "; allowed: " + min + " to " + max);
+            // A value that is not a number may contain any text, so the message does not repeat it.
+            throw Fault(isNumber ? PairingCodeMessages.OutOfRange(key, value, min, max) : PairingCodeMessages.NotWhole(key, min, max));
         }
 
         public InputException Fault(string what) => new InputException(_what + ": " + what);
@@ -54,24 +57,22 @@ namespace Nowpose.Pairing
         {
             for (var i = 0; i < text.Length; i++)
                 if (text[i] <= ' ' || text[i] > '~')
-                    throw Fault(string.Format(
-                        CultureInfo.InvariantCulture, "character {0} is U+{1:X4}; allowed: ASCII without spaces and control characters",
-                        i + 1, (int)text[i]));
+                    throw Fault(PairingCodeMessages.Character(i + 1, (int)text[i]));
         }
 
         void RequireVersion(string text, int version)
         {
             if (text.Length == 0 || text.Length > 4 || text[0] == '0'
                 || !int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var read))
-                throw Fault("has no version; expected is /" + version + "?");
-            if (read != version) throw Fault("has version " + read + "; this Nowpose reads version " + version + "; update Nowpose");
+                throw Fault(PairingCodeMessages.NoVersion(version));
+            if (read != version) throw Fault(PairingCodeMessages.OtherVersion(read, version));
         }
 
         void Add(string field, string keys)
         {
-            if (field.Length < 2 || field[1] != '=') throw Fault("a field is not KEY=VALUE; allowed: " + List(keys));
+            if (field.Length < 2 || field[1] != '=') throw Fault(PairingCodeMessages.NotAField(List(keys)));
             var key = field[0];
-            if (keys.IndexOf(key) < 0) throw Fault("field " + key + " is not known; allowed: " + List(keys));
+            if (keys.IndexOf(key) < 0) throw Fault(PairingCodeMessages.UnknownField(key, List(keys)));
             if (field.Length == 2) throw Fault(key + " is empty");
             if (!_values.TryAdd(key, field.Substring(2))) throw Fault(key + " occurs twice");
         }

@@ -2,22 +2,24 @@ using System;
 using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Checks the host of a gateway in a code, so that the host that the wearer reads is the one that is connected to.</summary>
+    /// <summary>Checks the host of a gateway in a code, so that the wearer reads the host to which the headset connects.</summary>
     static class GatewayHost
     {
         const int MaxNameLength = 100, MaxLabelLength = 63;
 
         /// <returns>The host in lower case.</returns>
-        /// <exception cref="InputException">Neither a name of ASCII letters, digits and hyphens, nor an address in its usual form.</exception>
+        /// <exception cref="InputException">
+        /// The host is neither a name of ASCII letters, digits and hyphens, nor an address in its usual form.
+        /// </exception>
         public static string Require(string host, string what)
         {
             var plain = (host ?? "").ToLowerInvariant();
             if (plain.Contains(':') ? IsIPv6(plain) : IsNumeric(plain) ? IsIPv4(plain) : IsName(plain)) return plain;
-            throw new InputException(what + ": '" + Shown(host) + "' is not a host; allowed: a name of ASCII letters, digits, hyphens and dots, "
-                + "or an IPv4 or IPv6 address");
+            throw new InputException(PairingCodeMessages.NotAHost(what, Shown(host)));
         }
 
         public static bool IsLoopback(string host) =>
@@ -67,7 +69,7 @@ namespace Nowpose.Pairing
 
         static bool IsDigit(char c) => c >= '0' && c <= '9';
 
-        // A rejected host may contain anything, including tags of Unity's texts.
+        // A rejected host may contain any text, including tags of Unity's texts.
         static string Shown(string host)
         {
             var shown = (host ?? "").ToCharArray();

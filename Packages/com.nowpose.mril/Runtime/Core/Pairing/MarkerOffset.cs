@@ -1,13 +1,14 @@
 using System;
 using System.Globalization;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
     /// <summary>A marker's pose in the robot's base frame as a person measures it: metres and degrees, with six decimals.</summary>
     /// <remarks>
-    /// A URDF origin except that angles are in degrees: rotated about the base frame's fixed x, then y, then z axis. The marker frame has
-    /// its origin in the centre of the print, x to the right along the print, y to its upper edge, and z out of it.
+    /// Like a URDF origin, but with angles in degrees: rotations about the base frame's fixed x, then y, then z axis. The marker frame has
+    /// its origin in the centre of the print, x to the right along the print, y to its upper edge, and z out of the print.
     /// </remarks>
     sealed class MarkerOffset
     {
@@ -42,11 +43,11 @@ namespace Nowpose.Pairing
         {
             var words = (text ?? "").Split(',');
             if (words.Length != Numbers && words.Length != 3)
-                throw new InputException(what + ": " + words.Length + " numbers; allowed: x,y,z or x,y,z,roll,pitch,yaw in metres and degrees");
+                throw new InputException(PairingCodeMessages.OffsetCount(what, words.Length));
             var numbers = new double[Numbers];
             for (var i = 0; i < words.Length; i++)
                 if (!TryReadNumber(words[i], out numbers[i]))
-                    throw new InputException(what + ": value " + (i + 1) + " is not a number; allowed: at most three digits, and six after the decimal point");
+                    throw new InputException(PairingCodeMessages.OffsetNumber(what, i + 1));
             return new MarkerOffset(numbers, what);
         }
 
@@ -54,7 +55,7 @@ namespace Nowpose.Pairing
         public RigidTransform ToPose() => RigidTransform.FromXyzRpy(
             _numbers[0], _numbers[1], _numbers[2], Radians(_numbers[3]), Radians(_numbers[4]), Radians(_numbers[5]));
 
-        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") without a rotation, else six.</summary>
+        /// <summary>Formats the offset for <see cref="Parse"/>: three numbers ("0.25,-0.1,0") without a rotation, otherwise six.</summary>
         public override string ToString()
         {
             var count = _numbers[3] == 0 && _numbers[4] == 0 && _numbers[5] == 0 ? 3 : Numbers;

@@ -1,27 +1,30 @@
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
     /// <summary>A cell that the wearer has accepted: the codes of its markers, and the headset's token for its gateway. Immutable.</summary>
     sealed class PairedCell
     {
-        /// <summary>Maximum number of markers. Further ones are rejected, so that forged codes cannot displace valid ones.</summary>
+        /// <summary>Maximum number of markers. Further markers are rejected, so that forged codes cannot displace valid ones.</summary>
         public const int MaxCodes = 16;
 
         readonly CellCode[] _codes;
 
         /// <param name="codes">Codes of one cell and one gateway, oldest first.</param>
         /// <param name="token">Null before the exchange, and for a gateway that requires none.</param>
-        /// <exception cref="InputException">No codes, too many, or of several cells or gateways; or an invalid token.</exception>
+        /// <exception cref="InputException">
+        /// There are no codes or too many, they belong to several cells or gateways, or the token is invalid.
+        /// </exception>
         public PairedCell(IEnumerable<CellCode> codes, string token)
         {
             _codes = codes.ToArray();
             if (_codes.Length == 0 || _codes.Length > MaxCodes)
-                throw new InputException("paired cell: " + _codes.Length + " codes; allowed: 1 to " + MaxCodes);
-            if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException("paired cell: two codes are the same");
+                throw new InputException(PairedCellMessages.CodeCount(_codes.Length, MaxCodes));
+            if (_codes.Select(code => code.Text).Distinct().Count() != _codes.Length) throw new InputException(PairedCellMessages.SameCode);
             if (_codes.Any(code => code.Cell != Newest.Cell || !code.HasSameGateway(Newest)))
-                throw new InputException("paired cell: the codes belong to several cells or gateways");
+                throw new InputException(PairedCellMessages.SeveralCells);
             Token = Newest.ToConnection(token, "headset").Token;
         }
 
@@ -47,7 +50,9 @@ namespace Nowpose.Pairing
             return false;
         }
 
-        /// <exception cref="InputException">The cell already has this code or the maximum number, or the code is of another cell or gateway.</exception>
+        /// <exception cref="InputException">
+        /// The cell already has this code or the maximum number of codes, or the code belongs to another cell or gateway.
+        /// </exception>
         public PairedCell With(CellCode code) => new PairedCell(_codes.Append(code), Token);
 
         public PairedCell WithToken(string token) => new PairedCell(_codes, token);

@@ -1,9 +1,10 @@
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>All cells that the wearer has accepted, by name, and the one in use. Immutable.</summary>
+    /// <summary>All cells that the wearer has accepted, by name, and the cell in use. Immutable.</summary>
     sealed class PairedCells
     {
         public const int MaxCount = 64;
@@ -18,9 +19,9 @@ namespace Nowpose.Pairing
         {
             _cells = cells.ToArray();
             if (_cells.Length > MaxCount)
-                throw new InputException("paired cells: " + _cells.Length + " cells; allowed: up to " + MaxCount);
-            if (_cells.Select(cell => cell.Cell).Distinct().Count() != _cells.Length) throw new InputException("paired cells: two have the same name");
-            Used = used == null ? null : Find(used) ?? throw new InputException("paired cells: the cell in use is not in the list");
+                throw new InputException(PairedCellMessages.CellCount(_cells.Length, MaxCount));
+            if (_cells.Select(cell => cell.Cell).Distinct().Count() != _cells.Length) throw new InputException(PairedCellMessages.SameName);
+            Used = used == null ? null : Find(used) ?? throw new InputException(PairedCellMessages.UsedNotInList);
         }
 
         public IReadOnlyList<PairedCell> All => _cells;
@@ -36,9 +37,11 @@ namespace Nowpose.Pairing
             return null;
         }
 
-        /// <summary>Finds the cell that needs a gateway's code. The cell in use takes precedence, because several may share a gateway.</summary>
+        /// <summary>
+        /// Finds the cell that needs a gateway's code. The cell in use takes precedence, because several cells may share a gateway.
+        /// </summary>
         /// <param name="isUsedRefused">Whether the gateway rejects the token of the cell in use.</param>
-        /// <returns>Null for none. Allocates nothing.</returns>
+        /// <returns>Null if no cell needs the code. Allocates nothing.</returns>
         internal PairedCell TakerOf(TokenCode code, bool isUsedRefused)
         {
             if (UsedNeeds(code, isUsedRefused)) return Used;
@@ -58,7 +61,10 @@ namespace Nowpose.Pairing
             return false;
         }
 
-        /// <summary>Adds or replaces a cell by its name and makes it the one in use. Drops the least recently added if there are too many.</summary>
+        /// <summary>
+        /// Adds a cell, or replaces the cell of the same name, and makes the given cell the cell in use. Removes the least recently added
+        /// cell if there are too many.
+        /// </summary>
         public PairedCells Use(PairedCell cell) => new PairedCells(
             Without(cell.Cell)._cells.Reverse().Take(MaxCount - 1).Reverse().Append(cell), cell.Cell);
 

@@ -1,15 +1,19 @@
 using System.IO;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Loads and saves paired cells. Saving is atomic: after a failure the file is complete, old or new.</summary>
+    /// <summary>
+    /// Loads and saves paired cells. Saving is atomic: after a failure, the path holds either the complete old file or the complete new
+    /// file.
+    /// </summary>
     static class PairedCellsFile
     {
         const int MaxBytes = 1024 * 1024;
-        const string What = "list of paired cells";
+        const string What = PairedCellMessages.List;
 
-        /// <summary>Loads the cells; a missing file gives none. Renames a file that cannot be used, and reports it.</summary>
-        /// <param name="problem">One line; null unless there is a problem.</param>
+        /// <summary>Loads the cells; none if the file is missing. Renames a file that cannot be used, and reports the problem.</summary>
+        /// <param name="problem">The problem in one line; null if there is none.</param>
         public static PairedCells Load(string path, out string problem)
         {
             problem = null;
@@ -21,7 +25,7 @@ namespace Nowpose.Pairing
             catch (InputException fault)
             {
                 var aside = WholeFile.PutAside(path);
-                problem = fault.Message + (aside == null ? "" : "; kept as " + aside) + "; look at the codes again";
+                problem = PairedCellMessages.Lost(fault.Message, aside);
                 return PairedCells.None;
             }
         }

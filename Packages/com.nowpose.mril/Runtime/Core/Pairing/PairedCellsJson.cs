@@ -1,9 +1,9 @@
-using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
 using Newtonsoft.Json;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
@@ -34,18 +34,20 @@ namespace Nowpose.Pairing
         }
 
         /// <param name="name">Name of the text in messages, such as a file's name.</param>
-        /// <exception cref="InputException">Another format, a newer version, or an invalid value. Never contains a token.</exception>
+        /// <exception cref="InputException">
+        /// The text has another format, a newer version, or an invalid value. The message never contains a token.
+        /// </exception>
         public static PairedCells Read(string text, string name)
         {
             try
             {
                 var utf8 = Encoding.UTF8.GetBytes(text);
-                if (JsonUtf8Reader.Check(utf8, Nesting) != DropReason.None) throw new InputException("it is not a complete JSON object");
+                if (JsonUtf8Reader.Check(utf8, Nesting) != DropReason.None) throw new InputException(PairedCellMessages.NotComplete);
                 return Read(new JsonUtf8Reader(utf8, Nesting));
             }
             catch (InputException fault)
             {
-                throw new InputException(name + ": cannot be used as a list of paired cells: " + fault.Message, fault);
+                throw new InputException(PairedCellMessages.Unusable(name, fault.Message), fault);
             }
         }
 
@@ -67,18 +69,18 @@ namespace Nowpose.Pairing
             }
 
             return json.EndObject(seen, 0b1011)
-                ? new PairedCells(cells, used) : throw new InputException("a field is missing, occurs twice, or has the wrong type (" + json.Fault + ")");
+                ? new PairedCells(cells, used) : throw new InputException(PairedCellMessages.Field(json.Fault));
         }
 
         static void RequireFormat(string format)
         {
-            if (format != Format) throw new InputException("its format is not '" + Format + "'");
+            if (format != Format) throw new InputException(PairedCellMessages.OtherFormat(Format));
         }
 
         static void RequireVersion(long version)
         {
             if (version != Version)
-                throw new InputException("it has version " + version + "; this Nowpose reads version " + Version + "; update Nowpose");
+                throw new InputException(PairedCellMessages.NewerVersion(version, Version));
         }
 
         static void ReadCells(ref JsonUtf8Reader json, List<PairedCell> into)

@@ -1,6 +1,6 @@
 namespace Nowpose.Pairing
 {
-    /// <summary>Result of an exchange: the headset's own token, or why there is none.</summary>
+    /// <summary>Result of an exchange: the headset's own token, or the reason why there is none.</summary>
     sealed class PairingAnswer
     {
         PairingAnswer(string token, string problem, bool isWorthRetrying)
@@ -13,7 +13,7 @@ namespace Nowpose.Pairing
         /// <summary>The headset's own token; null if there is a problem. Secret.</summary>
         public string Token { get; }
 
-        /// <summary>One line for the wearer; null if there is a token.</summary>
+        /// <summary>The problem in one line for the wearer; null if there is a token.</summary>
         public string Problem { get; }
 
         /// <summary>Whether the same code may be sent again, because the gateway has neither accepted nor rejected it.</summary>

@@ -8,7 +8,7 @@ namespace Nowpose.Pairing
     {
         None = 0,
 
-        /// <summary>There is a new question.</summary>
+        /// <summary>There is a new question to the wearer.</summary>
         Asked = 1,
 
         /// <summary>The cell in use has changed, or has another marker or token.</summary>

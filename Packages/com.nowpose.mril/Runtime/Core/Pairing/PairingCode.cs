@@ -2,31 +2,31 @@ using System;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>The kind that a code in view declares.</summary>
+    /// <summary>Kind of a code in view.</summary>
     enum PairingCodeKind
     {
         /// <summary>A code of another application; ignored.</summary>
         Foreign,
 
-        /// <summary>The robot's marker, see <see cref="CellCode"/>.</summary>
+        /// <summary>A code of the robot's marker, see <see cref="CellCode"/>.</summary>
         Cell,
 
-        /// <summary>The gateway's code that is valid once, see <see cref="TokenCode"/>.</summary>
+        /// <summary>A code of the gateway, which is valid only once, see <see cref="TokenCode"/>.</summary>
         Token,
 
-        /// <summary>A pairing code of another kind.</summary>
+        /// <summary>A pairing code of an unknown kind.</summary>
         Unknown,
     }
 
-    /// <summary>Common form of the codes that pair a headset with a gateway: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
+    /// <summary>Common format of the codes that pair a headset with a gateway: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
     static class PairingCode
     {
         /// <summary>Start of every pairing code; other codes are ignored.</summary>
         public const string Scheme = "nowpose:";
 
         /// <summary>
-        /// Maximum length of a code in characters: the capacity of a QR code of version 10 (57 modules per edge) at error correction M. It
-        /// is the largest version that HoloLens 2 finds.
+        /// Maximum length of a code in characters: the capacity of a QR code of version 10 (57 modules per edge) at error correction level M,
+        /// the largest version that HoloLens 2 detects.
         /// </summary>
         public const int MaxLength = 213;
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 using Nowpose.Network;
 
 namespace Nowpose.Pairing
@@ -10,7 +11,10 @@ namespace Nowpose.Pairing
     /// Evaluates the codes in view: asks the wearer before it contacts a new gateway, exchanges the gateway's code
     /// for the headset's own token, and selects the cell to connect to.
     /// </summary>
-    /// <remarks>Call it on the frame's thread: pass all texts in view, then tick it, once a frame. Allocates only if something has changed.</remarks>
+    /// <remarks>
+    /// Use it on the frame's thread. In each frame, call <see cref="See"/> for each text in view, and then <see cref="Tick"/> once. Allocates
+    /// only if something has changed.
+    /// </remarks>
     sealed class PairingFlow : IDisposable
     {
         readonly CodeExchange _exchange;
@@ -25,14 +29,14 @@ namespace Nowpose.Pairing
 
         /// <param name="cells">Cells accepted in earlier runs.</param>
         /// <param name="headsetName">Name of this headset in the gateway's list.</param>
-        /// <param name="send">Exchanges a token without blocking: <see cref="PairingRequest.SendAsync"/> on another thread.</param>
+        /// <param name="send">Exchanges a token without blocking, such as <see cref="PairingRequest.SendAsync"/> on another thread.</param>
         public PairingFlow(
             PairedCells cells, string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
         {
             Cells = cells;
             _exchange = new CodeExchange(headsetName, send);
             if (cells.Used != null) _changes = PairingChange.Applied;
-            Words = CalmWords;
+            Words = StatusWords;
         }
 
         public PairedCells Cells { get; private set; }
@@ -66,7 +70,7 @@ namespace Nowpose.Pairing
         {
             _now = now;
             var seen = _seen.Read(text, now, out var fault);
-            if (fault != null) FailForNow(fault);
+            if (fault != null) FailTemporarily(fault);
             if (seen?.Cell != null) SeeCell(seen);
             else if (seen?.Token != null) SeeToken(seen.Token, now);
         }
@@ -85,7 +89,7 @@ namespace Nowpose.Pairing
             return changes;
         }
 
-        /// <summary>Accepts the question. Does nothing if there is none.</summary>
+        /// <summary>Answers the question with yes. Does nothing if there is none.</summary>
         public void Accept()
         {
             var asked = _asked;
@@ -96,7 +100,7 @@ namespace Nowpose.Pairing
             else if (Cells.Find(asked.Used) is PairedCell other) Use(other);
         }
 
-        /// <summary>Declines the question; a declined gateway stays declined for this run. Does nothing without a question.</summary>
+        /// <summary>Answers the question with no. A declined gateway stays declined for this run. Does nothing if there is no question.</summary>
         public void Refuse()
         {
             if (_asked == null) return;
@@ -106,8 +110,8 @@ namespace Nowpose.Pairing
         }
 
         /// <summary>
-        /// Asks whether to forget the cell in use, in place of any other question. It also clears the declined gateways and cells, independent
-        /// of the answer, so that the next marker in view asks again. If no cell is in use, this is the only effect.
+        /// Asks whether to forget the cell in use, in place of any other question. Also clears the declined gateways and cells, regardless of
+        /// the answer, so that the next marker in view asks again. If no cell is in use, this is the only effect.
         /// </summary>
         public void AskToForget()
         {
@@ -115,7 +119,9 @@ namespace Nowpose.Pairing
             if (Cells.Used != null) Ask(PairingQuestion.Forget(Cells.Used));
         }
 
-        /// <summary>Removes the cell in use and its token, and clears the declined gateways and cells, so that the next marker in view asks again.</summary>
+        /// <summary>
+        /// Removes the cell in use and its token, and clears the declined gateways and cells, so that the next marker in view asks again.
+        /// </summary>
         public void Forget()
         {
             Reconsider();
@@ -138,7 +144,7 @@ namespace Nowpose.Pairing
 
         bool MayAsk => _asked == null && _now >= _quietUntil;
 
-        // Asks, because otherwise a wearer who walks past another robot would change the source of the samples.
+        // Asks first, because otherwise a wearer who walks past another robot would change the source of the samples.
         void ConsiderOther(HeadsetTime now)
         {
             var name = _other.Wanted(now);
@@ -157,18 +163,18 @@ namespace Nowpose.Pairing
         {
             if (!known.IsFull)
             {
-                Learn(known.With(seen.Cell));
+                Store(known.With(seen.Cell));
                 return;
             }
-            if (!seen.IsTooManyReported) FailForNow(PairingWords.TooMany(known.Cell));
+            if (!seen.IsTooManyReported) FailTemporarily(PairingMessages.TooMany(known.Cell));
             seen.IsTooManyReported = true;
         }
 
-        void Learn(PairedCell cell)
+        void Store(PairedCell cell)
         {
             var used = Cells.Used;
             Cells = Cells.Use(cell);
-            // A new marker of another robot does not make that robot the one in use.
+            // A new marker of another robot does not change which robot is in use.
             if (used != null && used.Cell != cell.Cell) Cells = Cells.Use(used);
             Change(PairingChange.Applied | PairingChange.Kept);
         }
@@ -183,7 +189,7 @@ namespace Nowpose.Pairing
         void Connect(CellCode code)
         {
             var known = Cells.Find(code.Cell);
-            // The running exchange is with the previous gateway of that name; its token would not be valid for this one.
+            // The running exchange is with the previous gateway of this cell, whose token is not valid for the new gateway.
             if (_exchange.Cell == code.Cell) _exchange.End();
             // The same key means the same gateway, so the headset's token stays valid.
             var token = known != null && Equals(known.Newest.Pin, code.Pin) ? known.Token : null;
@@ -216,15 +222,15 @@ namespace Nowpose.Pairing
             if (_exchange.Cell != null) return;
             if (_exchange.WasTried(code))
             {
-                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) SetWords(PairingWords.CodeWasTried);
+                if (Cells.UsedNeeds(code, _isTokenRefused) && Problem == null && Question == null) SetWords(PairingMessages.CodeWasTried);
                 return;
             }
             _exchange.Wait(code, now);
             if (Cells.HasGatewayOf(code)) return;
-            if (Words != PairingWords.MarkerFirst && Question == null) SetWords(PairingWords.MarkerFirst);
+            if (Words != PairingMessages.MarkerFirst && Question == null) SetWords(PairingMessages.MarkerFirst);
         }
 
-        // The wearer may look at marker and code in either order.
+        // The wearer may look at the marker and the code in either order.
         void Offer(HeadsetTime now)
         {
             if (_exchange.Waiting == null || _exchange.Cell != null || !_exchange.Offer(Cells.TakerOf(_exchange.Waiting, _isTokenRefused), now)) return;
@@ -252,12 +258,12 @@ namespace Nowpose.Pairing
         {
             ClearProblem();
             if (cell.Cell == Cells.Used?.Cell) IsTokenRefused = false;
-            Learn(cell.WithToken(token));
+            Store(cell.WithToken(token));
             _changes |= PairingChange.Paired;
             // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
-                if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Learn(other.WithToken(token));
-            SetWords(PairingWords.Paired(cell.Cell));
+                if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Store(other.WithToken(token));
+            SetWords(PairingMessages.Paired(cell.Cell));
         }
 
         void Fail(string problem)
@@ -267,7 +273,7 @@ namespace Nowpose.Pairing
             Change(PairingChange.Problem);
         }
 
-        void FailForNow(string problem)
+        void FailTemporarily(string problem)
         {
             Fail(problem);
             _faultUntil = _now + PairingLimits.FaultShown;
@@ -285,7 +291,7 @@ namespace Nowpose.Pairing
         void Change(PairingChange change)
         {
             _changes |= change;
-            SetWords(Question ?? Problem ?? CalmWords);
+            SetWords(Question ?? Problem ?? StatusWords);
         }
 
         void SetWords(string words)
@@ -295,6 +301,6 @@ namespace Nowpose.Pairing
             _changes |= PairingChange.Words;
         }
 
-        string CalmWords => PairingWords.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
+        string StatusWords => PairingMessages.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
     }
 }

@@ -1,6 +1,8 @@
+using Nowpose.Messages;
+
 namespace Nowpose.Pairing
 {
-    /// <summary>A question to the wearer and its subject; exactly one of the other properties is set.</summary>
+    /// <summary>A question to the wearer and its subject. Exactly one of the properties other than the text is set.</summary>
     sealed class PairingQuestion
     {
         PairingQuestion(string text) => Text = text;
@@ -8,7 +10,7 @@ namespace Nowpose.Pairing
         /// <summary>The question, in one line.</summary>
         public string Text { get; }
 
-        /// <summary>The code of the gateway to accept; null for another question.</summary>
+        /// <summary>Code of the gateway to accept; null for another question.</summary>
         public SeenCode Code { get; private set; }
 
         /// <summary>Name of the cell to forget; null for another question.</summary>
@@ -19,11 +21,11 @@ namespace Nowpose.Pairing
 
         /// <param name="known">The accepted cell of the same name; null for none.</param>
         public static PairingQuestion Connect(SeenCode code, PairedCell known) =>
-            new PairingQuestion(PairingWords.Question(code.Cell, known?.Newest)) { Code = code };
+            new PairingQuestion(PairingMessages.Question(code.Cell, known?.Newest)) { Code = code };
 
         public static PairingQuestion Use(PairedCell cell, PairedCell instead) =>
-            new PairingQuestion(PairingWords.Use(cell.Cell, instead.Cell)) { Used = cell.Cell };
+            new PairingQuestion(PairingMessages.Use(cell.Cell, instead.Cell)) { Used = cell.Cell };
 
-        public static PairingQuestion Forget(PairedCell cell) => new PairingQuestion(PairingWords.Forget(cell.Newest)) { Forgotten = cell.Cell };
+        public static PairingQuestion Forget(PairedCell cell) => new PairingQuestion(PairingMessages.Forget(cell.Newest)) { Forgotten = cell.Cell };
     }
 }

@@ -5,12 +5,13 @@ using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
 using Newtonsoft.Json;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Exchanges a code's token for the headset's own: one HTTP/1.1 request over a stream with its own check of the pin.</summary>
+    /// <summary>Exchanges a code's token for the headset's own token, with one HTTP/1.1 request over a stream that checks the pin itself.</summary>
     /// <remarks>Unity's HTTP clients do not check certificates reliably, so the token could reach any server.</remarks>
     static class PairingRequest
     {
@@ -21,12 +22,12 @@ namespace Nowpose.Pairing
         /// <param name="gateway">Settings with a pin, or for this machine; their token is not used.</param>
         /// <param name="codeToken">Token of the gateway's code.</param>
         /// <returns>The answer, which also reports failures.</returns>
-        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        /// <exception cref="OperationCanceledException">The exchange was cancelled.</exception>
         /// <exception cref="InputException">The connection would be plain text to another machine.</exception>
         public static async Task<PairingAnswer> SendAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
         {
             if (gateway.Security == TransportSecurity.Plain && !gateway.IsLoopback)
-                throw new InputException("pairing: the code's token would be sent unencrypted to " + gateway.Host + "; use a pin");
+                throw new InputException(PairingAnswerMessages.Unencrypted(gateway.Host));
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
             {
                 inTime.CancelAfter(PairingLimits.ExchangeTimeout);
@@ -85,13 +86,12 @@ namespace Nowpose.Pairing
             switch (status)
             {
                 case 401:
-                    return PairingAnswer.Refused(
-                    "the gateway does not accept this code, because it was used or is too old; look at the current code");
+                    return PairingAnswer.Refused(PairingAnswerMessages.NotAccepted);
                 case 404:
-                case 426: return PairingAnswer.Refused("the gateway does not pair headsets; start it with --pairing");
-                case 429: return PairingAnswer.Failed("the gateway has received too many wrong codes; try again in a minute");
-                case 503: return PairingAnswer.Failed("the gateway cannot save this headset's token; see its log");
-                default: return PairingAnswer.Refused("the gateway answered the code with status " + status.ToString(CultureInfo.InvariantCulture) + "; see its log");
+                case 426: return PairingAnswer.Refused(PairingAnswerMessages.NotStarted);
+                case 429: return PairingAnswer.Failed(PairingAnswerMessages.TooManyWrong);
+                case 503: return PairingAnswer.Failed(PairingAnswerMessages.NotSaved);
+                default: return PairingAnswer.Refused(PairingAnswerMessages.Status(status.ToString(CultureInfo.InvariantCulture)));
             }
         }
 
@@ -99,17 +99,16 @@ namespace Nowpose.Pairing
         {
             var isCounted = int.TryParse(head.Field("Content-Length"), NumberStyles.None, CultureInfo.InvariantCulture, out var length);
             if (!isCounted || length > PairingLimits.BodyBytes || head.Field("Transfer-Encoding") != null)
-                return PairingAnswer.Refused(
-                    "the gateway's answer to the code is of unknown length or longer than " + PairingLimits.BodyBytes + " bytes");
+                return PairingAnswer.Refused(PairingAnswerMessages.TooLong(PairingLimits.BodyBytes));
             var body = new byte[length];
             for (var got = 0; got < length;)
             {
                 var read = await stream.ReadAsync(body.AsMemory(got), cancel).ConfigureAwait(false);
-                if (read == 0) throw new EndOfStreamException("the gateway closed the connection before it had answered");
+                if (read == 0) throw new EndOfStreamException(ConnectionMessages.ClosedBeforeAnswer);
                 got += read;
             }
             return TokenOf(body) is string token
-                ? PairingAnswer.Accepted(token) : PairingAnswer.Refused("the gateway's answer to the code contains no valid token");
+                ? PairingAnswer.Accepted(token) : PairingAnswer.Refused(PairingAnswerMessages.NoToken);
         }
 
         static string TokenOf(byte[] utf8)

@@ -1,3 +1,5 @@
+using Nowpose.Messages;
+
 namespace Nowpose.Pairing
 {
     /// <summary>The parsed content of one text in view; each text is parsed once.</summary>
@@ -17,7 +19,7 @@ namespace Nowpose.Pairing
         /// <inheritdoc cref="Cell"/>
         public TokenCode Token { get; }
 
-        /// <summary>Why the text is neither, in one line.</summary>
+        /// <summary>Reason why the text is neither a cell code nor a token code, in one line; null if it is one of them.</summary>
         public string Fault { get; }
 
         /// <summary>Key of the gateway: the same for all markers of a cell that have the same gateway.</summary>
@@ -36,7 +38,7 @@ namespace Nowpose.Pairing
                 {
                     case PairingCodeKind.Cell: return new SeenCode(CellCode.Parse(text), null, null);
                     case PairingCodeKind.Token: return new SeenCode(null, TokenCode.Parse(text), null);
-                    default: return new SeenCode(null, null, "pairing code: is neither a cell's nor a gateway's; update Nowpose if it is older than the gateway");
+                    default: return new SeenCode(null, null, PairingCodeMessages.UnknownKind);
                 }
             }
             catch (InputException fault)

@@ -1,12 +1,13 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
     /// <summary>The pairing codes in view, each parsed once. Allocates nothing for a known code.</summary>
     sealed class SeenCodes
     {
-        /// <summary>Maximum number of different codes at a time; further ones are ignored.</summary>
+        /// <summary>Maximum number of different codes at a time; further codes are ignored.</summary>
         public const int MaxCount = 256;
 
         /// <summary>Codes out of view for this time may be dropped when the list is full: a gateway's code has expired by then.</summary>
@@ -25,8 +26,8 @@ namespace Nowpose.Pairing
             if (kind == PairingCodeKind.Foreign) return null;
             if (text.Length > PairingCode.MaxLength)
             {
-                // Not stored, because the text's source would determine the memory that it needs.
-                if (!_isOversizedReported) fault = "pairing code: " + text.Length + " characters; allowed: up to " + PairingCode.MaxLength;
+                // The text is not stored, because otherwise its source would determine how much memory is used.
+                if (!_isOversizedReported) fault = PairingCodeMessages.CodeTooLong(text.Length, PairingCode.MaxLength);
                 _isOversizedReported = true;
                 return null;
             }
@@ -50,8 +51,7 @@ namespace Nowpose.Pairing
             _old.Clear();
             if (_codes.Count < MaxCount) return true;
             if (!_isFullReported)
-                fault = "pairing codes: " + MaxCount + " different ones were in view; others are read again in "
-                    + (int)Memory.TotalMinutes + " minutes, or after a restart";
+                fault = PairingCodeMessages.TooManyInView(MaxCount, (int)Memory.TotalMinutes);
             _isFullReported = true;
             return false;
         }

@@ -1,18 +1,20 @@
 using System;
 using System.Globalization;
 using System.Text;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Pairing
 {
     /// <summary>
-    /// The code that the gateway shows for five minutes: a token that one headset may exchange for its own, and the gateway's key. Secret.
+    /// The code that the gateway shows for five minutes: a token that one headset may exchange for its own token, and the gateway's key.
+    /// Secret.
     /// </summary>
     sealed class TokenCode
     {
         public const int Version = 1;
 
-        /// <summary>128 bits, which cannot be guessed.</summary>
+        /// <summary>Length of the token: 128 bits, which cannot be guessed.</summary>
         public const int TokenBytes = 16;
 
         internal const string Kind = "token";
@@ -31,7 +33,7 @@ namespace Nowpose.Pairing
         TokenCode(CertificatePin pin, string token, DateTime? validToUtc, string text)
         {
             if (!Base64Url.TryRead(token ?? "", TokenBytes, out _))
-                throw new InputException("token code: the token is not the base64url of " + TokenBytes + " bytes");
+                throw new InputException(PairingCodeMessages.TokenInvalid(TokenBytes));
             Pin = pin;
             Token = token;
             ValidToUtc = validToUtc;
@@ -50,8 +52,10 @@ namespace Nowpose.Pairing
         /// <summary>The exact text of the code. Secret.</summary>
         public string Text { get; }
 
-        /// <param name="text">A text of any length; one longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
-        /// <exception cref="InputException">Not a token code of this version, or an invalid value; one line without the token.</exception>
+        /// <param name="text">A text of any length; a text longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
+        /// <exception cref="InputException">
+        /// The text is not a token code of this version, or a value is invalid. The message is one line without the token.
+        /// </exception>
         public static TokenCode Parse(string text)
         {
             var fields = new CodeFields(text, Kind, Version, Keys);

@@ -33,7 +33,7 @@ namespace Nowpose.Pairing
         /// <summary>Token of the code. Secret.</summary>
         public string Token { get; }
 
-        /// <summary>Text with the reason why the last attempt failed and the note that it is repeated; null if none has failed.</summary>
+        /// <summary>Reason why the last attempt failed, with a note that it is repeated; null if no attempt has failed.</summary>
         public string Trouble { get; private set; }
 
         /// <returns>The final answer; null until there is one.</returns>

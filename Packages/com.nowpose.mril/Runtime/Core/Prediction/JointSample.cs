@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Prediction
 {
@@ -26,8 +27,7 @@ namespace Nowpose.Prediction
             double time, double position, double order, double velocity = double.NaN, double acceleration = double.NaN)
         {
             if (!double.IsFinite(time) || !double.IsFinite(position) || !double.IsFinite(order))
-                throw new ArgumentException(
-                    "time, position and order must be finite; they are " + time + " s, " + position + ", " + order + " s");
+                throw new ArgumentException(PredictionMessages.NotFinite(time, position, order));
             Time = time;
             Position = position;
             Order = order;

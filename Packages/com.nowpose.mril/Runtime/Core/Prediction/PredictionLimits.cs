@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Prediction
 {
@@ -21,11 +22,11 @@ namespace Nowpose.Prediction
             bool isEndless = false)
         {
             if (!(lower <= upper) || double.IsPositiveInfinity(lower) || double.IsNegativeInfinity(upper))
-                throw new ArgumentException("position limits " + lower + " to " + upper + ": lower must not exceed upper");
+                throw new ArgumentException(PredictionMessages.LimitOrder(lower, upper));
             if (!(horizonCap >= 0))
-                throw new ArgumentOutOfRangeException(nameof(horizonCap), horizonCap, "must be 0 s or more");
+                throw new ArgumentOutOfRangeException(nameof(horizonCap), horizonCap, PredictionMessages.NegativeSeconds);
             if (!(maximumGap > 0))
-                throw new ArgumentOutOfRangeException(nameof(maximumGap), maximumGap, "must be more than 0 s");
+                throw new ArgumentOutOfRangeException(nameof(maximumGap), maximumGap, PredictionMessages.NotPositiveSeconds);
 
             RequirePositive(velocity, nameof(velocity), "per second");
             RequirePositive(acceleration, nameof(acceleration), "per second squared");
@@ -79,7 +80,7 @@ namespace Nowpose.Prediction
 
         static void RequirePositive(double value, string name, string unit)
         {
-            if (!(value > 0)) throw new ArgumentOutOfRangeException(name, value, "must be more than 0 " + unit);
+            if (!(value > 0)) throw new ArgumentOutOfRangeException(name, value, PredictionMessages.NotPositive(unit));
         }
     }
 }

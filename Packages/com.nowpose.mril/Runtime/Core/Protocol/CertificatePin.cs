@@ -1,6 +1,7 @@
 using System;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
@@ -14,7 +15,9 @@ namespace Nowpose.Protocol
 
         CertificatePin(byte[] hash) => _hash = hash;
 
-        /// <summary>The part that a person compares: the first characters after "sha256/", and an ellipsis. The same everywhere.</summary>
+        /// <summary>
+        /// Part that a person compares: the first characters after "sha256/" and an ellipsis. All user interfaces show the same part.
+        /// </summary>
         public string Beginning => Convert.ToBase64String(_hash).Substring(0, ComparedCharacters) + "…";
 
         /// <summary>Reads base64 of 32 bytes, with or without the prefix "sha256/"; ignores surrounding blanks.</summary>
@@ -24,10 +27,9 @@ namespace Nowpose.Protocol
             var trimmed = (text ?? "").Trim();
             var base64 = trimmed.StartsWith(Prefix, StringComparison.Ordinal) ? trimmed.Substring(Prefix.Length) : trimmed;
             var hash = new byte[HashBytes + 1];
-            // The buffer has one byte of slack, to distinguish 33 bytes from 32; longer values are rejected as well.
+            // The buffer has one extra byte, to distinguish 33 bytes from 32; longer values are rejected as well.
             if (!Convert.TryFromBase64String(base64, hash, out var length) || length != HashBytes)
-                throw new InputException(
-                    "certificate pin \"" + trimmed + "\" is not the base64 of 32 bytes; copy it as the gateway prints it (sha256/…=)");
+                throw new InputException(CertificateMessages.PinInvalid(trimmed));
             return new CertificatePin(hash.AsSpan(0, HashBytes).ToArray());
         }
 
@@ -37,12 +39,12 @@ namespace Nowpose.Protocol
         {
             // Unity's Mono has no ExportSubjectPublicKeyInfo, so the key is extracted from the certificate's bytes.
             if (!SubjectPublicKeyInfo.TryFind(certificate.GetRawCertData(), out var info))
-                throw new InputException("certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin");
+                throw new InputException(CertificateMessages.NotX509);
             using (var sha = SHA256.Create())
                 return new CertificatePin(sha.ComputeHash(info.ToArray()));
         }
 
-        /// <summary>Returns whether the certificate has the pinned key; false for invalid bytes. Does not check the dates.</summary>
+        /// <summary>Returns whether the certificate has the pinned key; false for invalid bytes. Does not check the validity period.</summary>
         public bool Matches(X509Certificate certificate) =>
             certificate != null && SubjectPublicKeyInfo.TryFind(certificate.GetRawCertData(), out _) && Equals(Of(certificate));
 

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>diagnostic_msgs/DiagnosticArray with one status: of a headset, of an adapter, or of the joints.</summary>
+    /// <summary>diagnostic_msgs/DiagnosticArray with one status, which describes a headset, an adapter, or the joints.</summary>
     sealed class DiagnosticsMessage
     {
         /// <param name="level">0 ok, 1 warning, 2 error, 3 stale.</param>

@@ -4,7 +4,7 @@ using System.Threading;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Counts drops by reason. Any thread may count and read; counting allocates nothing.</summary>
+    /// <summary>Counts drops by reason. Thread-safe; counting allocates nothing.</summary>
     sealed class DropCounters
     {
         static readonly int ReasonCount = Enum.GetValues(typeof(DropReason)).Length;

@@ -9,7 +9,7 @@ namespace Nowpose.Protocol
     /// </remarks>
     static class ExactDouble
     {
-        /// <summary>5^27 is the largest power of five below 2^64.</summary>
+        /// <summary>Maximum magnitude of a decimal exponent: 5^27 is the largest power of five below 2^64.</summary>
         public const int MaxExponent = 27;
 
         const int DroppedBits = 64 - 53;
@@ -18,7 +18,7 @@ namespace Nowpose.Protocol
 
         static readonly ulong[] PowersOfFive = CreatePowers();
 
-        /// <summary>Returns the double nearest to digits × 10^exponent; for a tie, the even one.</summary>
+        /// <summary>Returns the double nearest to digits × 10^exponent; for a tie, the double whose last bit is zero.</summary>
         /// <param name="digits">Not zero.</param>
         /// <param name="exponent">-<see cref="MaxExponent"/> to <see cref="MaxExponent"/>.</param>
         public static double Of(ulong digits, int exponent) =>
@@ -41,7 +41,7 @@ namespace Nowpose.Protocol
 
         static double Quotient(ulong dividend, ulong divisor, int exponent)
         {
-            // Normalises both so that the highest bit is set, and halves the dividend so that the quotient fits 64 bits.
+            // Normalises both numbers so that the highest bit is set, and halves the dividend so that the quotient fits into 64 bits.
             var (up, down) = (LeadingZeros(dividend), LeadingZeros(divisor));
             dividend <<= up;
             divisor <<= down;
@@ -66,7 +66,7 @@ namespace Nowpose.Protocol
             return digit;
         }
 
-        // isMore: whether nonzero bits below the lowest one were left out.
+        // isMore: whether nonzero bits were dropped below the lowest of these bits.
         static double Rounded(ulong bits, bool isMore, int exponent)
         {
             var shift = LeadingZeros(bits);

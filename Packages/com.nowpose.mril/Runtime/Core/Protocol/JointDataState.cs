@@ -8,7 +8,7 @@ namespace Nowpose.Protocol
         /// <summary>Samples arrive.</summary>
         Live,
 
-        /// <summary>No samples, but the control system still reports the same value: the joint is assumed to be at rest.</summary>
+        /// <summary>No samples arrive, but the control system still reports the same value: the joint is assumed to be at rest.</summary>
         Rest,
 
         /// <summary>Samples arrived before and have stopped for an unknown reason.</summary>
@@ -27,7 +27,7 @@ namespace Nowpose.Protocol
     /// <summary>Names of joint states on the wire (lower case), and which of them are good.</summary>
     static class JointDataStates
     {
-        /// <summary>Names, indexed by the number of the state.</summary>
+        /// <summary>Names, indexed by the numeric value of the state.</summary>
         public static readonly string[] Names = Array.ConvertAll(Enum.GetNames(typeof(JointDataState)), name => name.ToLowerInvariant());
 
         public static string Of(JointDataState state) => Names[(int)state];

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads a message's joint names. Returns the previous array if the bytes are the same. One thread.</summary>
+    /// <summary>Reads a message's joint names. Returns a cached array if the bytes are the same as before. Not thread-safe.</summary>
     sealed class JointNamesReader
     {
         /// <summary>Number of cached arrays: an arm, a gripper and a few axes may publish alternately.</summary>

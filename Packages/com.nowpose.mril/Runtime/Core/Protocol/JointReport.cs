@@ -5,7 +5,7 @@ namespace Nowpose.Protocol
     /// <summary>The gateway's status of one joint.</summary>
     readonly struct JointReport
     {
-        /// <param name="reason">One line; empty for none.</param>
+        /// <param name="reason">Reason in one line; empty if there is none.</param>
         public JointReport(string joint, JointDataState state, ControlTime since, string reason)
         {
             Joint = joint;

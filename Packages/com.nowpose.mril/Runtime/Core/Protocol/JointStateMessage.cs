@@ -1,12 +1,13 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
     /// <summary>sensor_msgs/JointState: positions of some joints at one control time. May contain a subset of a robot's joints.</summary>
     /// <remarks>
-    /// The arrays belong to the message; users only read them. A message from a <see cref="RosbridgeReader"/> is
-    /// reused for a later one when the session has used its samples and has no handler that may keep it.
+    /// The arrays belong to the message; users only read them. A message from a <see cref="RosbridgeReader"/> is reused after the session
+    /// has used its samples, unless a handler may keep the message.
     /// </remarks>
     public sealed class JointStateMessage
     {
@@ -14,9 +15,9 @@ namespace Nowpose.Protocol
         double[] _velocities;
         double[] _accelerations;
 
-        /// <param name="positions">rad or m, as many as <paramref name="names"/>, finite.</param>
-        /// <param name="velocities">rad/s or m/s, as many as <paramref name="names"/>, NaN if unknown; null if all are unknown.</param>
-        /// <param name="accelerations">rad/s² or m/s², as many as <paramref name="names"/>, NaN if unknown; null if all are unknown.</param>
+        /// <param name="positions">Positions in rad or m, one per name; finite.</param>
+        /// <param name="velocities">Velocities in rad/s or m/s, one per name, NaN if unknown; null if all are unknown.</param>
+        /// <param name="accelerations">Accelerations in rad/s² or m/s², one per name, NaN if unknown; null if all are unknown.</param>
         /// <param name="frameId">See <see cref="FrameId"/>.</param>
         /// <exception cref="ArgumentException">The lengths differ.</exception>
         public JointStateMessage(
@@ -24,11 +25,11 @@ namespace Nowpose.Protocol
             string frameId = "")
         {
             if (positions.Length != names.Length)
-                throw new ArgumentException(positions.Length + " positions were passed for " + names.Length + " joints", nameof(positions));
+                throw new ArgumentException(ProtocolMessages.PositionCount(positions.Length, names.Length), nameof(positions));
             if (velocities != null && velocities.Length != names.Length)
-                throw new ArgumentException(velocities.Length + " velocities were passed for " + names.Length + " joints", nameof(velocities));
+                throw new ArgumentException(ProtocolMessages.VelocityCount(velocities.Length, names.Length), nameof(velocities));
             if (accelerations != null && accelerations.Length != names.Length)
-                throw new ArgumentException(accelerations.Length + " accelerations were passed for " + names.Length + " joints", nameof(accelerations));
+                throw new ArgumentException(ProtocolMessages.AccelerationCount(accelerations.Length, names.Length), nameof(accelerations));
             Stamp = stamp;
             Names = names;
             Positions = positions;
@@ -37,7 +38,7 @@ namespace Nowpose.Protocol
             FrameId = frameId;
         }
 
-        /// <summary>Constructs a message to be filled.</summary>
+        /// <summary>Constructs an empty message that <see cref="Fill"/> completes.</summary>
         internal JointStateMessage(int joints, JointStatePool pool)
         {
             Positions = new double[joints];
@@ -57,7 +58,7 @@ namespace Nowpose.Protocol
         public double[] Velocities { get; private set; }
 
         /// <summary>
-        /// rad/s² or m/s², one for each name, NaN if unknown; null if all are unknown. An extension of sensor_msgs, for control
+        /// rad/s² or m/s², one for each name, NaN if unknown; null if all are unknown. The field extends sensor_msgs/JointState, for control
         /// systems that publish their set-points.
         /// </summary>
         public double[] Accelerations { get; private set; }
@@ -69,7 +70,9 @@ namespace Nowpose.Protocol
         public JointStateMessage At(ControlTime stamp) =>
             new JointStateMessage(stamp, Names, Positions, Velocities, Accelerations, FrameId);
 
-        /// <summary>Overwrites all values. The lists of velocities and accelerations may be empty; the others have one element per joint.</summary>
+        /// <summary>
+        /// Overwrites all values. The lists of velocities and accelerations may be empty; the other lists have one element per joint.
+        /// </summary>
         internal void Fill(
             ControlTime stamp, string[] names, List<double> positions, List<double> velocities, List<double> accelerations, string frameId)
         {
@@ -81,7 +84,9 @@ namespace Nowpose.Protocol
             FrameId = frameId;
         }
 
-        /// <summary>Returns the message to its reader for reuse; call it as the last user. Does nothing if no reader created the message.</summary>
+        /// <summary>
+        /// Returns the message to its reader for reuse. Only the last user may call it. Does nothing if no reader created the message.
+        /// </summary>
         internal void Release() => _pool?.Return(this);
 
         static double[] Filled(ref double[] array, List<double> values)

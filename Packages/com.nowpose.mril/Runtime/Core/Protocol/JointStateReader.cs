@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads sensor_msgs/JointState. Allocates nothing if the source repeats its names and messages are returned.</summary>
+    /// <summary>Reads sensor_msgs/JointState. Allocates nothing if a source repeats its names and messages are released.</summary>
     sealed class JointStateReader
     {
         static readonly JsonNames Fields = new JsonNames("header", "name", "position", "velocity", "acceleration");
@@ -48,7 +48,7 @@ namespace Nowpose.Protocol
         /// <summary>Reads velocities or accelerations: JSON null if there are none, null or NaN for a missing value.</summary>
         public static bool ReadRates(ref JsonUtf8Reader json, List<double> into) => json.TakeNull() || json.Numbers(into, areOptional: true);
 
-        /// <summary>Returns whether the numbers of velocities and accelerations equal that of the joints, or are zero.</summary>
+        /// <summary>Returns whether the numbers of velocities and accelerations are each zero or equal to the number of joints.</summary>
         public static bool HaveLength(int joints, List<double> velocities, List<double> accelerations) =>
             (velocities.Count == 0 || velocities.Count == joints) && (accelerations.Count == 0 || accelerations.Count == joints);
 

@@ -47,7 +47,7 @@ namespace Nowpose.Protocol
             const NumberStyles style = NumberStyles.AllowDecimalPoint | NumberStyles.AllowLeadingSign;
             if (!decimal.TryParse(text, style, CultureInfo.InvariantCulture, out var seconds) || Math.Abs(seconds) > uint.MaxValue)
                 return false;
-            // Negative for a joint that stopped before the epoch of a control clock that starts at zero.
+            // The time may be negative: a joint may have stopped before the epoch of a control clock that starts at zero.
             time = new ControlTime(new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)));
             return true;
         }

@@ -12,12 +12,12 @@ namespace Nowpose.Protocol
             Points = points;
         }
 
-        /// <summary>The control time to which <see cref="JointTrajectoryPoint.TimeFromStart"/> of the points is relative.</summary>
+        /// <summary>Control time to which <see cref="JointTrajectoryPoint.TimeFromStart"/> of each point is relative.</summary>
         public ControlTime Stamp { get; }
 
         public string[] Names { get; }
 
-        /// <summary>The set-points, each later than the one before. Empty: the plan of these joints is cancelled.</summary>
+        /// <summary>Set-points in the order of increasing time. An empty list cancels the plan of these joints.</summary>
         internal IReadOnlyList<JointTrajectoryPoint> Points { get; }
 
         /// <summary>Returns the same set-points relative to another time; shares them.</summary>

@@ -3,13 +3,15 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the values that the protocol's fields have: names, optional texts and counts, finite numbers, arrays of numbers.</summary>
+    /// <summary>
+    /// Reads the types of values that occur in the protocol's fields: names, optional texts and counts, finite numbers, arrays of numbers.
+    /// </summary>
     static class JsonFields
     {
         /// <summary>Reads a name: a text that is not empty and not longer than the protocol allows.</summary>
         public static bool Name(ref this JsonUtf8Reader json, out string name) => json.Text(out name) && json.IsName(name);
 
-        /// <summary>Reads a name; a cached name creates no string.</summary>
+        /// <summary>Reads a name. Creates no string if the cache contains the name.</summary>
         /// <inheritdoc cref="Name(ref JsonUtf8Reader, out string)"/>
         public static bool Name(ref this JsonUtf8Reader json, JsonNameCache cache, out string name)
         {
@@ -27,7 +29,8 @@ namespace Nowpose.Protocol
         }
 
         /// <inheritdoc cref="OptionalText(ref JsonUtf8Reader, out string)"/>
-        /// <param name="cache">Cache for texts that are not known.</param>
+        /// <param name="known">Texts for which no string is created.</param>
+        /// <param name="cache">Cache for other texts.</param>
         public static bool OptionalText(ref this JsonUtf8Reader json, JsonNames known, JsonNameCache cache, out string text)
         {
             text = null;
@@ -51,9 +54,9 @@ namespace Nowpose.Protocol
         public static bool FiniteNumber(ref this JsonUtf8Reader json, out double value) =>
             json.Number(out value) && (!double.IsNaN(value) && !double.IsInfinity(value) || json.Fail(DropReason.NotFinite));
 
-        /// <summary>Reads an array of at most 256 numbers; infinite ones are rejected.</summary>
+        /// <summary>Reads an array of at most 256 numbers; rejects infinite numbers.</summary>
         /// <param name="areOptional">Whether null and NaN are allowed as missing values; both become NaN.</param>
-        /// <param name="tooMany">Fault of a longer array.</param>
+        /// <param name="tooMany">Fault if the array is longer.</param>
         public static bool Numbers(ref this JsonUtf8Reader json, List<double> into, bool areOptional, DropReason tooMany = DropReason.TooManyJoints)
         {
             if (!json.BeginArray()) return false;

@@ -2,17 +2,19 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Returns the same string for the same received name, so that repeated names create no garbage. One thread; bounded.</summary>
+    /// <summary>
+    /// Returns the same string for the same received name, so that repeated names create no garbage. Limited size; not thread-safe.
+    /// </summary>
     sealed class JsonNameCache
     {
-        /// <summary>Longer names are not cached: they exceed the maximum length of a name, which is 3 bytes of UTF-8 per character.</summary>
+        /// <summary>Maximum length of a cached name in bytes: a valid name has at most 3 bytes of UTF-8 per UTF-16 code unit.</summary>
         const int MaxBytes = 3 * ProtocolLimits.NameLength;
 
         readonly (byte[] Utf8, string Text)[] _table;
         readonly int _capacity;
         int _count;
 
-        /// <param name="capacity">Maximum number of names. When it is reached, the cache starts again.</param>
+        /// <param name="capacity">Maximum number of names. When it is reached, the cache is cleared.</param>
         public JsonNameCache(int capacity)
         {
             _capacity = capacity;
@@ -41,7 +43,7 @@ namespace Nowpose.Protocol
             }
         }
 
-        // Index of the name, or of the free place for it. The table is never full.
+        // Returns the index of the name, or of the free place for it. The table is never full.
         int Find(ReadOnlySpan<byte> utf8)
         {
             var place = Hash(utf8) & (_table.Length - 1);

@@ -17,7 +17,7 @@ namespace Nowpose.Protocol
 
         public string this[int index] => _names[index];
 
-        /// <returns>-1 if the text is none of them.</returns>
+        /// <returns>Index of the text; -1 if it is not one of the names.</returns>
         public int IndexOf(ReadOnlySpan<byte> utf8)
         {
             for (var i = 0; i < _utf8.Length; i++)

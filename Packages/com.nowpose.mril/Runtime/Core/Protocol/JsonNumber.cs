@@ -3,13 +3,13 @@ using System.Buffers.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>A number of a JSON text: its digits and its length.</summary>
+    /// <summary>A number in a JSON text: its digits and its length.</summary>
     readonly ref struct JsonNumber
     {
-        /// <summary>Maximum number of digits that always fit 64 bits.</summary>
+        /// <summary>Maximum number of digits that always fit into 64 bits.</summary>
         const int MaxDigits = 19;
 
-        /// <summary>More digits than any text has; larger exponents are limited to it.</summary>
+        /// <summary>Exponent above which further digits are ignored. It is larger than the number of digits in any message.</summary>
         const int MaxExponent = 10_000_000;
 
         /// <summary>Values of 10^309 and more exceed the range of a double; values below 10^-324 round to zero.</summary>
@@ -61,10 +61,10 @@ namespace Nowpose.Protocol
             return _count <= MaxDigits && _digits <= long.MaxValue + (_isNegative ? 1UL : 0UL);
         }
 
-        /// <summary>Returns the nearest double; infinity if the number exceeds the range.</summary>
+        /// <summary>Returns the nearest double; infinity if the number exceeds the range of a double.</summary>
         /// <remarks>
-        /// Exact by <see cref="ExactDouble"/> for up to 19 digits from 1e-27 on, which is sufficient for joints. Other numbers use the
-        /// platform's parser: the nearest double on .NET, sometimes wrong in the last bit on Unity's Mono and IL2CPP.
+        /// Uses <see cref="ExactDouble"/> for up to 19 digits with a decimal exponent from -27 to 27, which is sufficient for joints. Other
+        /// numbers use the platform's parser: the nearest double on .NET, sometimes wrong in the last bit on Unity's Mono and IL2CPP.
         /// </remarks>
         public double ToDouble()
         {
@@ -88,7 +88,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        // Leading zeros do not count as digits of the number. Returns the number of digits including them.
+        // Reads digits; leading zeros do not increase the count. Returns the number of digits read, including leading zeros.
         static int Digits(ReadOnlySpan<byte> text, ref int at, ref ulong digits, ref int count)
         {
             var start = at;

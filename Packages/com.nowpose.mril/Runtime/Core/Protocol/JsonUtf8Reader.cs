@@ -7,11 +7,10 @@ namespace Nowpose.Protocol
     /// the first violation. Allocates only the strings that a caller requests.
     /// </summary>
     /// <remarks>
-    /// It replaces the decoding to a string, a syntax check of that string, and two passes with Newtonsoft's JsonTextReader. No available
-    /// library is suitable: JsonTextReader reads characters, creates a string for each name and number, and accepts comments, single quotes
-    /// and trailing commas; System.Text.Json is not in Unity 2021.3. Newtonsoft.Json is still used for writing.
+    /// No available library is suitable: Newtonsoft's JsonTextReader reads characters, creates a string for each name and number, and accepts
+    /// comments, single quotes and trailing commas; System.Text.Json is not in Unity 2021.3. Newtonsoft.Json is used only for writing.
     /// NaN, Infinity and -Infinity are accepted as numbers, because real robots send them in fields that are not read; the reader of each
-    /// field checks them. After a fault all methods return false and loops over fields and elements end, so a caller checks once at the end.
+    /// field checks them. After a fault, loops over fields and elements end, so a caller checks <see cref="Fault"/> once at the end.
     /// </remarks>
     ref struct JsonUtf8Reader
     {
@@ -79,7 +78,7 @@ namespace Nowpose.Protocol
 
         public bool BeginArray() => Begin('[');
 
-        /// <summary>Advances to the value of the next known field; skips others. Returns false at the end of the object.</summary>
+        /// <summary>Advances to the value of the next known field; skips unknown fields. Returns false at the end of the object.</summary>
         /// <param name="seen">Bit mask of the fields found so far; initially 0.</param>
         public bool NextField(JsonNames known, ref int seen, out int field)
         {
@@ -102,7 +101,7 @@ namespace Nowpose.Protocol
             return false;
         }
 
-        /// <summary>Advances to the value of the next field of any name. Returns false at the end of the object.</summary>
+        /// <summary>Advances to the value of the next field with any name. Returns false at the end of the object.</summary>
         public bool NextField(out string name)
         {
             name = null;
@@ -141,7 +140,7 @@ namespace Nowpose.Protocol
             return Fault == DropReason.None;
         }
 
-        /// <summary>Skips the bytes of a previously read value if exactly these follow.</summary>
+        /// <summary>Skips a value if the next bytes are equal to the bytes of an earlier value.</summary>
         public bool TryTake(ReadOnlySpan<byte> value)
         {
             if (!_text.Slice(_at).StartsWith(value)) return false;
@@ -161,8 +160,8 @@ namespace Nowpose.Protocol
             return isRead;
         }
 
-        /// <summary>Reads a text; a known text creates no string.</summary>
-        /// <param name="index">Index of a known text; -1 for another one.</param>
+        /// <summary>Reads a text. Creates no string for a known text.</summary>
+        /// <param name="index">Index of a known text; -1 for any other text.</param>
         public bool Text(JsonNames known, out int index, out string text)
         {
             index = -1;
@@ -188,7 +187,7 @@ namespace Nowpose.Protocol
             return number.IsInteger ? number.TryGetInteger(out value) || Fail(DropReason.OutOfRange) : Fail(DropReason.WrongType);
         }
 
-        /// <summary>Reads a number; NaN for null, because rosbridge writes null for a number that is not finite.</summary>
+        /// <summary>Reads a number. Null is read as NaN, because rosbridge writes null for a number that is not finite.</summary>
         public bool Number(out double value)
         {
             if (NotFinite(out value)) return true;
@@ -289,7 +288,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        // Zero at the end of the text, and for a zero byte in it, which is never valid.
+        // Returns zero at the end of the text, and for a zero byte in the text, which is never valid.
         byte Peek() => _at < _text.Length ? _text[_at] : (byte)0;
 
         void SkipBlanks()

@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the answer of a service below <see cref="RosTopics.PlantTime"/>.</summary>
+    /// <summary>Reads the answer of a service whose name begins with <see cref="RosTopics.PlantTime"/>.</summary>
     static class PlantTimeReader
     {
-        /// <summary>Maximum resolution and error bound in ns: a clock beyond these is not accurate enough to stamp positions.</summary>
+        /// <summary>Maximum resolution and error bound in ns. A clock with larger values is not accurate enough to stamp positions.</summary>
         const long MaxResolution = 1_000_000_000, MaxErrorBound = 60_000_000_000;
 
         static readonly JsonNames Fields = new JsonNames("received", "sent", "resolution_ns", "error_bound_ns", "synchronised");

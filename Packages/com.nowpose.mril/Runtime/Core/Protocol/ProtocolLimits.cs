@@ -41,7 +41,7 @@ namespace Nowpose.Protocol
         public const int FragmentsPerMessage = 64;
         public static readonly TimeSpan MessageTimeout = TimeSpan.FromSeconds(5);
 
-        /// <summary>Maximum time of a stamp in the future, in addition to the clock's error bound.</summary>
+        /// <summary>Maximum time by which a stamp may be in the future, in addition to the clock's error bound.</summary>
         public static readonly TimeSpan FutureAllowance = TimeSpan.FromSeconds(1);
 
         public static readonly TimeSpan PingInterval = TimeSpan.FromSeconds(2);
@@ -49,7 +49,7 @@ namespace Nowpose.Protocol
         /// <summary>Time without a pong after which the WebSocket is closed.</summary>
         public static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
-        /// <summary>Timeout for sending the answer to a close.</summary>
+        /// <summary>Timeout for sending the reply to a close frame.</summary>
         public static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(1);
 
         /// <summary>Usual interval of sync exchanges, in ms.</summary>
@@ -64,12 +64,12 @@ namespace Nowpose.Protocol
         /// <summary>Time without data after which the server closes a sync connection.</summary>
         public static readonly TimeSpan SyncSilence = TimeSpan.FromSeconds(60);
 
-        /// <summary>Time without an accepted token after which a sync connection is closed, if a token is required.</summary>
+        /// <summary>Time without an accepted token after which the server closes a sync connection, if it requires a token.</summary>
         public static readonly TimeSpan TokenTimeout = TimeSpan.FromSeconds(5);
 
         public const int SyncRequestsPerSecond = 100;
 
-        /// <summary>Number of consecutive dropped exchanges that closes the sync connection.</summary>
+        /// <summary>Number of consecutive dropped exchanges after which the sync connection is closed.</summary>
         public const int SyncDropsInARow = 10;
 
         /// <summary>Maximum length of a token, in bytes of UTF-8.</summary>
@@ -85,11 +85,11 @@ namespace Nowpose.Protocol
     /// <summary>The rule for stamps in the future.</summary>
     static class StampRule
     {
-        /// <summary>Returns whether a stamp is further ahead than the clock's error bound and the protocol's allowance.</summary>
+        /// <summary>Returns whether a stamp is in the future by more than the clock's error bound plus the protocol's allowance.</summary>
         /// <param name="now">The receiver's estimate of the control time at which the message arrived.</param>
         /// <param name="clockErrorBound">Error bound of <paramref name="now"/>.</param>
         public static bool IsInFuture(ControlTime stamp, ControlTime now, TimeSpan clockErrorBound) =>
-            // In decimal: the difference between a stamp from the wire and a clock of another epoch may overflow a TimeSpan.
+            // Decimal, because the difference between a stamp from the wire and a clock of another epoch may overflow a TimeSpan.
             (decimal)stamp.SinceEpoch.Ticks - now.SinceEpoch.Ticks > (decimal)clockErrorBound.Ticks + ProtocolLimits.FutureAllowance.Ticks;
     }
 }

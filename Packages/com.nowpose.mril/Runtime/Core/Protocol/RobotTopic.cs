@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
@@ -8,7 +9,7 @@ namespace Nowpose.Protocol
     /// </summary>
     sealed class RobotTopic
     {
-        /// <summary>The topics that each robot has.</summary>
+        /// <summary>Topics that each robot has.</summary>
         public static readonly string[] OfRobots = { RosTopics.JointStates, RosTopics.JointTrajectory, RosTopics.RobotDescription };
 
         RobotTopic(string name, string robot, string kind, bool isValid)
@@ -22,13 +23,13 @@ namespace Nowpose.Protocol
         /// <summary>The whole topic name.</summary>
         public string Name { get; }
 
-        /// <summary>Namespace of the robot without slashes; empty for a topic without one.</summary>
+        /// <summary>Namespace of the robot without slashes; empty for a topic without a namespace.</summary>
         public string Robot { get; }
 
         /// <summary>The topic name without the namespace of a robot.</summary>
         public string Kind { get; }
 
-        /// <summary>False for a robot's topic in something that is not a valid namespace.</summary>
+        /// <summary>False if the name ends with a robot's topic, but the part before it is not a valid namespace.</summary>
         public bool IsValid { get; }
 
         public static RobotTopic Parse(string name)
@@ -43,13 +44,13 @@ namespace Nowpose.Protocol
             return new RobotTopic(name, "", name, true);
         }
 
-        /// <summary>Returns the name of a topic of a robot.</summary>
-        /// <param name="robot">The robot's namespace; empty for the robot without one.</param>
+        /// <summary>Returns the full name of a robot's topic.</summary>
+        /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
         /// <param name="kind">/joint_states, /joint_trajectory or /robot_description.</param>
         public static string NameOf(string robot, string kind) => robot.Length == 0 ? kind : "/" + robot + kind;
 
-        /// <summary>Returns a joint or link name that is unique in the cell: <c>arm1/tool0</c>.</summary>
-        /// <param name="robot">The robot's namespace; empty for the robot without one.</param>
+        /// <summary>Returns a joint or link name that is unique in the cell, such as <c>arm1/tool0</c>.</summary>
+        /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
         public static string Qualified(string robot, string name) => robot.Length == 0 ? name : robot + "/" + name;
 
         /// <summary>Returns whether a text is a robot's namespace: a letter, then letters, digits and underscores, at most 32 characters.</summary>
@@ -64,8 +65,7 @@ namespace Nowpose.Protocol
         /// <returns>The namespace.</returns>
         /// <exception cref="InputException">The text is not a robot's namespace.</exception>
         public static string RequireNamespace(string text) => IsNamespace(text) ? text : throw new InputException(
-            "robot namespace: is '" + text + "'; allowed: a letter, then letters, digits and underscores, up to "
-            + ProtocolLimits.NamespaceLength + " characters");
+            RobotMessages.NamespaceInvalid(text, ProtocolLimits.NamespaceLength));
 
         static bool IsLetter(char c) => (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     }

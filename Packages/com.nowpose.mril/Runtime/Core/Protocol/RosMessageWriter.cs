@@ -1,5 +1,6 @@
 using System;
 using Newtonsoft.Json;
+using Nowpose.Messages;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
@@ -190,7 +191,7 @@ namespace Nowpose.Protocol
         static void Finite(JsonWriter json, string name, double value)
         {
             if (double.IsNaN(value) || double.IsInfinity(value))
-                throw new ArgumentException(name + " contains " + value + ", which JSON cannot represent; allowed: finite values");
+                throw new ArgumentException(ProtocolMessages.NotFinite(name, value));
             json.WriteValue(value);
         }
 

@@ -4,7 +4,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the bodies of publications and service responses by their topic or service. One thread.</summary>
+    /// <summary>Reads the bodies of publications and service responses according to their topic or service. Not thread-safe.</summary>
     sealed class RosMessages
     {
         static readonly JsonNames StringFields = new JsonNames("data");
@@ -13,7 +13,7 @@ namespace Nowpose.Protocol
         static readonly JsonNames PointFields = new JsonNames("positions", "time_from_start", "velocities", "accelerations");
 
         readonly JointStateReader _states = new JointStateReader();
-        // Each robot in a namespace has its own reader, so that the cached names of one do not replace those of another.
+        // Each robot in a namespace has its own reader, so that the cached names of one robot do not replace those of another.
         readonly Dictionary<string, JointStateReader> _robots = new Dictionary<string, JointStateReader>(StringComparer.Ordinal);
         readonly TransformsReader _transforms = new TransformsReader();
         readonly SignalsReader _signals = new SignalsReader();
@@ -55,7 +55,7 @@ namespace Nowpose.Protocol
             return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(ref json, into) : json.Skip();
         }
 
-        // Reads the reason as text; skips other types, which a server may also send.
+        // Reads the reason if it is a text; skips values of other types, which a server may also send.
         static bool ReadFailure(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             if (!json.IsText) return json.Skip();
@@ -134,7 +134,7 @@ namespace Nowpose.Protocol
 
             if (!json.EndObject(seen, 0b11)) return false;
             if (!JointStateReader.HaveLength(positions.Count, velocities, accelerations)) return json.Fail(DropReason.LengthMismatch);
-            // ROS rejects it as well: if a path's time does not increase, its positions are ambiguous.
+            // Times must increase, because the positions of the path would be ambiguous otherwise. ROS rejects such a path, too.
             if (afterStart < TimeSpan.Zero || (into.Count > 0 && afterStart <= into[into.Count - 1].TimeFromStart))
                 return json.Fail(DropReason.OutOfRange);
             into.Add(new JointTrajectoryPoint(afterStart, positions.ToArray(), OrNull(velocities), OrNull(accelerations)));

@@ -21,7 +21,7 @@ namespace Nowpose.Protocol
         static readonly JsonNames NamedHeader = new JsonNames("stamp", "frame_id");
         static readonly JsonNames Parts = new JsonNames("secs", "nsecs", "sec", "nanosec");
 
-        /// <summary>Reads the stamp of a header, which is required; zero is rejected, because it means "none" in ROS.</summary>
+        /// <summary>Reads the stamp of a header, which is required; rejects zero, because it means "no time" in ROS.</summary>
         public static bool ReadHeader(ref JsonUtf8Reader json, out ControlTime stamp)
         {
             stamp = default;
@@ -60,7 +60,7 @@ namespace Nowpose.Protocol
             return json.EndObject(seen, 0b11);
         }
 
-        /// <summary>Reads the stamp of a header, or the epoch if there is none.</summary>
+        /// <summary>Reads the stamp of a header; the epoch if there is none.</summary>
         public static bool ReadOptionalHeader(ref JsonUtf8Reader json, out ControlTime stamp)
         {
             stamp = default;
@@ -82,7 +82,7 @@ namespace Nowpose.Protocol
 
         static bool ReadPoint(ref JsonUtf8Reader json, out ControlTime point)
         {
-            // ROS 1 stores seconds as u32, ROS 2 as i32: the range of either fits into 64 bits of nanoseconds.
+            // ROS 1 stores seconds as u32, ROS 2 as i32. Both ranges fit into 64 bits of nanoseconds.
             var isRead = Read(ref json, 0, uint.MaxValue, out var nanoseconds);
             point = ControlTime.FromNanoseconds(nanoseconds);
             return isRead;

@@ -40,7 +40,7 @@ namespace Nowpose.Protocol
         /// <summary>Prefix of the adapters' services that return the time of a control system; the name of the clock follows.</summary>
         public const string PlantTime = "/nowpose/plant_time/";
 
-        // In ROS 1's notation, which the rosbridge of ROS 2 also accepts; that of ROS 1 rejects the other one and only logs it.
+        // Type names in the notation of ROS 1. The rosbridge of ROS 2 accepts it, too; the rosbridge of ROS 1 rejects the notation of ROS 2.
         public const string JointStateType = "sensor_msgs/JointState";
         public const string JointTrajectoryType = "trajectory_msgs/JointTrajectory";
         public const string StringType = "std_msgs/String";

@@ -2,7 +2,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>One rosbridge v2 message. Fields that its operation does not have are null or zero. The reader reuses it for the next one.</summary>
+    /// <summary>One rosbridge v2 message. Fields that its operation does not use are null or zero. The reader reuses the object.</summary>
     sealed class RosbridgeMessage
     {
         internal RosbridgeMessage() { }
@@ -42,7 +42,7 @@ namespace Nowpose.Protocol
         /// <summary>Body of a publication on /joint_trajectory, in any namespace.</summary>
         public JointTrajectoryMessage JointTrajectory { get; internal set; }
 
-        /// <summary>URDF text of a publication on /robot_description, in any namespace, or the version of one on /nowpose/version.</summary>
+        /// <summary>Text of a publication: the URDF on /robot_description, in any namespace, or the version on /nowpose/version.</summary>
         public string Data { get; internal set; }
 
         /// <summary>Body of a publication on /tf or /tf_static.</summary>

@@ -4,15 +4,16 @@ using System.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads rosbridge v2 messages and checks all rules that need no clock and no role. One thread.</summary>
+    /// <summary>Reads rosbridge v2 messages and checks all rules that depend neither on a clock nor on the role of the receiver.</summary>
     /// <remarks>
     /// Reads the received bytes in one pass, see <see cref="JsonUtf8Reader"/>; without reflection, so it runs under IL2CPP. Unknown fields
     /// are skipped; a duplicate known field is rejected. It caches the joint names of the newest sources, so that a source that repeats
-    /// them causes no allocation. <see cref="StampRule"/> checks with the caller's clock whether a stamp is in the future.
+    /// its names causes no allocation. <see cref="StampRule"/> checks with the caller's clock whether a stamp is in the future. Not
+    /// thread-safe.
     /// </remarks>
     sealed class RosbridgeReader
     {
-        /// <summary>Maximum number of cached topic names: those of all robots, and some more.</summary>
+        /// <summary>Maximum number of cached topic names: enough for the topics of all robots and of the cell.</summary>
         const int MaxTopics = 4 * ProtocolLimits.Robots;
 
         // The names are in the order of RosbridgeOp, without its first value.
@@ -42,7 +43,8 @@ namespace Nowpose.Protocol
 
         /// <summary>Reads one message; never throws for received data.</summary>
         /// <param name="message">
-        /// The message, valid until the next is read. If it is rejected: the readable part of its envelope, for a status message, or null.
+        /// The message, valid until the next call. For a rejected message, the readable part of its envelope, which is needed to report the
+        /// fault, or null.
         /// </param>
         public bool TryRead(ReadOnlySpan<byte> utf8, out RosbridgeMessage message, out DropReason reason)
         {
@@ -50,7 +52,7 @@ namespace Nowpose.Protocol
             reason = DropReason.TooLarge;
             if (utf8.Length > ProtocolLimits.DescriptionBytes) return false;
             reason = Read(utf8, isOnePass: true, out message);
-            // A rejected message is read again in the order of priority of the faults: syntax, envelope, body.
+            // A rejected message is read again to find the fault with the highest priority: syntax, then envelope, then body.
             if (reason != DropReason.None) reason = JsonUtf8Reader.Check(utf8, ProtocolLimits.Nesting);
             else return true;
             message = null;
@@ -58,7 +60,7 @@ namespace Nowpose.Protocol
             return reason == DropReason.None;
         }
 
-        // isOnePass: reads the body in place if it follows the topic, which determines its type; nearly all messages have this order.
+        // isOnePass: reads the body in place if it follows the topic, which determines its type. Nearly all messages have this order.
         DropReason Read(ReadOnlySpan<byte> utf8, bool isOnePass, out RosbridgeMessage message)
         {
             message = null;
@@ -110,7 +112,7 @@ namespace Nowpose.Protocol
             _message.RobotTopic = topic;
         }
 
-        // Reads the text of a status, or the body of a publication if its topic is known.
+        // Reads the text of a status. Skips the body of a publication, which is read when its topic is known.
         bool ReadMsg(ref JsonUtf8Reader json)
         {
             if (!json.IsText) return json.Skip();
@@ -136,7 +138,7 @@ namespace Nowpose.Protocol
 
         static DropReason Need(string field) => string.IsNullOrEmpty(field) ? DropReason.MissingField : DropReason.None;
 
-        // Reads the body in a second pass if it precedes its topic, or for a service response, whose meaning depends on several fields.
+        // Reads the body in a second pass: if it precedes its topic, or for a service response, whose meaning depends on several fields.
         DropReason ReadBody(ReadOnlySpan<byte> utf8)
         {
             var isPublication = _message.Op == RosbridgeOp.Publish;

@@ -8,7 +8,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Writes rosbridge v2 messages: valid JSON in every culture, numbers in full precision. Any thread may use it.</summary>
+    /// <summary>Writes rosbridge v2 messages: valid JSON in every culture, numbers in full precision. Thread-safe.</summary>
     static class RosbridgeWriter
     {
         /// <param name="type">A type name; it also determines the notation of times (<see cref="RosTopics.TimeFormOf"/>). Null for none.</param>
@@ -45,7 +45,7 @@ namespace Nowpose.Protocol
         public static string PublishSignals(string topic, SignalsMessage message, RosTimeForm form) =>
             Publish(topic, json => RosMessageWriter.Write(json, message, form));
 
-        /// <summary>Writes a std_msgs/String with the robot description.</summary>
+        /// <summary>Writes a std_msgs/String, for example with the robot description.</summary>
         public static string PublishString(string topic, string data) => Publish(topic, json =>
         {
             json.WriteStartObject();

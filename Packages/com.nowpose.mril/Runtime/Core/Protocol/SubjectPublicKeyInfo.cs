@@ -8,14 +8,14 @@ namespace Nowpose.Protocol
         const byte Sequence = 0x30;
         const byte ExplicitVersion = 0xA0;
 
-        /// <param name="info">The key with its tag and length: the bytes that a pin hashes.</param>
+        /// <param name="info">The key with its tag and length: the bytes from which a pin is computed.</param>
         public static bool TryFind(ReadOnlySpan<byte> certificate, out ReadOnlySpan<byte> info)
         {
             info = default;
             if (!TryTake(ref certificate, out var tag, out var body, out _) || tag != Sequence ||
                 !TryTake(ref body, out tag, out var fields, out _) || tag != Sequence)
                 return false;
-            // [version], then serial number, signature algorithm, issuer, validity, subject.
+            // Order of the fields: [version], serial number, signature algorithm, issuer, validity, subject.
             var before = fields.Length > 0 && fields[0] == ExplicitVersion ? 6 : 5;
             for (var i = 0; i < before; i++)
             {

@@ -3,7 +3,7 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Kind of a sync frame; the values are those on the wire.</summary>
+    /// <summary>Kind of a sync frame; the values are the bytes on the wire.</summary>
     enum SyncFrameKind : byte
     {
         /// <summary>t1 from the headset.</summary>
@@ -69,7 +69,7 @@ namespace Nowpose.Protocol
         /// <summary>C1 just before the reply was sent, in ns.</summary>
         public long T3Ns { get; }
 
-        /// <summary>Resolution of C1, in ns; 0 if unknown. Half of it is added to each of t2 and t3.</summary>
+        /// <summary>Resolution of C1, in ns; 0 if unknown. A <see cref="Sync.SyncExchange"/> adds half of it to t2 and to t3.</summary>
         public uint ResolutionNs { get; }
 
         /// <summary>Whether the server's control clock follows its own reference; valid for a reply.</summary>
@@ -81,7 +81,7 @@ namespace Nowpose.Protocol
         public static SyncFrame Request(uint sequence, long t1Ns) =>
             new SyncFrame(SyncFrameKind.Request, 0, sequence, 0, t1Ns, 0, 0, 0);
 
-        /// <summary>Makes the reply to <paramref name="request"/> with its sequence and t1.</summary>
+        /// <summary>Creates the reply to <paramref name="request"/> with its sequence and t1.</summary>
         /// <param name="errorBound">The server's error bound of its own C1; saturates at 2³²−1 µs.</param>
         public static SyncFrame Reply(
             in SyncFrame request, long t2Ns, long t3Ns, bool isSynchronised, TimeSpan errorBound, uint resolutionNs) =>
@@ -89,7 +89,7 @@ namespace Nowpose.Protocol
                 SyncFrameKind.Reply, isSynchronised ? (ushort)0 : NotSynchronisedFlag, request.Sequence,
                 Microseconds(errorBound), request.T1Ns, t2Ns, t3Ns, resolutionNs);
 
-        /// <summary>Makes the frame that precedes a token.</summary>
+        /// <summary>Creates the frame that precedes a token.</summary>
         public static SyncFrame Token() => new SyncFrame(SyncFrameKind.Token, 0, 0, 0, 0, 0, 0, 0);
 
         public static SyncFrame TokenReply(bool isAccepted) =>
@@ -160,7 +160,7 @@ namespace Nowpose.Protocol
         }
     }
 
-    /// <summary>Why bytes are not a sync frame. Each fault closes the connection.</summary>
+    /// <summary>Reason why bytes are not a sync frame. Each fault closes the connection.</summary>
     enum SyncFrameFault
     {
         None,

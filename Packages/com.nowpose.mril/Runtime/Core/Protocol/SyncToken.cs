@@ -1,6 +1,7 @@
 using System;
 using System.Buffers.Binary;
 using System.Text;
+using Nowpose.Messages;
 
 namespace Nowpose.Protocol
 {
@@ -25,7 +26,7 @@ namespace Nowpose.Protocol
             return bytes;
         }
 
-        /// <summary>Reads the length; returns false if it exceeds the protocol's limit, which closes the connection.</summary>
+        /// <summary>Reads the length. Returns false if it is zero or exceeds the protocol's limit, which closes the connection.</summary>
         public static bool TryReadLength(ReadOnlySpan<byte> bytes, out int length)
         {
             length = bytes.Length == LengthSize ? BinaryPrimitives.ReadUInt16LittleEndian(bytes) : 0;
@@ -53,7 +54,7 @@ namespace Nowpose.Protocol
         {
             var length = string.IsNullOrEmpty(token) ? 0 : Encoding.UTF8.GetByteCount(token);
             if (length == 0 || length > ProtocolLimits.TokenBytes)
-                throw new InputException("token: " + length + " bytes of UTF-8; allowed: 1 to " + ProtocolLimits.TokenBytes);
+                throw new InputException(ProtocolMessages.TokenLength(length, ProtocolLimits.TokenBytes));
             return length;
         }
     }

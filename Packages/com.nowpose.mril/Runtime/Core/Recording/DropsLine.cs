@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>The numbers of one line with the drops since the start, by reason.</summary>
+    /// <summary>Values of a line with the drops since the start, by reason.</summary>
     static class DropsLine
     {
         static readonly LineNames Reasons = new LineNames(typeof(DropReason));

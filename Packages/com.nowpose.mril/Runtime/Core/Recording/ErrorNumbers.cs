@@ -3,7 +3,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Converts a displayed error to the numbers of a record, and to an object of a line.</summary>
+    /// <summary>Converts a displayed error to the numbers of a record, and to the fields of a line.</summary>
     static class ErrorNumbers
     {
         static readonly string[] Names =

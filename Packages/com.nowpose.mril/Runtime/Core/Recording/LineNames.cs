@@ -4,7 +4,7 @@ using System.Text;
 namespace Nowpose.Recording
 {
     /// <summary>Names of an enumeration's members in session files: lower case, words joined by underscores.</summary>
-    /// <remarks>Created once, because <see cref="Enum.ToString()"/> allocates. For enumerations that count from 0.</remarks>
+    /// <remarks>Created once, because <see cref="Enum.ToString()"/> allocates. Supports enumerations whose values count from 0.</remarks>
     sealed class LineNames
     {
         readonly string[] _names;

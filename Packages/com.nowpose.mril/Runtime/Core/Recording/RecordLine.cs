@@ -1,13 +1,12 @@
 using System;
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Writes records as lines of a session file. Times are whole nanoseconds on the clock that their name states.</summary>
+    /// <summary>Writes records as lines of a session file. Times are whole nanoseconds on the clock that the name of the field states.</summary>
     sealed class RecordLine
     {
         static readonly LineNames Verdicts = new LineNames(typeof(SyncVerdict));
@@ -25,7 +24,7 @@ namespace Nowpose.Recording
         readonly StatisticsLine _statistics;
 
         /// <param name="joints">Number of moving joints of the robot.</param>
-        /// <param name="statistics">The object that filled the numbers of the statistics.</param>
+        /// <param name="statistics">The object that fills the numbers of the statistics.</param>
         public RecordLine(JsonLine line, int joints, StatisticsLine statistics)
         {
             _line = line;

@@ -3,11 +3,10 @@ using System.Threading;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// Passes records from any thread to the writing thread. Never blocks: if it is full, records are lost and
-    /// counted.
+    /// Passes records from any thread to the writing thread. Never blocks: if the ring is full, records are lost and counted.
     /// </summary>
     /// <remarks>
-    /// Vyukov's bounded queue: each slot has the turn number at which it may next be filled or emptied, so a record is visible
+    /// Implements Vyukov's bounded queue: each slot has the turn number at which it may next be filled or emptied, so a record is visible
     /// only once it is complete, and a thread that is suspended in between delays only the records after it.
     /// </remarks>
     sealed class RecordRing
@@ -17,7 +16,7 @@ namespace Nowpose.Recording
         long _filled, _emptied, _lost;
 
         /// <param name="capacity">A power of two.</param>
-        /// <param name="numbers">As in <see cref="SessionRecord"/>.</param>
+        /// <param name="numbers">See <see cref="SessionRecord"/>.</param>
         public RecordRing(int capacity, int numbers)
         {
             _records = new SessionRecord[capacity];

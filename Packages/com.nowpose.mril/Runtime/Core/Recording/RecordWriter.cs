@@ -6,18 +6,19 @@ using System.IO;
 using System.Text;
 using System.Threading;
 using System.Threading.Tasks;
+using Nowpose.Messages;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Writes records as lines of a file, on its own thread, which is the only one that waits for the disk.</summary>
+    /// <summary>Writes records as lines of a file, on its own thread, which is the only thread that waits for the disk.</summary>
     sealed class RecordWriter
     {
-        /// <summary>Space for the line with the reason for the end of a file.</summary>
+        /// <summary>Space that is reserved for the line with the reason for the end of the file.</summary>
         const int LastLineBytes = 100;
 
-        static readonly TimeSpan Pace = TimeSpan.FromMilliseconds(50);
+        static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
 
-        /// <summary>Maximum time of data that is lost if the process crashes.</summary>
+        /// <summary>Maximum duration of the data that are lost if the process crashes.</summary>
         static readonly TimeSpan FlushInterval = TimeSpan.FromSeconds(1);
 
         readonly RecordingSettings _settings;
@@ -33,8 +34,8 @@ namespace Nowpose.Recording
         volatile RecordingState _state;
         long _written, _lostWritten;
 
-        /// <param name="line">Contains the first line already.</param>
-        /// <param name="recordLine">Writes into <paramref name="line"/>.</param>
+        /// <param name="line">Line buffer, which already contains the first line.</param>
+        /// <param name="recordLine">Writes records into <paramref name="line"/>.</param>
         public RecordWriter(RecordingSettings settings, RecordRing ring, JsonLine line, RecordLine recordLine)
         {
             _settings = settings;
@@ -45,17 +46,17 @@ namespace Nowpose.Recording
 
         public RecordingState State => _state;
 
-        /// <summary>Why the recording ended before it was stopped, in one line; null otherwise.</summary>
+        /// <summary>Reason why the recording ended before it was stopped, in one line; null otherwise.</summary>
         public string Problem => _problem;
 
         public long Written => Interlocked.Read(ref _written);
 
         public Task Ended { get; private set; }
 
-        // The scheduler is explicit because the caller's may be that of the frame.
+        // The scheduler is explicit because the caller's scheduler may run on the frame's thread.
         public void Start() => Ended = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
-        /// <summary>Stops after the records that are in the ring now; returns at once.</summary>
+        /// <summary>Stops after writing the records that are in the ring now; returns at once.</summary>
         public void Stop()
         {
             _isStopping = true;
@@ -80,7 +81,7 @@ namespace Nowpose.Recording
                 using (var stream = _settings.Open()) WriteAll(stream);
                 _state = _problem == null ? RecordingState.Closed : RecordingState.Full;
             }
-            // Catches every exception: an uncaught one would end the application.
+            // Catches every exception: an uncaught exception would end the application.
             catch (Exception failure)
             {
                 _problem = "recording " + _settings.Path + " has stopped: " + failure.Message.Replace('\r', ' ').Replace('\n', ' ');
@@ -95,16 +96,15 @@ namespace Nowpose.Recording
             for (var isLast = false; !isLast;)
             {
                 isLast = _isStopping;
-                // Read before the ring is emptied, because later flush requests may refer to later records.
+                // Counts the requests before the ring is emptied, because later requests may refer to later records.
                 var asked = _flushes.Count;
                 if (!TryDrain(stream))
                 {
-                    _problem = "recording " + _settings.Path + " has stopped: it has reached its maximum size, "
-                        + (_settings.MaximumBytes / 1e6).ToString("0.###", CultureInfo.InvariantCulture) + " MB";
+                    _problem = RecordingMessages.MaxSize(_settings.Path, (_settings.MaximumBytes / 1e6).ToString("0.###", CultureInfo.InvariantCulture));
                     break;
                 }
                 if (asked > 0 || _sinceFlush.Elapsed >= FlushInterval) Flush(stream, asked);
-                if (!isLast) Rest();
+                if (!isLast) Wait();
             }
             _line.Begin("end").Add("reason", _problem == null ? "closed" : "full").End();
             Put(stream);
@@ -155,10 +155,10 @@ namespace Nowpose.Recording
         }
 
         // Records do not wake the thread, because a wake-up would cost the frame a system call.
-        void Rest()
+        void Wait()
         {
             lock (_gate)
-                if (!_isStopping && _flushes.IsEmpty) Monitor.Wait(_gate, Pace);
+                if (!_isStopping && _flushes.IsEmpty) Monitor.Wait(_gate, PollInterval);
         }
 
         void CompleteFlushes()

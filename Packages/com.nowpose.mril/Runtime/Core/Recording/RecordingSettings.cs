@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Nowpose.Messages;
 
 namespace Nowpose.Recording
 {
@@ -8,7 +9,7 @@ namespace Nowpose.Recording
     {
         const int BufferBytes = 64 * 1024;
 
-        /// <param name="path">The file; its folder is created if there is none, and an existing file is replaced.</param>
+        /// <param name="path">Path of the file. Its folder is created if it does not exist, and an existing file is replaced.</param>
         /// <param name="maximumMegabytes">Maximum size, 0.001 to 100 000 MB of 10⁶ bytes; the recording ends there.</param>
         /// <param name="startedUtc">Start time for the header, to identify old files; null for none.</param>
         /// <exception cref="InputException">A value is out of range, or the path is empty.</exception>
@@ -18,16 +19,16 @@ namespace Nowpose.Recording
         }
 
         /// <param name="name">Name used in messages instead of the path.</param>
-        /// <param name="open">Called once, on the recording's own thread, which also disposes of the stream.</param>
-        /// <param name="maximumMegabytes">As in the other constructor.</param>
-        /// <param name="startedUtc">As in the other constructor.</param>
+        /// <param name="open">Opens the stream. Called once, on the recording's own thread, which also disposes of the stream.</param>
+        /// <param name="maximumMegabytes">See the other constructor.</param>
+        /// <param name="startedUtc">See the other constructor.</param>
         /// <exception cref="InputException">A value is out of range, or the name is empty.</exception>
         public RecordingSettings(string name, Func<Stream> open, double maximumMegabytes = 500, DateTime? startedUtc = null)
         {
-            if (string.IsNullOrWhiteSpace(name)) throw new InputException("recording: no file is named; enter a path");
+            if (string.IsNullOrWhiteSpace(name)) throw new InputException(RecordingMessages.NoPath);
             Path = name;
             Open = open ?? throw new ArgumentNullException(nameof(open));
-            MaximumBytes = (long)(SettingRange.Require(maximumMegabytes, 0.001, 100_000, "maximum size of the recording", "MB") * 1e6);
+            MaximumBytes = (long)(SettingRange.Require(maximumMegabytes, 0.001, 100_000, SettingNames.MaxRecordingSize, "MB") * 1e6);
             StartedUtc = startedUtc;
         }
 
@@ -51,13 +52,15 @@ namespace Nowpose.Recording
     {
         Recording,
 
-        /// <summary>Ended by disposal; the file is complete.</summary>
+        /// <summary>The recording ended by disposal; the file is complete.</summary>
         Closed,
 
-        /// <summary>Ended at the maximum size; the file is complete up to there.</summary>
+        /// <summary>The recording ended at the maximum size; the file is complete up to there.</summary>
         Full,
 
-        /// <summary>Ended because the file cannot be written (no permission, disk full, device removed); the written part remains.</summary>
+        /// <summary>
+        /// The recording ended because the file cannot be written (no permission, disk full, device removed); the written part remains.
+        /// </summary>
         Failed,
     }
 }

@@ -21,7 +21,9 @@ namespace Nowpose.Recording
 
         public RecordKind Kind { get; set; }
 
-        /// <summary>Clock, display, statistics, drops and diagnostics: the time. Frame: its start. Pose and signal: the arrival.</summary>
+        /// <summary>
+        /// Time of a clock, display, statistics, drops or diagnostics record; start of a frame; arrival of a pose or signal.
+        /// </summary>
         public HeadsetTime At { get; set; }
 
         /// <summary>The exchange; used by sync records.</summary>
@@ -36,7 +38,7 @@ namespace Nowpose.Recording
         /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
         public SampleArrival Arrival { get; set; }
 
-        /// <summary>Text before the names of joints, for a robot other than that of the header; used by sample and plan records.</summary>
+        /// <summary>Text before the names of joints, for a robot that is not the robot of the header; used by sample and plan records.</summary>
         public string NamePrefix { get; set; }
 
         /// <summary>Arrival time on the control clock; used by sample, pose and signal records of a gateway's file.</summary>
@@ -75,7 +77,7 @@ namespace Nowpose.Recording
         /// <summary>Estimated error of the clock offset; used by frame records.</summary>
         public TimeSpan? EstimatedError { get; set; }
 
-        /// <summary>State of the render time; used by display records.</summary>
+        /// <summary>State of the constant-latency range; used by display records.</summary>
         public RangeState Range { get; set; }
 
         /// <inheritdoc cref="Range"/>
@@ -84,12 +86,12 @@ namespace Nowpose.Recording
         /// <summary>The clock model; used by clock and statistics records.</summary>
         public ClockModel Clock { get; set; }
 
-        /// <summary>Clock: all samples were discarded.</summary>
+        /// <summary>Whether all samples were discarded; used by clock records.</summary>
         public bool IsNewStart { get; set; }
 
         /// <summary>
-        /// Frame: displayed joints, then held ones. Statistics and drops: in the order of <see cref="StatisticsLine"/> and
-        /// <see cref="DropsLine"/>.
+        /// In frame records, displayed joints and then held joints. In statistics and drops records, values in the order of
+        /// <see cref="StatisticsLine"/> and <see cref="DropsLine"/>.
         /// </summary>
         public double[] Numbers { get; }
     }

@@ -10,7 +10,8 @@ using Nowpose.Sync;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// Records a running session to a file: exchanges, samples, set-points, poses of objects and signals as received, frames and statistics.
+    /// Records a running session to a file: sync exchanges, frames and statistics, and samples, set-points, poses of objects and signals as
+    /// received.
     /// </summary>
     /// <remarks>
     /// Event handlers copy the data into a preallocated ring, allocate nothing and never block; a separate thread
@@ -19,7 +20,7 @@ namespace Nowpose.Recording
     /// </remarks>
     public sealed class SessionRecorder : IDisposable
     {
-        /// <summary>Capacity for ten seconds of a usual session; a power of two.</summary>
+        /// <summary>Capacity in records, ten seconds of a usual session; a power of two.</summary>
         const int RingLength = 4096;
 
         static readonly TimeSpan StatisticsInterval = TimeSpan.FromSeconds(1);
@@ -38,7 +39,7 @@ namespace Nowpose.Recording
         ReprojectionMode _reprojection;
         long _dropsWritten;
 
-        /// <summary>Starts recording at once; the file does not contain earlier events of the session.</summary>
+        /// <summary>Starts recording at once. The file does not contain earlier events of the session.</summary>
         public SessionRecorder(CompensationSession session, RecordingSettings settings)
         {
             _session = session ?? throw new ArgumentNullException(nameof(session));
@@ -54,16 +55,16 @@ namespace Nowpose.Recording
 
         public string Path { get; }
 
-        /// <summary>State of the recording. Any thread may read it.</summary>
+        /// <summary>State of the recording. Thread-safe.</summary>
         public RecordingState State => _writer.State;
 
-        /// <summary>Why the recording ended before its disposal, in one line; null otherwise. Any thread may read it.</summary>
+        /// <summary>Reason why the recording ended before its disposal, in one line; null otherwise. Thread-safe.</summary>
         public string Problem => _writer.Problem;
 
-        /// <summary>Number of bytes written. Any thread may read it.</summary>
+        /// <summary>Number of bytes written. Thread-safe.</summary>
         public long Bytes => _writer.Written;
 
-        /// <summary>Number of lines lost because the ring was full; the file marks the places. Any thread may read it.</summary>
+        /// <summary>Number of lines lost because the ring was full; the file marks the places. Thread-safe.</summary>
         public long LostLines => _ring.Lost;
 
         /// <summary>Completes when the file is closed; waiting for it is optional.</summary>
@@ -72,7 +73,7 @@ namespace Nowpose.Recording
         /// <summary>Completes when everything recorded so far is in the file, or the recording has ended. Frames must not wait for it.</summary>
         public Task FlushAsync() => _writer.FlushAsync();
 
-        /// <summary>Ends the recording; returns at once while the rest is written.</summary>
+        /// <summary>Ends the recording. Returns at once, while the remaining records are still being written.</summary>
         public void Dispose()
         {
             _session.Clock.Judged -= OnExchange;
@@ -206,7 +207,7 @@ namespace Nowpose.Recording
 
         bool TryClaim(RecordKind kind, out SessionRecord record)
         {
-            // After the end, the ring is no longer emptied; records are not counted as lost then.
+            // After the end of the recording, the ring is no longer emptied, and records do not count as lost.
             record = _writer.State == RecordingState.Recording ? _ring.TryClaim(kind) : null;
             return record != null;
         }
@@ -218,7 +219,7 @@ namespace Nowpose.Recording
             readonly SessionIntake _intake;
             readonly string _prefix;
 
-            /// <param name="isMain">Whether it is the robot of the header, whose joints have no prefix.</param>
+            /// <param name="isMain">Whether the robot is the robot of the header, whose joints have no prefix.</param>
             public RobotTraffic(SessionRecorder recorder, SessionRobot robot, bool isMain)
             {
                 _recorder = recorder;

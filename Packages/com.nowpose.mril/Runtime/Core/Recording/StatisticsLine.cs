@@ -4,10 +4,10 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Recording
 {
-    /// <summary>The statistics of a session as the numbers of one line, and their names.</summary>
+    /// <summary>The statistics of a session as the numbers of one line, and the names of these numbers.</summary>
     /// <remarks>
-    /// In this order: numbers of the session, why the errors are withheld, the tool's error over the newest seconds and over the run, and
-    /// each joint's error.
+    /// The order is: numbers of the session, the reason why the errors are withheld, the tool's error over the newest seconds and over the
+    /// run, and each joint's error.
     /// </remarks>
     sealed class StatisticsLine
     {
@@ -16,7 +16,7 @@ namespace Nowpose.Recording
             "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "samples", "dropped", "current_share",
         };
 
-        /// <summary>Number of values before the first error: those with a name, and the reason.</summary>
+        /// <summary>Number of values before the first error: the values with a name, and the reason.</summary>
         static readonly int BeforeErrors = Names.Length + 1;
 
         string[] _joints = Array.Empty<string>();
@@ -40,7 +40,7 @@ namespace Nowpose.Recording
             numbers[9] = (double)statistics.ErrorWithheld;
             ErrorNumbers.Fill(statistics.ToolError, Block(numbers, 0));
             ErrorNumbers.Fill(statistics.ToolErrorOfRun, Block(numbers, 1));
-            // The joints do not change: their names are read in the first second, before the first line is written.
+            // The joints do not change, so their names are read once, in the first second, before the first line is written.
             if (_joints.Length != statistics.JointErrors.Count) _joints = NamesOf(statistics);
             for (var i = 0; i < _joints.Length; i++) ErrorNumbers.Fill(statistics.JointErrors[i].Error, Block(numbers, 2 + i));
         }

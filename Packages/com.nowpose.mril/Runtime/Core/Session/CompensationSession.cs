@@ -14,9 +14,9 @@ namespace Nowpose.Session
 {
     /// <summary>Headset runtime: synchronises the clock, measures the latency of samples, and shows the robot's pose at the display time.</summary>
     /// <remarks>
-    /// The method of Schnierle &amp; Röck 2022. The same class runs in Unity, in the command line and in tests: <see cref="Tick"/> reads
-    /// no clock and needs no network. Call <see cref="Tick"/>, <see cref="Connect"/>, <see cref="Disconnect"/> and
-    /// <see cref="Dispose"/> on one thread, the frame's; all other members are thread-safe unless stated otherwise. The session never
+    /// Implements the method of Schnierle &amp; Röck 2022. The same class runs in Unity, in the command line and in tests:
+    /// <see cref="Tick"/> reads no clock and needs no network. Call <see cref="Tick"/>, <see cref="Connect"/>, <see cref="Disconnect"/> and
+    /// <see cref="Dispose"/> only on the frame's thread; all other members are thread-safe unless stated otherwise. The session never
     /// commands the robot.
     /// </remarks>
     public sealed class CompensationSession : IDisposable
@@ -59,16 +59,16 @@ namespace Nowpose.Session
         /// <summary>The robot of <see cref="SessionSettings.RobotNamespace"/>, to which the session's statistics and frames refer.</summary>
         public RobotModel Robot => _main.Robot;
 
-        /// <summary>All robots of the cell, that robot first.</summary>
+        /// <summary>All robots of the cell; <see cref="Robot"/> is the first.</summary>
         internal SessionRobots Robots { get; }
 
-        /// <summary>Objects of the cell. On the thread of <see cref="Tick"/>.</summary>
+        /// <summary>Coordinate frames of the objects in the cell. Use them only on the thread of <see cref="Tick"/>.</summary>
         internal SessionFrames Frames { get; }
 
-        /// <summary>Signals of the cell. On the thread of <see cref="Tick"/>.</summary>
+        /// <summary>Signals of the cell. Use them only on the thread of <see cref="Tick"/>.</summary>
         internal SessionSignals Signals { get; }
 
-        /// <summary>Grippers that take objects by their reach. On the thread of <see cref="Tick"/>.</summary>
+        /// <summary>Grippers that grip objects within their reach. Use them only on the thread of <see cref="Tick"/>.</summary>
         internal SessionGrips Grips { get; }
 
         /// <summary>Receives messages from the network or from a simulation. Thread-safe.</summary>
@@ -79,33 +79,36 @@ namespace Nowpose.Session
 
         public SessionSettings Settings { get; }
 
-        /// <summary>A sentence if the version of the gateway does not fit this one; null if it fits or is unknown. Set on the socket's thread.</summary>
+        /// <summary>
+        /// Message if the gateway's version is incompatible with this version; null if the versions are compatible or the gateway's version
+        /// is unknown. Set on the socket's thread.
+        /// </summary>
         internal string VersionMismatch { get; set; }
 
-        /// <summary>URDF text of the robot from the gateway, the newest valid one; null before. Thread-safe.</summary>
+        /// <summary>Newest valid URDF text of the robot from the gateway; null before the first. Thread-safe.</summary>
         public string RobotDescription => _main.Description.Text;
 
-        /// <summary>Robot model of <see cref="RobotDescription"/>; null before. Thread-safe.</summary>
+        /// <summary>Robot model of <see cref="RobotDescription"/>; null before the first description. Thread-safe.</summary>
         public RobotModel DescribedRobot => _main.Description.Model;
 
-        /// <summary>Whether <see cref="Robot"/> was read from the same text. Thread-safe.</summary>
+        /// <summary>Result of comparing <see cref="Robot"/> with the gateway's description. Thread-safe.</summary>
         internal RobotDescriptionMatch RobotDescriptionMatch => _main.Description.Match;
 
         /// <summary>Reason why the newest description could not be read, in one line; null if there is none. Thread-safe.</summary>
         public string RobotDescriptionFault => _main.Description.Fault;
 
         /// <summary>
-        /// Joints whose samples are outside the robot's limits, so that they are drawn in another position. Each is listed once, in the
-        /// order of detection. On the thread of <see cref="Tick"/>.
+        /// Joints with samples outside the limits of the robot model, so that the drawn positions are wrong. Each joint is listed once, in the
+        /// order of detection. Use the list only on the thread of <see cref="Tick"/>.
         /// </summary>
         public IReadOnlyList<JointBeyondLimits> BeyondLimits => _main.Limits.Found;
 
-        /// <summary>Clock synchroniser, fed by the network or a test. Frames follow it without going back in time.</summary>
+        /// <summary>Clock synchroniser. It receives exchanges from the network or a test; the displayed time follows it without going back.</summary>
         internal ClockSynchroniser Clock => _synchroniser;
 
         /// <summary>
-        /// Raised when all samples are removed because the clock stepped or became known; within <see cref="Tick"/>, before new samples are
-        /// processed.
+        /// Raised when the session removes all samples because the clock stepped or became known. Raised within <see cref="Tick"/>, before
+        /// new samples are processed.
         /// </summary>
         public event Action<HeadsetTime, ClockModel> Restarted;
 
@@ -131,15 +134,15 @@ namespace Nowpose.Session
         /// <summary>Calibrated L_visu. May change while the session runs; setting it clears <see cref="Profile"/>.</summary>
         public VisualisationLatency Visualisation { get => _display.Visualisation; set => _display.Visualisation = value; }
 
-        /// <summary>Profile of <see cref="Visualisation"/>; null when the value was set as a number. Thread-safe.</summary>
+        /// <summary>Profile of <see cref="Visualisation"/>; null if the value was set as a number. Thread-safe.</summary>
         public LatencyProfile Profile => _display.Profile;
 
-        /// <summary>Range for render times: that of the profile, or else that of the settings; null when neither has one. Thread-safe.</summary>
+        /// <summary>Constant-latency range of the profile, or else of the settings; null if neither has a range. Thread-safe.</summary>
         public ConstantLatencyRange Range => _display.Range;
 
         /// <summary>
-        /// Source of display times, used instead of <see cref="Visualisation"/> while it provides one; null for none. Called within
-        /// <see cref="Tick"/>; must not call the session. May be set on any thread.
+        /// Source of display times; null for none. While it provides a display time, <see cref="Visualisation"/> is not used. The session calls
+        /// it within <see cref="Tick"/>; it must not call the session. May be set on any thread.
         /// </summary>
         public IDisplayTimeSource DisplayTimeSource { get => _display.Source; set => _display.Source = value; }
 
@@ -147,13 +150,13 @@ namespace Nowpose.Session
         public bool IsLightPredicted => _display.IsLightPredicted;
 
         /// <summary>
-        /// Newest display time from <see cref="DisplayTimeSource"/> minus its frame's start, used or not; null if there is none. Thread-safe.
+        /// Newest display time from <see cref="DisplayTimeSource"/> minus the start of its frame, even if it was not used; null if there is none.
+        /// Thread-safe.
         /// </summary>
         public TimeSpan? DisplayTimeAhead => _display.Ahead;
 
         /// <summary>
-        /// Reprojection mode of the display, as reported from outside; it does not change what a frame
-        /// shows. Thread-safe.
+        /// Reprojection mode of the display, as set by the caller. It does not change what a frame shows. Thread-safe.
         /// </summary>
         public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 
@@ -163,16 +166,16 @@ namespace Nowpose.Session
         /// </summary>
         internal DisplayConditions Conditions { get => _display.Conditions; set => _display.Conditions = value; }
 
-        /// <summary>Conditions that differ from those at the measurement of <see cref="Profile"/>; empty for none. Thread-safe.</summary>
+        /// <summary>Conditions that differ from those under which <see cref="Profile"/> was measured; empty if none differ. Thread-safe.</summary>
         public IReadOnlyList<ConditionMismatch> ProfileMismatches => _display.ProfileMismatches;
 
-        /// <summary>Whether the depth buffer reaches the display, as reported from outside. Thread-safe.</summary>
+        /// <summary>Whether the depth buffer reaches the display, as set by the caller. Thread-safe.</summary>
         public DepthSubmission DepthSubmission { get => _display.DepthSubmission; set => _display.DepthSubmission = value; }
 
         /// <summary>Δt_render of the newest call of <see cref="Rendered"/>; null when the render time is not measured.</summary>
         public TimeSpan? NewestRenderTime => _display.NewestRenderTime;
 
-        /// <summary>Completes when the ended connections have released all resources, also sockets and threads; waiting is optional.</summary>
+        /// <summary>Completes when the ended connections have released their sockets, threads and other resources; waiting is optional.</summary>
         public Task Ended => _connections.Ended;
 
         /// <summary>Status of the clock sync connection, or of the exchanges with ROS time. Thread-safe.</summary>
@@ -182,7 +185,7 @@ namespace Nowpose.Session
         public LinkStatus SampleLink => _connections.SampleLink;
 
         /// <summary>
-        /// Starts the connections: two, or one with ROS time. They connect and reconnect automatically. Does nothing while connected.
+        /// Starts the connections: two, or only one with ROS time. They connect and reconnect automatically. Does nothing while connected.
         /// </summary>
         /// <remarks>This method, <see cref="Disconnect"/> and <see cref="Dispose"/> do not wait for the network.</remarks>
         public void Connect() => _connections.Connect();
@@ -197,8 +200,8 @@ namespace Nowpose.Session
         /// <summary>Computes the frame to display. Allocates nothing after the first calls.</summary>
         /// <param name="start">Headset time of the frame's start.</param>
         /// <param name="isLast">
-        /// False if the frame is computed again before it is rendered, see <see cref="SessionSettings.RewriteBeforeRender"/>.
-        /// L_visu is calibrated from the last computation, so predicted display times are compared with it only there.
+        /// False if the frame is computed again before it is rendered, see <see cref="SessionSettings.RewriteBeforeRender"/>. Predicted
+        /// display times are compared with L_visu only in the last computation, because L_visu is calibrated for it.
         /// </param>
         /// <returns>The session's own frame, which the next tick overwrites.</returns>
         public DisplayFrame Tick(HeadsetTime start, bool isLast = true)
@@ -208,9 +211,9 @@ namespace Nowpose.Session
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 if (_displayClock.IsRestarted) Restart(start, clock);
                 Robots.Take(clock);
-                var seen = _display.Light.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
-                var light = clock.IsKnown ? clock.ToControl(seen) : (ControlTime?)null;
-                Show(new DisplayMoment(start, light, clock, Settings.Clock.Trusts(clock), _display.Light, _display.RenderTimes));
+                var displayTime = _display.Selector.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
+                var onControlClock = clock.IsKnown ? clock.ToControl(displayTime) : (ControlTime?)null;
+                Show(new DisplayMoment(start, onControlClock, clock, Settings.Clock.Trusts(clock), _display.Selector, _display.RenderTimes));
                 if (isLast) _currentShare.Add(start, _main.IsCurrent);
                 Ticked?.Invoke(_main.Frame);
                 return _main.Frame;
@@ -229,8 +232,8 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// Applies a calibration from the next frame on: L_visu, and the range for render times. The session continues. The caller checks
-        /// that the profile is for this device. Thread-safe.
+        /// Applies a calibration (L_visu and the range of render times) from the next frame on. The session continues. The caller checks that
+        /// the profile is for this device. Thread-safe.
         /// </summary>
         /// <param name="profile">
         /// Null restores the values of the settings. The range of the settings is also used if the profile has none, because the limit of
@@ -238,15 +241,15 @@ namespace Nowpose.Session
         /// </param>
         public void Calibrate(LatencyProfile profile) => _display.Calibrate(profile);
 
-        /// <summary>Reports the render time of a frame, which shows whether L_visu has its calibrated value. Once per frame. Thread-safe.</summary>
+        /// <summary>Reports the render time of a frame, to check that L_visu has its calibrated value. Call it once per frame. Thread-safe.</summary>
         /// <param name="renderTime">Δt_render. Zero and negative values are not measurements and are ignored.</param>
         /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is no longer measured.</param>
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source) => _display.Rendered(renderTime, source);
 
-        /// <summary>Reads a received robot description, which may take some time. Thread-safe.</summary>
+        /// <summary>Reads a received robot description; this may take some time. Thread-safe.</summary>
         public void Described(string urdf) => Listener.Described(urdf, _main.Namespace);
 
-        /// <summary>Starts a new run of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Thread-safe.</summary>
+        /// <summary>Restarts the measurement of <see cref="SessionStatistics.ToolErrorOfRun"/> with the next frame. Thread-safe.</summary>
         public void RestartErrorRun()
         {
             lock (_gate) _main.Hindcast.RestartRun();
@@ -261,7 +264,7 @@ namespace Nowpose.Session
             return statistics;
         }
 
-        /// <summary>Writes the same snapshot into a reusable object; allocates nothing. Thread-safe.</summary>
+        /// <summary>Writes the snapshot of <see cref="Statistics"/> into a reusable object; allocates nothing. Thread-safe.</summary>
         /// <param name="now">Headset time at which the clock's offset and error bound are evaluated.</param>
         public void Fill(SessionStatistics into, HeadsetTime now)
         {
@@ -276,15 +279,15 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown, when a joint of the
-        /// arm is missing, or when this frame was already returned. Thread-safe. Frames do no work for it.
+        /// arm is missing, or when this frame was already returned. Thread-safe.
         /// </summary>
         public JointStateMessage Displayed()
         {
             lock (_gate) return _main.Displayed();
         }
 
-        // Time stamps from before a step belong to another time line, and those from before the first exchange were not validated: one
-        // from the future would hold the pose until that time.
+        // Stamps from before a step refer to another time line. Stamps from before the first exchange were not validated, and a stamp in the
+        // future would hold the pose until that time.
         void Restart(HeadsetTime now, in ClockModel clock)
         {
             _latency.Reset();

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>Share of the frames in the newest ten seconds with a current pose. Allocates nothing after construction.</summary>
+    /// <summary>Fraction of the frames of the last ten seconds that had a current pose. Allocates nothing after construction.</summary>
     /// <remarks>Counts whole seconds of the headset clock, so the window covers nine to ten seconds.</remarks>
     sealed class CurrentShare
     {
@@ -13,7 +13,7 @@ namespace Nowpose.Session
         readonly int[] _current = new int[Seconds];
         long _newest = long.MinValue;
 
-        /// <summary>0 to 1; null before the first frame.</summary>
+        /// <summary>Fraction from 0 to 1; null before the first frame.</summary>
         public double? Value
         {
             get

@@ -23,7 +23,7 @@ namespace Nowpose.Session
         /// <summary>Start of the frame on the headset clock.</summary>
         public HeadsetTime Start { get; private set; }
 
-        /// <summary>Display time on the control clock, to which joints are predicted; null while the clock is unsynchronised.</summary>
+        /// <summary>Display time on the control clock, to which the joints are predicted; null while the clock is unsynchronised.</summary>
         public ControlTime? DisplayTime { get; private set; }
 
         /// <summary>Display time minus the newest sample's time; null while either is unknown.</summary>
@@ -36,21 +36,20 @@ namespace Nowpose.Session
         public ClockState ClockState { get; private set; }
 
         /// <summary>
-        /// Estimated error of <see cref="DisplayTime"/> due to the clock, in both directions, see
-        /// <see cref="ClockModel.EstimatedError"/>; zero while the clock is unsynchronised. Show it when
-        /// <see cref="Sync.ClockSettings.IsCoarse"/> returns true.
+        /// Estimated error (±) of <see cref="DisplayTime"/> due to the clock, see <see cref="ClockModel.EstimatedError"/>; zero while the
+        /// clock is unsynchronised. Show it when <see cref="Sync.ClockSettings.IsCoarse"/> returns true.
         /// </summary>
         public TimeSpan ClockError { get; private set; }
 
         public PoseState State { get; private set; }
 
-        /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
+        /// <summary>Whether the render time of the previous frames is in the constant-latency range, in which the display time is known.</summary>
         public RangeState Range { get; private set; }
 
-        /// <summary>Why the error of this frame cannot be measured: it may appear at another time than <see cref="DisplayTime"/>.</summary>
+        /// <summary>Reason why the error of this frame cannot be measured, see <see cref="Hindcast.ErrorWithheldReason"/>.</summary>
         internal ErrorWithheldReason ErrorWithheld { get; private set; }
 
-        /// <summary>Display of the robot while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
+        /// <summary>How the robot is displayed while <see cref="State"/> is <see cref="PoseState.OutsideRange"/>.</summary>
         public OutsideRangeResponse OutsideRange { get; }
 
         /// <summary>Whether the runtime's display times contradict the calibration, see <see cref="DisplayTimeCheck"/>.</summary>

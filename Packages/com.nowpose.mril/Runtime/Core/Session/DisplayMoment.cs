@@ -4,25 +4,25 @@ using Nowpose.Session.Hindcast;
 
 namespace Nowpose.Session
 {
-    /// <summary>Time of one displayed frame, and how well it is known; the same for all robots and objects in it.</summary>
+    /// <summary>Display time of one frame and its quality, the same for all robots and objects in the frame.</summary>
     readonly struct DisplayMoment
     {
         /// <param name="displayTime">Null while the clock is unsynchronised.</param>
         /// <param name="isTrusted">Whether the display time is accurate enough to show a pose as current.</param>
-        /// <param name="light">How the display time was determined.</param>
-        /// <param name="renderTimes">The render times of the previous frames.</param>
+        /// <param name="selector">Selector that determined the display time.</param>
+        /// <param name="renderTimes">Monitor of the render times of the previous frames.</param>
         public DisplayMoment(
-            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTrusted, DisplayTimeSelector light,
+            HeadsetTime start, ControlTime? displayTime, in ClockModel clock, bool isTrusted, DisplayTimeSelector selector,
             ConstantLatencyMonitor renderTimes)
         {
             Start = start;
             DisplayTime = displayTime;
             Clock = clock;
             IsTrusted = isTrusted;
-            IsInconsistent = light.IsInconsistent;
-            IsImplausible = light.IsImplausible;
+            IsInconsistent = selector.IsInconsistent;
+            IsImplausible = selector.IsImplausible;
             Range = renderTimes.State;
-            ErrorWithheld = WithheldErrors.ReasonOf(renderTimes, light.IsPredicted);
+            ErrorWithheld = WithheldErrors.ReasonOf(renderTimes, selector.IsPredicted);
         }
 
         /// <summary>Start of the frame on the headset clock.</summary>
@@ -36,7 +36,7 @@ namespace Nowpose.Session
         /// <summary>Whether the display time is accurate enough to show a pose as current.</summary>
         public bool IsTrusted { get; }
 
-        /// <summary>Whether the render time of the previous frames is in the range in which the display time is known.</summary>
+        /// <summary>Whether the render time of the previous frames is in the constant-latency range, in which the display time is known.</summary>
         public RangeState Range { get; }
 
         /// <summary>See <see cref="DisplayFrame.ErrorWithheld"/>.</summary>

@@ -2,11 +2,11 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>Errors of the displayed pose and of the uncompensated (held) one, relative to the true pose from later samples.</summary>
+    /// <summary>Errors of the displayed pose and of the held (uncompensated) pose, relative to the true pose from later samples.</summary>
     /// <remarks>The property that returns the value states the unit: mm for the tool, rad or m for a joint.</remarks>
     public readonly struct DisplayedError
     {
-        /// <summary>For displaying or replaying errors; the values have the meaning of the properties.</summary>
+        /// <summary>Creates a value for display or replay; the parameters have the meanings of the properties.</summary>
         public DisplayedError(
             int frames, double rms, double p95, double holdRms, double holdP95, double? reduction, double? reductionUncertainty,
             double truthUncertainty, double clockUncertainty)
@@ -32,7 +32,7 @@ namespace Nowpose.Session
 
         public double HoldRms { get; }
 
-        /// <summary>95th percentile for the hold, as <see cref="P95"/>.</summary>
+        /// <summary>95th percentile of the error of the held pose, as accurate as <see cref="P95"/>.</summary>
         public double HoldP95 { get; }
 
         /// <summary>
@@ -42,8 +42,8 @@ namespace Nowpose.Session
         public double? Reduction { get; }
 
         /// <summary>
-        /// Half-width of the 95 % confidence interval of <see cref="Reduction"/>, from its scatter between intervals of about one second:
-        /// neighbouring frames have similar errors and are not independent. Null when too few intervals contain motion.
+        /// Half-width of the 95 % confidence interval of <see cref="Reduction"/>, from the scatter of the reduction between intervals of about
+        /// one second, because neighbouring frames have similar errors. Null when too few intervals contain motion.
         /// </summary>
         public double? ReductionUncertainty { get; }
 
@@ -51,12 +51,12 @@ namespace Nowpose.Session
         public double TruthUncertainty { get; }
 
         /// <summary>
-        /// Error that the samples cannot show: RMS of the speed times the error bound of the clock. An error of L_visu is not visible
-        /// either, and its size is unknown.
+        /// Error that the samples cannot show: RMS of the speed times the error bound of the clock. An error of L_visu does not show in the
+        /// samples either, and its size is unknown.
         /// </summary>
         public double ClockUncertainty { get; }
 
-        /// <summary>Returns the same errors, with lengths multiplied by <paramref name="factor"/> for a smaller unit.</summary>
+        /// <summary>Returns the same errors with lengths multiplied by <paramref name="factor"/>, for a smaller unit.</summary>
         internal DisplayedError Times(double factor) => new DisplayedError(
             Frames, Rms * factor, P95 * factor, HoldRms * factor, HoldP95 * factor, Reduction, ReductionUncertainty,
             TruthUncertainty * factor, ClockUncertainty * factor);

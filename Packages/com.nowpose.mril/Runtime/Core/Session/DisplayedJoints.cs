@@ -25,10 +25,10 @@ namespace Nowpose.Session
         /// </summary>
         public JointStateMessage Take()
         {
-            if (!(_frame.DisplayTime is ControlTime light) || !_frame.IsTimeTrusted || _frame.State == PoseState.Incomplete) return null;
-            if (light == _newest) return null;
-            _newest = light;
-            return new JointStateMessage(light, _names, _frame.Joints.ToArray(), frameId: _headset);
+            if (!(_frame.DisplayTime is ControlTime displayTime) || !_frame.IsTimeTrusted || _frame.State == PoseState.Incomplete) return null;
+            if (displayTime == _newest) return null;
+            _newest = displayTime;
+            return new JointStateMessage(displayTime, _names, _frame.Joints.ToArray(), frameId: _headset);
         }
     }
 }

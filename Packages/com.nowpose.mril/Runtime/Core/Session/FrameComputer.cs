@@ -5,7 +5,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Session
 {
-    /// <summary>Computes a robot's displayed frame: predicts the joints to the display time, judges the pose, and computes the links.</summary>
+    /// <summary>Computes a robot's displayed frame: the joints at the display time, the state of the pose, and the link poses.</summary>
     sealed class FrameComputer
     {
         readonly JointTracks _tracks;
@@ -35,17 +35,17 @@ namespace Nowpose.Session
         /// <param name="isJointReportedMissing">Whether the gateway reports that a joint of the robot has no data.</param>
         public void Compute(in DisplayMoment moment, bool isJointReportedMissing)
         {
-            if (moment.DisplayTime is ControlTime light) _tracks.Predict(light);
+            if (moment.DisplayTime is ControlTime displayTime) _tracks.Predict(displayTime);
             else _tracks.Hold();
             var state = StateAt(moment, isJointReportedMissing);
             Frame.Set(moment, moment.DisplayTime - _tracks.Newest, state);
-            // After the state is determined: a pose that is held on purpose is not stale.
+            // Holds the joints only after the state is determined, because a pose that is held on purpose must not count as stale.
             if (state == PoseState.OutsideRange && Frame.OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
             _kinematics.Compute(_tracks.Positions, _linkPoses);
             _isHeldComputed = false;
         }
 
-        /// <summary>Returns <see cref="DisplayFrame.LinkPoses"/> for <see cref="DisplayFrame.HeldJoints"/>; computed on the first call of a frame.</summary>
+        /// <summary>Returns the link poses for <see cref="DisplayFrame.HeldJoints"/>. Computes them on the first call in a frame.</summary>
         public RigidTransform[] HeldLinkPoses()
         {
             if (!_isHeldComputed) _kinematics.Compute(_tracks.Held, _heldLinkPoses);
@@ -54,7 +54,7 @@ namespace Nowpose.Session
         }
 
         /// <summary>Returns the pose of a link in the robot's base frame at any time for which there are samples or a prediction.</summary>
-        /// <param name="origin">That of the joints up to the tool.</param>
+        /// <param name="origin">Origin of the positions of the joints between base and tool.</param>
         public RigidTransform LinkPoseAt(int link, ControlTime at, out PoseOrigin origin)
         {
             MakeScratch();
@@ -63,8 +63,8 @@ namespace Nowpose.Session
             return _linkPosesAt[link];
         }
 
-        /// <summary>Returns the tool's planned pose in the robot's base frame at a time, however far ahead.</summary>
-        /// <returns>False if a joint up to the tool follows no plan at that time.</returns>
+        /// <summary>Gets the planned pose of the tool in the robot's base frame at a time, however far in the future.</summary>
+        /// <returns>False if a joint between base and tool has no plan for that time.</returns>
         public bool TryPlanTool(ControlTime at, out RigidTransform tool)
         {
             MakeScratch();

@@ -1,10 +1,11 @@
 using System;
 using System.Globalization;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>A joint whose samples do not arrive, with the state that the gateway reports or that the session detects.</summary>
+    /// <summary>State of a joint that is not live, as the gateway reports it or as the session detects it.</summary>
     public readonly struct JointStatus
     {
         public JointStatus(string joint, JointDataState state, ControlTime? since, TimeSpan? age, string reason)
@@ -30,7 +31,7 @@ namespace Nowpose.Session
         /// <summary>Reason in one line; empty while unknown.</summary>
         public string Reason { get; }
 
-        /// <summary>Whether the joint has no data, so that it is not shown as current. False for a joint that is assumed at rest.</summary>
+        /// <summary>Whether the joint has no data, so that it is not shown as current. False for a joint that is assumed to be at rest.</summary>
         public bool IsMissing => !State.IsGood();
 
         /// <summary>State, age and reason in one line, such as "no data since 4 s: node deleted"; allocates.</summary>
@@ -56,7 +57,7 @@ namespace Nowpose.Session
             {
                 case JointDataState.Live: return "live";
                 case JointDataState.Rest: return "assumed at rest";
-                case JointDataState.Refused: return "values cannot be used";
+                case JointDataState.Refused: return StateNames.ValuesUnusable;
                 case JointDataState.Missing: return "no value";
                 default: return "no data";
             }

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Nowpose.Session
 {
-    /// <summary>Describes several joints in one line; groups neighbours with the same description.</summary>
+    /// <summary>Describes several joints in one line; groups consecutive joints with the same description.</summary>
     static class JointStatusText
     {
         /// <summary>Returns for example "joint a1: assumed at rest since 9 s; joints a3, a4: no data since 4 s"; empty for no joints.</summary>

@@ -42,7 +42,7 @@ namespace Nowpose.Session
         /// <summary>Positions at the last <see cref="Predict"/>, one per moving joint, rad or m.</summary>
         public ReadOnlySpan<double> Positions => _positions;
 
-        /// <summary>Newest samples at the last <see cref="Predict"/>, which a display without compensation shows.</summary>
+        /// <summary>Newest samples at the last <see cref="Predict"/>: the positions that a display without compensation would show.</summary>
         public ReadOnlySpan<double> Held => _held;
 
         /// <summary>
@@ -61,11 +61,15 @@ namespace Nowpose.Session
         public ControlTime? NewestOf(int joint) =>
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
-        /// <summary>Raised within <see cref="Add"/> when a joint's source went back in time and its earlier samples were removed.</summary>
+        /// <summary>
+        /// Raised within <see cref="Add"/> with the index of a joint whose stamps went back, so that its earlier samples were removed.
+        /// </summary>
         public event Action<int> Restarted;
 
-        /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
-        /// <returns>Why the message was dropped; <see cref="DropReason.None"/> when at least one joint used its sample.</returns>
+        /// <param name="joints">
+        /// Index among the robot's moving joints for each joint of the message; negative for a joint that the robot does not have.
+        /// </param>
+        /// <returns>Reason why the message was dropped; <see cref="DropReason.None"/> if at least one joint used its sample.</returns>
         public DropReason Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {
             var time = SecondsOf(message.Stamp);
@@ -113,8 +117,8 @@ namespace Nowpose.Session
             CompleteMimics();
         }
 
-        /// <summary>Computes the positions at a time other than the displayed one. Joints without samples have their displayed positions.</summary>
-        /// <param name="judged">Joints whose data determine the result's origin; no mimic joints.</param>
+        /// <summary>Computes the positions at a time other than the display time. Joints without samples keep their displayed positions.</summary>
+        /// <param name="judged">Joints whose data determine the result's origin; must not contain mimic joints.</param>
         /// <param name="positions">Receives one position per moving joint.</param>
         public PoseOrigin At(ControlTime at, int[] judged, double[] positions)
         {
@@ -132,10 +136,10 @@ namespace Nowpose.Session
             return origin;
         }
 
-        /// <summary>Computes the planned positions at a time, however far ahead. Other joints have their displayed positions.</summary>
+        /// <summary>Computes the planned positions at a time, however far in the future. Other joints keep their displayed positions.</summary>
         /// <param name="needed">Joints that must follow a plan at that time.</param>
         /// <param name="positions">Receives one position per moving joint.</param>
-        /// <returns>False if one of them does not.</returns>
+        /// <returns>False if a needed joint follows no plan at that time, or if no joint is needed.</returns>
         public bool TryPlan(ControlTime at, int[] needed, double[] positions)
         {
             var time = ClockTicks.Seconds(at - _epoch);
@@ -146,7 +150,7 @@ namespace Nowpose.Session
             return needed.Length > 0;
         }
 
-        /// <summary>Shows the newest samples unchanged, marked as held, because the time to predict to is unknown. Allocates nothing.</summary>
+        /// <summary>Shows the newest samples unchanged, marked as held, because the prediction time is unknown. Allocates nothing.</summary>
         public void Hold()
         {
             for (var i = 0; i < _joints.Length; i++)
@@ -171,7 +175,7 @@ namespace Nowpose.Session
             return ClockTicks.Seconds(stamp - _epoch);
         }
 
-        // Without a sample the joint keeps its position: a robot that jumps to its zero pose would be worse than a delayed one.
+        // A joint without a sample keeps its position, because a jump to the zero pose would be worse than a delayed pose.
         void Show(int joint, PredictionKind kind, double position)
         {
             _given[joint] |= kind != PredictionKind.None;
@@ -191,7 +195,7 @@ namespace Nowpose.Session
                 if (!_given[joint]) _kinds[joint] = _kinds[master];
         }
 
-        // In a chain of mimic joints, the master is the end of the chain: the joint with samples.
+        // In a chain of mimic joints, the master is the joint at the end of the chain, which has samples.
         static (int Joint, int Master)[] MimicsOf(RobotModel robot)
         {
             var mimics = new List<(int, int)>();

@@ -7,15 +7,16 @@ namespace Nowpose.Session
 {
     /// <summary>Detects the joints without current data, from their samples and from the gateway's reports.</summary>
     /// <remarks>
-    /// The gateway has more information: it distinguishes a joint at rest from one whose variable was deleted, without delay. A server
-    /// without that topic reports nothing; then the age of the samples decides. Allocates nothing in a frame.
+    /// The gateway has more information: it distinguishes a joint at rest from a joint whose variable was deleted, without delay. A server
+    /// without the topic <see cref="RosTopics.JointStatus"/> reports nothing; then the age of the samples decides. Allocates nothing in a
+    /// frame.
     /// </remarks>
     sealed class JointWatch
     {
         /// <summary>Lifetime of a report. The gateway repeats it every second while there is something to report.</summary>
         static readonly TimeSpan ReportLifetime = TimeSpan.FromSeconds(5);
 
-        /// <summary>A report of rest explains missing samples only while the gateway repeats it; one repetition may be lost.</summary>
+        /// <summary>Lifetime of a report of rest, which explains missing samples. The gateway repeats it; one repetition may be lost.</summary>
         static readonly TimeSpan RestLifetime = TimeSpan.FromMilliseconds(2500);
 
         readonly string _prefix;
@@ -25,8 +26,8 @@ namespace Nowpose.Session
         readonly bool[] _isToolJoint;
         volatile Reports _newest;
 
-        /// <param name="name">Namespace of the robot, which precedes the joint's name in reports; empty for the robot without one.</param>
-        /// <param name="horizonCap">Maximum age of a joint's newest sample at the display time; an older one means no data.</param>
+        /// <param name="name">Namespace of the robot, which precedes the joint's name in reports; empty for the robot without a namespace.</param>
+        /// <param name="horizonCap">Maximum age of a joint's newest sample at the display time. A joint with an older sample has no data.</param>
         public JointWatch(string name, RobotModel robot, JointTracks tracks, TimeSpan horizonCap)
         {
             _prefix = RobotTopic.Qualified(name, "");
@@ -47,7 +48,7 @@ namespace Nowpose.Session
                 var joint = _robot.IndexOfMovingJoint(report.Joint.Substring(_prefix.Length));
                 if (joint < 0) continue;
                 reports.OfJoint[joint] = report;
-                // A gripper may send samples only when it moves. If they stop for an unknown reason, it is listed and the arm's pose stays current.
+                // A gripper may send samples only while it moves. If they stop for an unknown reason, it is listed, but the arm's pose stays current.
                 reports.IsAnyMissing |= !report.State.IsGood() && (_isToolJoint[joint] || report.State != JointDataState.Stale);
             }
             _newest = reports;
@@ -99,7 +100,7 @@ namespace Nowpose.Session
 
             public HeadsetTime Arrival { get; }
 
-            /// <summary>Reports by index of the moving joint; a joint without a report is live, the default.</summary>
+            /// <summary>Reports by index of the moving joint. A joint without a report has the default state, live.</summary>
             public JointReport[] OfJoint { get; }
 
             public bool IsAnyMissing { get; set; }

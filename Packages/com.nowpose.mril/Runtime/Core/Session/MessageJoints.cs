@@ -4,10 +4,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Maps the joint names of messages to the robot's joints. Caches the results by array of names. Single-threaded.</summary>
+    /// <summary>Maps the joint names of messages to the robot's joints. Caches the results for recent arrays of names. Single-threaded.</summary>
     sealed class MessageJoints
     {
-        /// <summary>Cache size, the same as that of <see cref="RosbridgeReader"/>.</summary>
+        /// <summary>Number of cached arrays of names, the same as in <see cref="RosbridgeReader"/>.</summary>
         const int Capacity = 4;
 
         readonly RobotModel _robot;
@@ -19,7 +19,7 @@ namespace Nowpose.Session
         /// <summary>Number of the robot's moving joints.</summary>
         public int RobotJoints => _robot.MovingJoints.Count;
 
-        /// <summary>Returns the index of the moving joint for each name, −1 for a name of no joint. Valid until the next call.</summary>
+        /// <summary>Returns the index of the moving joint for each name, −1 for an unknown name. Valid until the next call.</summary>
         public ReadOnlySpan<int> Of(JointStateMessage message)
         {
             foreach (var known in _known)

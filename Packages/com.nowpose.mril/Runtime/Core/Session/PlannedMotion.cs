@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Set-points of a message, sorted by the robot's joints. Created on the receiving thread to relieve the frame's thread.</summary>
+    /// <summary>Set-points of a message, grouped by the robot's joints. Created on the receiving thread to save time on the frame's thread.</summary>
     sealed class PlannedMotion
     {
         readonly int[] _joints;
@@ -26,13 +26,13 @@ namespace Nowpose.Session
         /// <summary>Number of the robot's joints in the plan; 0 for a plan of another robot.</summary>
         public int Count => _joints.Length;
 
-        /// <summary>Returns the index of the moving joint.</summary>
+        /// <summary>Returns the index of a planned joint among the robot's moving joints.</summary>
         public int JointAt(int i) => _joints[i];
 
-        /// <summary>Returns the path of the joint; null when the message ends the plan.</summary>
+        /// <summary>Returns the path of a planned joint; null if the message ends the plan.</summary>
         public PlannedPath PathAt(int i) => _paths[i];
 
-        /// <param name="jointOf">Returns the index of the moving joint with a name; negative if the robot has none.</param>
+        /// <param name="jointOf">Returns the index of the moving joint with the given name; negative if the robot has none.</param>
         public static PlannedMotion Of(in PlanArrival arrival, Func<string, int> jointOf)
         {
             var message = arrival.Message;

@@ -1,6 +1,8 @@
 namespace Nowpose.Session
 {
-    /// <summary>Whether the displayed pose is the current one of the robot. Any state except <see cref="Current"/> must look different.</summary>
+    /// <summary>
+    /// State of the displayed pose relative to the robot's current pose. Any state except <see cref="Current"/> must look different.
+    /// </summary>
     public enum PoseState
     {
         /// <summary>A joint between base and tool has not received a sample yet and is shown at zero.</summary>
@@ -14,15 +16,14 @@ namespace Nowpose.Session
 
         /// <summary>
         /// A joint between base and tool is held: its samples are older than the horizon cap, later than the display time, or too few for
-        /// a prediction. Also if the gateway reports that a joint of the robot has no data, which it may detect before the samples are too
-        /// old.
+        /// a prediction. The state is also used if the gateway reports that a joint of the robot has no data, which the gateway may detect
+        /// before the samples are too old.
         /// </summary>
         Held,
 
         /// <summary>
-        /// The render time is outside the constant-latency range, so that frames appear later than calibrated, by an unknown
-        /// amount. The pose is computed as a current one, unless the settings require a held one, see
-        /// <see cref="OutsideRangeResponse"/>.
+        /// The render time is outside the constant-latency range, so that frames appear later than calibrated, by an unknown amount. The
+        /// pose is computed like a current pose, unless the settings require a held pose, see <see cref="OutsideRangeResponse"/>.
         /// </summary>
         OutsideRange,
 
@@ -38,7 +39,7 @@ namespace Nowpose.Session
     {
         public static string Of(SessionStatistics statistics) => Of(statistics.Pose, statistics.IsClockCoarse);
 
-        /// <param name="isClockCoarse">Whether the clock that determined the display time of the pose is coarse by the session's settings.</param>
+        /// <param name="isClockCoarse">Whether the clock that determined the display time is coarse according to the session's settings.</param>
         public static string Of(PoseState pose, bool isClockCoarse)
         {
             switch (pose)

@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Prediction;
 
 namespace Nowpose.Session
@@ -8,10 +9,10 @@ namespace Nowpose.Session
     /// <summary>Settings of the joint prediction. Immutable; validated by the constructor.</summary>
     public sealed class PredictionSettings
     {
-        /// <summary>Increases the RMS error by less than 5 % and reduces jumps by a fifth to a third; see display-reference.md for the numbers.</summary>
+        /// <summary>Default blend time. Increases the RMS error by less than 5 % and reduces jumps by 20 to 33 %; see display-reference.md.</summary>
         public const double DefaultBlendMs = 14;
 
-        /// <summary>Maximum blend time: a longer one would itself add latency.</summary>
+        /// <summary>Maximum blend time, ms. A longer blend would itself add latency.</summary>
         const double MaxBlendMs = 200;
 
         const double MinSpeedShare = 0.01;
@@ -22,20 +23,20 @@ namespace Nowpose.Session
         public static readonly PredictionSettings Default = new PredictionSettings();
 
         /// <param name="predictor">One of <see cref="Predictors.Names"/>.</param>
-        /// <param name="horizonCapMs">Maximum prediction beyond the newest sample; after it, the last value is kept and marked as held.</param>
+        /// <param name="horizonCapMs">Maximum prediction beyond the newest sample, ms; after it, the last value is kept and marked as held.</param>
         /// <param name="maximumGapMs">
-        /// Maximum interval between two samples of the history: motion before a longer one does not predict the motion after it.
+        /// Maximum interval between two samples of the history, ms. Samples before a longer interval are not used for a prediction.
         /// </param>
         /// <param name="blendMs">
-        /// Time in which the difference between two sections decays to 1/e when one replaces the other; with 0 the joint jumps.
+        /// Time in which the difference between an old and a new section decays to 1/e, ms. With 0, the joint jumps to the new section.
         /// </param>
         /// <param name="followPlan">Whether to use the control system's future set-points if it publishes them.</param>
-        /// <param name="speedShare">Share of the URDF's velocity limits that programs use, above 0, at most 1: the override.</param>
+        /// <param name="speedShare">Fraction of the URDF's velocity limits that programs use (the override), above 0, at most 1.</param>
         /// <param name="accelerationLimit">
-        /// Limit for revolute joints, rad/s²; infinity when unknown. The smaller one of this limit and the URDF's is used. Together with
-        /// <paramref name="jerkLimit"/>, moves from rest to rest are predicted by their profile.
+        /// Acceleration limit for revolute joints, rad/s²; infinity if unknown. The smaller of this limit and the URDF's limit applies. With this
+        /// limit and <paramref name="jerkLimit"/>, moves from rest to rest are predicted by their motion profile.
         /// </param>
-        /// <param name="jerkLimit">Limit for revolute joints, rad/s³; infinity when unknown.</param>
+        /// <param name="jerkLimit">Jerk limit for revolute joints, rad/s³; infinity if unknown.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public PredictionSettings(
             string predictor = Predictors.Default, double horizonCapMs = 300, double maximumGapMs = 500, double blendMs = DefaultBlendMs,
@@ -47,7 +48,7 @@ namespace Nowpose.Session
             MaximumGap = SettingRange.RequireMs(maximumGapMs, 1, 60_000, "maximum gap");
             Blend = SettingRange.RequireMs(blendMs, 0, MaxBlendMs, "blend");
             FollowPlan = followPlan;
-            SpeedShare = SettingRange.Require(speedShare, MinSpeedShare, 1, "speed share", "of the URDF's velocity");
+            SpeedShare = SettingRange.Require(speedShare, MinSpeedShare, 1, "speed share", SettingNames.UrdfVelocityShare);
             AccelerationLimit = RequireLimit(accelerationLimit, "acceleration limit", "rad/s²");
             JerkLimit = RequireLimit(jerkLimit, "jerk limit", "rad/s³");
             Create(JointLimits.None);
@@ -63,21 +64,21 @@ namespace Nowpose.Session
         /// <summary>Whether the set-points of /joint_trajectory are used.</summary>
         public bool FollowPlan { get; }
 
-        /// <summary>Share of the URDF's velocity limits, above 0, at most 1.</summary>
+        /// <summary>Fraction of the URDF's velocity limits, above 0, at most 1.</summary>
         public double SpeedShare { get; }
 
-        /// <summary>Limit in rad/s²; infinity when unknown.</summary>
+        /// <summary>Acceleration limit of revolute joints in rad/s²; infinity if unknown.</summary>
         public double AccelerationLimit { get; }
 
-        /// <summary>Limit in rad/s³; infinity when unknown.</summary>
+        /// <summary>Jerk limit of revolute joints in rad/s³; infinity if unknown.</summary>
         public double JerkLimit { get; }
 
-        /// <summary>Whether the predictor is hold, the reference for comparisons: the newest samples, without blending and plans.</summary>
+        /// <summary>Whether the predictor is the hold, the reference for comparisons: the newest samples, without blending and plans.</summary>
         internal bool IsHold => Predictor == "hold";
 
         internal bool FollowsPlans => FollowPlan && !IsHold;
 
-        /// <summary>Creates a predictor for one joint within its limits.</summary>
+        /// <summary>Creates a predictor for one joint with the given limits.</summary>
         /// <param name="limits">Result of <see cref="Bounded"/>.</param>
         public JointPredictor Create(in JointLimits limits) =>
             Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend));
@@ -86,7 +87,7 @@ namespace Nowpose.Session
         internal BodyPredictor CreateBody() =>
             new BodyPredictor(Predictor, LimitsOf(JointLimits.None), IsHold ? 0 : ClockTicks.Seconds(Blend));
 
-        /// <summary>Combines a joint's limits with those of these settings.</summary>
+        /// <summary>Combines a joint's limits with the limits of these settings.</summary>
         /// <param name="isRevolute">Whether acceleration and jerk limits of these settings apply to the joint.</param>
         public JointLimits Bounded(in JointLimits limits, bool isRevolute) => new JointLimits(
             limits.Lower, limits.Upper, limits.Velocity * SpeedShare, limits.Effort,

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Whether the displayed robot is the one that the gateway describes.</summary>
+    /// <summary>Result of comparing the displayed robot with the gateway's description.</summary>
     enum RobotDescriptionMatch
     {
         /// <summary>The gateway has not sent a valid description.</summary>
@@ -19,24 +19,24 @@ namespace Nowpose.Session
     sealed class ReceivedDescription
     {
         readonly RobotModel _displayed;
-        // One object, so that readers never see the text of one description with the model of another.
+        // One object holds the text and the model, so that readers never see the text of one description with the model of another.
         volatile Parsed _newest = new Parsed(null, null, default);
         volatile string _fault;
 
         public ReceivedDescription(RobotModel displayed) => _displayed = displayed;
 
-        /// <summary>URDF text; null before the first.</summary>
+        /// <summary>URDF text of the newest valid description; null before the first.</summary>
         public string Text => _newest.Text;
 
         public RobotModel Model => _newest.Model;
 
         public RobotDescriptionMatch Match => _newest.Match;
 
-        /// <summary>Error of the newest text, in one line; null unless there is an error.</summary>
+        /// <summary>Error of the newest text, in one line; null if the text is valid.</summary>
         public string Fault => _fault;
 
-        /// <summary>Reads a description; the gateway sends the same one after each reconnection.</summary>
-        /// <returns>False if it cannot be read. The previous one is kept.</returns>
+        /// <summary>Reads a description. Skips the current description, which the gateway sends again after each reconnection.</summary>
+        /// <returns>False if the description cannot be read; the previous description is kept.</returns>
         public bool Receive(string urdf)
         {
             string fault = null;

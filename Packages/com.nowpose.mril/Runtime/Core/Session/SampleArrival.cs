@@ -13,7 +13,7 @@ namespace Nowpose.Session
 
         public JointStateMessage Message { get; }
 
-        /// <summary>Headset time at which its last byte was read.</summary>
+        /// <summary>Headset time at which the last byte of the message was read.</summary>
         public HeadsetTime At { get; }
     }
 
@@ -28,7 +28,7 @@ namespace Nowpose.Session
 
         public JointTrajectoryMessage Message { get; }
 
-        /// <summary>Headset time at which its last byte was read.</summary>
+        /// <summary>Headset time at which the last byte of the message was read.</summary>
         public HeadsetTime At { get; }
     }
 }

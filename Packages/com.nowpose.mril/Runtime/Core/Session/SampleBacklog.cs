@@ -3,25 +3,27 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Session
 {
-    /// <summary>Queues messages until the next frame, and selects those to process. Allocates nothing after construction; single-threaded.</summary>
+    /// <summary>
+    /// Queues messages until the next frame, and selects the messages to process. Allocates nothing after construction; single-threaded.
+    /// </summary>
     /// <remarks>
-    /// After a delay of the network or of a frame, a thousand messages may wait. Processing a joint's sample takes about 40 µs with the
-    /// default predictor, so that all of them take a quarter of a second for seven joints, which would delay the next frame again.
+    /// After a delay of the network or of a frame, a thousand messages may wait. A joint's sample takes about 40 µs with the default
+    /// predictor, so a thousand messages of seven joints take a quarter of a second, which would delay the next frame again.
     /// </remarks>
     sealed class SampleBacklog
     {
-        /// <summary>Maximum number of messages without selection: a source at 1 kHz sends 17 per frame at 60 Hz.</summary>
+        /// <summary>Maximum number of messages that are processed without selection. A source at 1 kHz sends 17 per frame at 60 Hz.</summary>
         const int MaxUsualCount = 30;
 
         /// <summary>
-        /// Number of newest samples of each joint that are selected from more messages: 6 ms for seven joints. Predictions use fewer, and
-        /// joints that are sent rarely, such as a gripper, lose no samples.
+        /// Number of newest samples of each joint that are processed if more messages wait: 6 ms for seven joints. Predictions use fewer
+        /// samples, and a joint that is sent rarely, such as a gripper, loses no samples.
         /// </summary>
         const int NewestOfAJoint = 20;
 
         readonly MessageJoints _joints;
         readonly SampleArrival[] _oldestFirst;
-        readonly bool[] _isWorthwhile;
+        readonly bool[] _isSelected;
         readonly int[] _samplesOfJoint;
 
         /// <param name="capacity">Maximum number of messages taken from the queue at a time.</param>
@@ -29,7 +31,7 @@ namespace Nowpose.Session
         {
             _joints = joints;
             _oldestFirst = new SampleArrival[capacity];
-            _isWorthwhile = new bool[capacity];
+            _isSelected = new bool[capacity];
             _samplesOfJoint = new int[joints.RobotJoints];
         }
 
@@ -38,14 +40,14 @@ namespace Nowpose.Session
         /// <summary>Messages by index, oldest first.</summary>
         public ref readonly SampleArrival this[int index] => ref _oldestFirst[index];
 
-        public bool IsWorthwhile(int index) => _isWorthwhile[index];
+        public bool IsSelected(int index) => _isSelected[index];
 
         public void TakeFrom(ConcurrentQueue<SampleArrival> queue)
         {
             Count = 0;
             while (Count < _oldestFirst.Length && queue.TryDequeue(out var arrival)) _oldestFirst[Count++] = arrival;
             Array.Clear(_samplesOfJoint, 0, _samplesOfJoint.Length);
-            for (var i = Count - 1; i >= 0; i--) _isWorthwhile[i] = Count <= MaxUsualCount || HasNewSample(i);
+            for (var i = Count - 1; i >= 0; i--) _isSelected[i] = Count <= MaxUsualCount || HasNewSample(i);
         }
 
         /// <summary>Releases the messages.</summary>
@@ -55,7 +57,7 @@ namespace Nowpose.Session
             Count = 0;
         }
 
-        // Counts each joint's samples, starting with the newest.
+        // Called from the newest message to the oldest, so that the newest samples of each joint are counted first.
         bool HasNewSample(int index)
         {
             var isNew = false;

@@ -9,8 +9,8 @@ namespace Nowpose.Session
         None = 0,
 
         /// <summary>
-        /// The display time has been accurate enough for half a second, for the first time or after
-        /// <see cref="Lost"/>. Independent of samples.
+        /// The display time has been accurate enough for half a second, for the first time or after <see cref="Lost"/>. Does not depend on
+        /// samples.
         /// </summary>
         Synchronised = 1,
 
@@ -23,18 +23,20 @@ namespace Nowpose.Session
         /// </summary>
         EnteredRange = 4,
 
-        /// <summary>The render time is beyond the constant-latency range: poses are computed for a time before they are displayed.</summary>
+        /// <summary>
+        /// The render time is beyond the constant-latency range, so poses are displayed after the time for which they are computed.
+        /// </summary>
         LeftRange = 8,
 
         /// <summary>
-        /// The arm is held because its samples are too old or too few, after at least half a second without a hold. Reported again only
-        /// after the arm was predicted for half a second.
+        /// The arm is held because its samples are too old or too few. Reported only if the arm was predicted for at least half a second
+        /// before.
         /// </summary>
         Stale = 16,
 
         /// <summary>
-        /// The predicted display times of the headset's runtime and the calibrated L_visu differ by more than 5 ms for a lasting time: one
-        /// of them is wrong. Reported again only after they agreed.
+        /// The predicted display times of the headset's runtime and the calibrated L_visu differ by more than 5 ms for some time, so one of
+        /// them is wrong. Reported again only after they have agreed.
         /// </summary>
         DisplayTimeInconsistent = 32,
 
@@ -43,8 +45,8 @@ namespace Nowpose.Session
         DisplayTimeDoubted = DisplayTimeInconsistent,
 
         /// <summary>
-        /// The display times of the headset's runtime have been implausible for a second: in the past, or more than 500 ms ahead. Implausible
-        /// ones are replaced by the calibrated L_visu.
+        /// The display times of the headset's runtime have been implausible for a second: in the past, or more than 500 ms ahead. The
+        /// calibrated L_visu replaces implausible display times.
         /// </summary>
         DisplayTimeImplausible = 64,
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session.Hindcast;
 
@@ -45,7 +45,7 @@ namespace Nowpose.Session
             AddMs("display_time_difference_ms", statistics.DisplayTimeDifference);
             if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", ReprojectionModeNames.NameOf(statistics.Reprojection));
             if (statistics.DepthSubmission != DepthSubmission.Unknown)
-                Add("depth_submission", DepthSubmissionWords.NameOf(statistics.DepthSubmission));
+                Add("depth_submission", DepthSubmissionMessages.NameOf(statistics.DepthSubmission));
             if (statistics.ProfileMismatches.Count > 0)
                 Add("profile_mismatch", string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
             AddMs("horizon_ms", statistics.Horizon);
@@ -65,7 +65,7 @@ namespace Nowpose.Session
 
         static (int Level, string Message) Status(SessionStatistics statistics)
         {
-            if (statistics.Pose == PoseState.Current) return DisplayWords.ProblemOf(statistics) is { } problem ? (1, problem) : (0, "");
+            if (statistics.Pose == PoseState.Current) return DisplayMessages.ProblemOf(statistics) is { } problem ? (1, problem) : (0, "");
             var missing = MissingJoints(statistics);
             var pose = "the pose is " + PoseStateName.Of(statistics);
             return missing.Length == 0 ? (1, pose) : (2, pose + "; missing joints: " + missing);

@@ -7,7 +7,7 @@ using Nowpose.Latency.DisplayTime;
 namespace Nowpose.Session
 {
     /// <summary>The display of a session: L_visu, the range for render times, and the conditions of the device.</summary>
-    /// <remarks>All members are thread-safe except <see cref="Light"/> and <see cref="RenderTimes"/>, which need the session's lock.</remarks>
+    /// <remarks>All members are thread-safe except <see cref="Selector"/> and <see cref="RenderTimes"/>, which need the session's lock.</remarks>
     sealed class SessionDisplay
     {
         readonly SessionSettings _settings;
@@ -22,23 +22,23 @@ namespace Nowpose.Session
             _settings = settings;
             _gate = gate;
             _conditions = new ConditionCheck(settings.RewriteBeforeRender);
-            Light = new DisplayTimeSelector(settings.Visualisation, settings.Profile);
+            Selector = new DisplayTimeSelector(settings.Visualisation, settings.Profile);
             RenderTimes = new ConstantLatencyMonitor(settings.Range);
         }
 
-        public DisplayTimeSelector Light { get; }
+        public DisplayTimeSelector Selector { get; }
 
         public ConstantLatencyMonitor RenderTimes { get; }
 
         public VisualisationLatency Visualisation
         {
-            get { lock (_gate) return Light.Calibrated; }
-            set { lock (_gate) Light.Calibrated = value; }
+            get { lock (_gate) return Selector.Calibrated; }
+            set { lock (_gate) Selector.Calibrated = value; }
         }
 
         public LatencyProfile Profile
         {
-            get { lock (_gate) return Light.Profile; }
+            get { lock (_gate) return Selector.Profile; }
         }
 
         public ConstantLatencyRange Range
@@ -48,18 +48,18 @@ namespace Nowpose.Session
 
         public IDisplayTimeSource Source
         {
-            get { lock (_gate) return Light.Source; }
-            set { lock (_gate) Light.Source = value; }
+            get { lock (_gate) return Selector.Source; }
+            set { lock (_gate) Selector.Source = value; }
         }
 
         public bool IsLightPredicted
         {
-            get { lock (_gate) return Light.IsPredicted; }
+            get { lock (_gate) return Selector.IsPredicted; }
         }
 
         public TimeSpan? Ahead
         {
-            get { lock (_gate) return Light.Ahead; }
+            get { lock (_gate) return Selector.Ahead; }
         }
 
         public ReprojectionMode Reprojection
@@ -76,7 +76,7 @@ namespace Nowpose.Session
 
         public IReadOnlyList<ConditionMismatch> ProfileMismatches
         {
-            get { lock (_gate) return _conditions.MismatchesOf(Light.Profile); }
+            get { lock (_gate) return _conditions.MismatchesOf(Selector.Profile); }
         }
 
         public DepthSubmission DepthSubmission
@@ -94,7 +94,7 @@ namespace Nowpose.Session
         {
             lock (_gate)
             {
-                Light.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
+                Selector.Calibrate(profile?.Visualisation ?? _settings.Visualisation, profile ?? _settings.Profile);
                 RenderTimes.Range = profile?.WatchedRange ?? _settings.Range;
             }
         }

@@ -12,12 +12,12 @@ namespace Nowpose.Session
     sealed class SessionIntake
     {
         /// <summary>
-        /// Queue capacity in messages. Drops the oldest when full. Ten seconds at 100 Hz, enough for the newest sample of a joint that is
-        /// sent rarely. <see cref="SampleBacklog"/> limits how many of them a frame processes.
+        /// Queue capacity in messages: ten seconds at 100 Hz, enough for the newest sample of a joint that is sent rarely. Drops the oldest
+        /// when full. <see cref="SampleBacklog"/> limits the number of messages that a frame processes.
         /// </summary>
         const int QueueLength = 1000;
 
-        /// <summary>Queue capacity in plans. Drops the oldest when full, as newer plans replace older ones.</summary>
+        /// <summary>Queue capacity in plans. Drops the oldest when full, because newer plans replace older plans.</summary>
         const int PlanQueueLength = 16;
 
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
@@ -48,23 +48,23 @@ namespace Nowpose.Session
             _backlog = new SampleBacklog(_messageJoints, QueueLength);
         }
 
-        /// <summary>Reports each used message, with its L_app if the clock is known; raised within <see cref="CompensationSession.Tick"/>.</summary>
+        /// <summary>Raised within <see cref="CompensationSession.Tick"/> for each used message, with its L_app if the clock is known.</summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session. It may keep the message.</remarks>
         public event Action<SampleArrival, TimeSpan?> SampleTaken;
 
         /// <summary>
-        /// Reports each message with its drop reason, <see cref="DropReason.None"/> if it was used. Raised within
+        /// Raised for each message with its drop reason, <see cref="DropReason.None"/> if it was used. Raised within
         /// <see cref="CompensationSession.Tick"/>, or on the receiving thread if the queue is full.
         /// </summary>
-        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
+        /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
-        /// Reports each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings do
-        /// not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if the
-        /// message has none of the robot's joints or the queue is full.
+        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings
+        /// do not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if
+        /// the message contains no joint of the robot or the queue is full.
         /// </summary>
-        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
+        /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<PlanArrival, DropReason> PlanJudged;
 
         /// <summary>Number of used messages.</summary>
@@ -94,20 +94,20 @@ namespace Nowpose.Session
             if (_plans.Count > PlanQueueLength && _plans.TryDequeue(out var oldest)) Judged(oldest.Arrival, DropReason.SlowReader);
         }
 
-        /// <summary>Processes the queued messages, within a frame.</summary>
+        /// <summary>Processes the queued messages within a frame.</summary>
         public void TakeAll(in ClockModel clock)
         {
             _backlog.TakeFrom(_arrivals);
             for (var i = 0; i < _backlog.Count; i++)
             {
                 var mayBeKept = HasSampleHandler;
-                if (_backlog.IsWorthwhile(i)) Take(_backlog[i], clock);
+                if (_backlog.IsSelected(i)) Take(_backlog[i], clock);
                 else Judged(_backlog[i], DropReason.SlowReader);
-                // Checked before and after because handlers may be added and removed on other threads.
+                // Checks for handlers before and after the call, because other threads may add and remove them.
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();
-            // Plans wait until the clock is synchronised, as their time stamps cannot be validated before; a source may not repeat them soon.
+            // Plans wait for the clock, because their stamps cannot be validated before, and a source may not repeat a dropped plan soon.
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
         }
 

@@ -51,7 +51,7 @@ namespace Nowpose.Session
 
         public JointStateMessage Displayed() => _session.Displayed();
 
-        /// <summary>Returns the diagnostics, which this headset publishes once per second; the time stamp is zero until the clock is known.</summary>
+        /// <summary>Returns the diagnostics that this headset publishes once per second. The time stamp is zero until the clock is known.</summary>
         public DiagnosticsMessage Diagnostics()
         {
             var now = _clock.Now;

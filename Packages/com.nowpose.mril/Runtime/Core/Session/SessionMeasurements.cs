@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Copies the measurements of a session's parts into its statistics. Allocates nothing; as thread-safe as the parts.</summary>
+    /// <summary>Copies the measurements of a session's parts into its statistics. Allocates nothing; thread-safe only if the parts are.</summary>
     sealed class SessionMeasurements
     {
         const double MillimetresPerMetre = 1000;
@@ -63,19 +63,19 @@ namespace Nowpose.Session
 
         void FillLatency(SessionStatistics into)
         {
-            var light = _display.Light;
+            var selector = _display.Selector;
             var renderTimes = _display.RenderTimes;
             into.ApplicationLatency = _latency.Median;
             into.ApplicationLatency95 = _latency.Percentile95;
             into.NegativeLatencies = _latency.NegativeCount;
-            into.VisualisationLatency = light.Used;
-            into.EndToEndLatency = _latency.Median + light.Used;
-            into.Profile = light.Profile;
-            into.IsLightPredicted = light.IsPredicted;
-            into.DisplayTimeDifference = light.Difference;
-            into.IsDisplayTimeInconsistent = light.IsInconsistent;
-            into.DisplayTimeAhead = light.Ahead;
-            into.IsDisplayTimeImplausible = light.IsImplausible;
+            into.VisualisationLatency = selector.Used;
+            into.EndToEndLatency = _latency.Median + selector.Used;
+            into.Profile = selector.Profile;
+            into.IsLightPredicted = selector.IsPredicted;
+            into.DisplayTimeDifference = selector.Difference;
+            into.IsDisplayTimeInconsistent = selector.IsInconsistent;
+            into.DisplayTimeAhead = selector.Ahead;
+            into.IsDisplayTimeImplausible = selector.IsImplausible;
             into.Horizon = _frame.Horizon;
             into.RenderTime = renderTimes.RenderTime;
             into.RenderTimeSource = renderTimes.Source;

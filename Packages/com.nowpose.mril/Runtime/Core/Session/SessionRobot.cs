@@ -15,7 +15,7 @@ namespace Nowpose.Session
         readonly FrameComputer _computer;
         readonly DisplayedJoints _displayed;
 
-        /// <param name="name">Namespace of the robot; empty for the robot without one.</param>
+        /// <param name="name">Namespace of the robot; empty for the robot without a namespace.</param>
         /// <param name="latency">Statistics of L_app, updated with each sample.</param>
         /// <param name="drops">Counts of dropped messages.</param>
         public SessionRobot(string name, RobotModel robot, SessionSettings settings, ApplicationLatency latency, DropCounters drops)
@@ -37,10 +37,10 @@ namespace Nowpose.Session
 
         public RobotModel Robot { get; }
 
-        /// <summary>Frame of the root link, with the namespace.</summary>
+        /// <summary>Frame name of the root link, with the robot's namespace.</summary>
         public string Root { get; }
 
-        /// <summary>The description that the gateway sends for this robot. Thread-safe.</summary>
+        /// <summary>Description of this robot from the gateway. Thread-safe.</summary>
         public ReceivedDescription Description { get; }
 
         /// <summary>Queues of messages for the next frame.</summary>

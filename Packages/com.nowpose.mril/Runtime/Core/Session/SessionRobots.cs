@@ -3,14 +3,17 @@ using System.Collections;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Session.Cell;
-using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>The robots of a session, the main one first. Robots are added and shown on the thread of ticks; the rest is thread-safe.</summary>
+    /// <summary>
+    /// Robots of a session, the main robot first. Add and show robots on the thread of <see cref="CompensationSession.Tick"/>; other members
+    /// are thread-safe.
+    /// </summary>
     sealed class SessionRobots : IReadOnlyList<SessionRobot>
     {
         readonly SessionSettings _settings;
@@ -19,7 +22,7 @@ namespace Nowpose.Session
         readonly SessionFrames _frames;
         readonly Subscriptions _subscriptions;
         readonly object _gate;
-        // Replaced as a whole, because network threads read it.
+        // Replaced as a whole when a robot is added, because network threads read the array.
         volatile SessionRobot[] _all = Array.Empty<SessionRobot>();
 
         /// <param name="latency">Statistics of L_app, updated with each sample.</param>
@@ -41,18 +44,18 @@ namespace Nowpose.Session
 
         public SessionRobot this[int index] => _all[index];
 
-        /// <summary>Adds a robot to the cell, which is received and shown from then on.</summary>
-        /// <param name="name">Namespace of the robot, or empty for the robot without one.</param>
-        /// <returns>The known robot if the session has one with that namespace and the same description.</returns>
-        /// <exception cref="InputException">It is no namespace, or another robot has it.</exception>
+        /// <summary>Adds a robot to the cell. The session receives and shows it from then on.</summary>
+        /// <param name="name">Namespace of the robot; empty for the robot without a namespace.</param>
+        /// <returns>The new robot, or the existing robot if it has the same namespace and the same description.</returns>
+        /// <exception cref="InputException">The namespace is invalid, another robot has it, or the cell has the maximum number of robots.</exception>
         public SessionRobot Add(string name, RobotModel robot)
         {
             if (name.Length > 0) RobotTopic.RequireNamespace(name);
             var known = Of(name);
             if (known?.Robot.SourceHash == robot.SourceHash) return known;
-            if (known != null) throw new InputException("robot namespace '" + name + "': is that of the robot " + known.Robot.Name);
+            if (known != null) throw new InputException(RobotMessages.NamespaceTaken(name, known.Robot.Name));
             if (_all.Length >= ProtocolLimits.Robots)
-                throw new InputException("robot namespace '" + name + "': the cell has " + ProtocolLimits.Robots + " robots, which is the maximum");
+                throw new InputException(RobotMessages.TooManyRobots(name, ProtocolLimits.Robots));
             var added = new SessionRobot(name, robot, _settings, _latency, _drops);
             lock (_gate)
             {
@@ -63,7 +66,7 @@ namespace Nowpose.Session
             return added;
         }
 
-        /// <summary>Returns the robot with a namespace; null if the session has none.</summary>
+        /// <summary>Returns the robot with the given namespace; null if the session has none.</summary>
         public SessionRobot Of(string name)
         {
             foreach (var robot in _all)
@@ -71,7 +74,7 @@ namespace Nowpose.Session
             return null;
         }
 
-        /// <summary>Takes all messages that have arrived.</summary>
+        /// <summary>Processes all messages that have arrived.</summary>
         public void Take(in ClockModel clock)
         {
             foreach (var robot in _all) robot.Intake.TakeAll(clock);
@@ -88,7 +91,7 @@ namespace Nowpose.Session
             foreach (var robot in _all) robot.RootPose = _frames.Tree.RootOf(robot);
         }
 
-        /// <summary>Discards all samples, because their times are not valid any more.</summary>
+        /// <summary>Discards all samples, because their times are no longer valid.</summary>
         public void Restart()
         {
             foreach (var robot in _all) robot.Restart();

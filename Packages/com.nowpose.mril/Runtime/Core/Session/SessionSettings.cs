@@ -7,8 +7,8 @@ using Nowpose.Sync;
 namespace Nowpose.Session
 {
     /// <summary>
-    /// Display of the robot while the render time is outside the constant-latency range, where frames appear later than calibrated.
-    /// In all cases the state is <see cref="PoseState.OutsideRange"/>, and text and stripes distinguish the pose from a current one.
+    /// How the robot is displayed while the render time is outside the constant-latency range, where frames appear later than calibrated.
+    /// The state is always <see cref="PoseState.OutsideRange"/>, and text and stripes distinguish the pose from a current pose.
     /// </summary>
     public enum OutsideRangeResponse
     {
@@ -37,9 +37,9 @@ namespace Nowpose.Session
         /// <param name="range">The constant-latency range of this device; null when it is unknown.</param>
         /// <param name="clockEstimator">One of <see cref="ClockEstimators.Names"/>.</param>
         /// <param name="profile">
-        /// Replaces <paramref name="visualisation"/>, and <paramref name="range"/> if the profile has one; null for none.
+        /// Profile that replaces <paramref name="visualisation"/>, and also <paramref name="range"/> if the profile has one; null for none.
         /// </param>
-        /// <param name="outsideRange">Display of the robot while the render time is outside the range.</param>
+        /// <param name="outsideRange">How the robot is displayed while the render time is outside the range.</param>
         /// <param name="rewriteBeforeRender">Value of <see cref="RewriteBeforeRender"/>; calibrate L_visu with the same setting.</param>
         /// <param name="robotNamespace">Value of <see cref="RobotNamespace"/>.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
@@ -63,13 +63,13 @@ namespace Nowpose.Session
             ClockEstimator = clockEstimator;
             // Throws at once if the name is unknown.
             CreateClockEstimator();
-            // The minimum interval is half the rate that the server allows.
+            // The minimum interval corresponds to half the request rate that the server allows.
             SyncInterval = SettingRange.RequireMs(syncIntervalMs, 2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond, 10_000, "sync interval");
         }
 
         public ConnectionSettings Connection { get; }
 
-        /// <summary>Namespace of the robot in the cell, such as arm1 for the topic /arm1/joint_states; empty for the robot without one.</summary>
+        /// <summary>Namespace of the robot in the cell, such as arm1 for the topic /arm1/joint_states; empty if the robot has none.</summary>
         public string RobotNamespace { get; }
 
         public VisualisationLatency Visualisation { get; }
@@ -81,10 +81,10 @@ namespace Nowpose.Session
         public string ClockEstimator { get; }
         public TimeSpan SyncInterval { get; }
 
-        /// <summary>Whether the pace of the sync exchanges never changes.</summary>
+        /// <summary>Whether the interval between sync exchanges is constant.</summary>
         internal bool IsSyncIntervalConstant { get; private set; }
 
-        /// <summary>Profile of L_visu; null when the value was set as a number.</summary>
+        /// <summary>Profile of L_visu; null if the value was set as a number.</summary>
         public LatencyProfile Profile { get; }
 
         public OutsideRangeResponse OutsideRange { get; }
@@ -112,7 +112,7 @@ namespace Nowpose.Session
         internal IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 
         /// <summary>Creates a schedule of sync exchanges; each caller gets its own.</summary>
-        /// <param name="random">As in <see cref="ExchangePace"/>.</param>
+        /// <param name="random">Source of random numbers, see <see cref="ExchangePace"/>.</param>
         internal ExchangePace NewExchangePace(Random random) => new ExchangePace(SyncInterval, Clock.HoldoverAfter, random, IsSyncIntervalConstant);
 
         /// <summary>Whether the pose is computed and applied again right before rendering.</summary>

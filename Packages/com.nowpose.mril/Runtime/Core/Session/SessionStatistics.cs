@@ -22,7 +22,7 @@ namespace Nowpose.Session
 
         internal ClockSettings ClockSettings { get; set; } = ClockSettings.Default;
 
-        /// <summary>Whether a display that uses <see cref="Clock"/> must also show its estimated error, by the session's settings.</summary>
+        /// <summary>Whether the session's settings require a display that uses <see cref="Clock"/> to show its estimated error too.</summary>
         internal bool IsClockCoarse => ClockSettings.IsCoarse(Clock);
 
         /// <summary>Φ at the time of the snapshot.</summary>
@@ -45,7 +45,7 @@ namespace Nowpose.Session
         /// <summary>L_visu of the newest frame: the calibrated value or the runtime's prediction.</summary>
         public TimeSpan VisualisationLatency { get; internal set; }
 
-        /// <summary>Profile of the calibrated L_visu; null when the value was set as a number.</summary>
+        /// <summary>Profile of the calibrated L_visu; null if the value was set as a number.</summary>
         public LatencyProfile Profile { get; internal set; }
 
         /// <summary>Whether <see cref="VisualisationLatency"/> is the runtime's prediction.</summary>
@@ -54,17 +54,18 @@ namespace Nowpose.Session
         /// <summary>Median of predicted minus calibrated L_visu over the newest 60 frames.</summary>
         public TimeSpan? DisplayTimeDifference { get; internal set; }
 
-        /// <summary>Whether that difference lasts and is too large, see <see cref="DisplayTimeCheck"/>.</summary>
+        /// <summary>Whether <see cref="DisplayTimeDifference"/> has been too large for some time, see <see cref="DisplayTimeCheck"/>.</summary>
         public bool IsDisplayTimeInconsistent { get; internal set; }
 
         [Obsolete("use IsDisplayTimeInconsistent")]
         public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
-        /// <summary>Newest display time from the source minus its frame's start, used or not; null if there is none.</summary>
+        /// <summary>Newest display time from the source minus the start of its frame, even if it was not used; null if there is none.</summary>
         public TimeSpan? DisplayTimeAhead { get; internal set; }
 
         /// <summary>
-        /// Whether these display times have been implausible for a second (in the past, or more than 500 ms ahead) and not yet plausible again.
+        /// Whether the source's display times have been implausible for a second (in the past, or more than 500 ms ahead) and are not yet
+        /// plausible again.
         /// </summary>
         public bool IsDisplayTimeImplausible { get; internal set; }
 
@@ -74,7 +75,7 @@ namespace Nowpose.Session
         /// <summary>Whether the depth buffer reaches the display; unknown when it is not reported.</summary>
         public DepthSubmission DepthSubmission { get; internal set; }
 
-        /// <summary>Conditions that differ from those at the measurement of <see cref="Profile"/>; empty when nothing differs.</summary>
+        /// <summary>Conditions that differ from those under which <see cref="Profile"/> was measured; empty if none differ.</summary>
         public IReadOnlyList<ConditionMismatch> ProfileMismatches { get; internal set; } = Array.Empty<ConditionMismatch>();
 
         /// <summary>L of Eq. (1), with the median of L_app.</summary>
@@ -95,24 +96,24 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors
-        /// that these samples cannot show: those of the clock's offset and of L_visu. Null while L_visu may differ from the calibrated one:
-        /// <see cref="Range"/> is outside, or a limit is known but cannot be monitored.
+        /// that these samples cannot show: errors of the clock's offset and of L_visu. Null while L_visu may differ from the calibrated
+        /// value: <see cref="Range"/> is outside, or a limit is known but cannot be monitored.
         /// </summary>
         public DisplayedError? ToolError { get; internal set; }
 
         /// <summary>
-        /// The same error since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>; mm. Null as well if
-        /// L_visu may have differed from the calibrated one since then.
+        /// Error of the displayed tool since the session began, or since <see cref="CompensationSession.RestartErrorRun"/>, mm. Null under the
+        /// conditions of <see cref="ToolError"/>, and if L_visu may have differed from its calibrated value since then.
         /// </summary>
         public DisplayedError? ToolErrorOfRun { get; internal set; }
 
-        /// <summary>Why <see cref="ToolError"/> and <see cref="JointErrors"/> are withheld.</summary>
+        /// <summary>Reason why <see cref="ToolError"/> and <see cref="JointErrors"/> are withheld.</summary>
         internal ErrorWithheldReason ErrorWithheld { get; set; }
 
-        /// <summary>Why <see cref="ToolErrorOfRun"/> is withheld.</summary>
+        /// <summary>Reason why <see cref="ToolErrorOfRun"/> is withheld.</summary>
         internal ErrorWithheldReason ErrorOfRunWithheld { get; set; }
 
-        /// <summary>Errors of the joints between base and tool, from the base, over the newest ten seconds; rad or m.</summary>
+        /// <summary>Errors of the joints between base and tool over the newest ten seconds, in order from the base; rad or m.</summary>
         public IReadOnlyList<JointError> JointErrors => _jointErrors;
 
         /// <summary>RMS of <see cref="ToolError"/>, mm.</summary>
@@ -126,7 +127,7 @@ namespace Nowpose.Session
 
         public PoseState Pose { get; internal set; }
 
-        /// <summary>Share of the frames of the newest ten seconds in which the pose was current, 0 to 1; null before the first frame.</summary>
+        /// <summary>Fraction of the frames of the last ten seconds that had a current pose, 0 to 1; null before the first frame.</summary>
         public double? CurrentShare { get; internal set; }
 
         /// <summary>
@@ -135,14 +136,14 @@ namespace Nowpose.Session
         /// </summary>
         public IReadOnlyList<JointStatus> JointStatuses => _jointStatuses;
 
-        /// <summary>Display of the robot outside the constant-latency range.</summary>
+        /// <summary>How the robot is displayed outside the constant-latency range.</summary>
         public OutsideRangeResponse OutsideRange { get; internal set; }
 
         internal RobotDescriptionMatch RobotDescriptionMatch { get; set; }
 
         /// <summary>
-        /// First joint with samples outside its limits, which is therefore drawn in another position; the description may be that of another
-        /// robot, or the samples may have another unit.
+        /// First joint with samples outside its limits, which is drawn at the limit; null if there is no such joint. The description may
+        /// belong to another robot, or the samples may have another unit.
         /// </summary>
         public JointBeyondLimits BeyondLimits { get; internal set; }
 

@@ -5,7 +5,7 @@ namespace Nowpose.Session
 {
     /// <summary>Detects the changes between frames that are reported as events.</summary>
     /// <remarks>
-    /// A deterioration is reported in the same frame, an improvement after it has lasted half a second. So a flickering state is reported
+    /// A deterioration is reported in its frame, an improvement after it has lasted half a second. A flickering state is therefore reported
     /// once, and the two changes alternate: <see cref="SessionChange.Lost"/> is not reported twice without a
     /// <see cref="SessionChange.Synchronised"/> in between. Allocates nothing; single-threaded.
     /// </remarks>
@@ -16,14 +16,14 @@ namespace Nowpose.Session
         SettledFlag _isSynchronised, _isInRange, _isFresh;
         bool _isDisplayTimeInconsistent, _isDisplayTimeImplausible;
 
-        public SessionWatch() => Forget();
+        public SessionWatch() => Reset();
 
         /// <summary>Returns the changes of a frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
             Changed(
                 frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeInconsistent, frame.IsDisplayTimeImplausible);
 
-        /// <summary>Returns the changes of a frame that is given by its properties.</summary>
+        /// <summary>Returns the changes of a frame, from the frame's properties.</summary>
         /// <param name="at">Start of the frame, not earlier than that of the previous frame.</param>
         /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
         /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which does not flicker.</param>
@@ -54,11 +54,11 @@ namespace Nowpose.Session
         public SessionChange End()
         {
             var wasSynchronised = _isSynchronised.Value == true;
-            Forget();
+            Reset();
             return wasSynchronised ? SessionChange.Lost : SessionChange.None;
         }
 
-        void Forget()
+        void Reset()
         {
             _isSynchronised = new SettledFlag(false);
             _isInRange = new SettledFlag(null);

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session
 {
-    /// <summary>A flag that becomes true after its input has been true for a while, and false at once.</summary>
+    /// <summary>A flag that becomes true after its input has been true for some time, and false as soon as its input is false.</summary>
     struct SettledFlag
     {
         bool _isRising;

@@ -4,14 +4,14 @@ using Nowpose.Kinematics;
 namespace Nowpose.Session
 {
     /// <summary>
-    /// Finds the joints between base and tool that have samples of their own. Only these decide whether the pose is current: a gripper that
-    /// reports only its motion must not make the arm stale.
+    /// Finds the joints between base and tool that have their own samples. Only these joints decide whether the pose is current: a gripper
+    /// that sends samples only while it moves must not make the arm stale.
     /// </summary>
     static class ToolJoints
     {
         /// <summary>
-        /// Returns their indices among the moving joints, from the base on. A mimic joint is replaced by the joint with samples at the end
-        /// of its chain.
+        /// Returns the indices of these joints among the moving joints, starting at the base. A mimic joint is replaced by the joint with
+        /// samples at the end of its chain.
         /// </summary>
         public static int[] Of(RobotModel robot)
         {

@@ -4,13 +4,13 @@ using Nowpose.Kinematics;
 namespace Nowpose.Session
 {
     /// <summary>Velocity of the displayed tool centre point, from its positions at the display times of successive frames.</summary>
-    /// <remarks>The velocity is valid for the middle between two frames, half a frame earlier. Allocates nothing; not thread-safe.</remarks>
+    /// <remarks>The velocity applies to the midpoint between the two newest frames. Allocates nothing; not thread-safe.</remarks>
     sealed class ToolVelocity
     {
-        /// <summary>Minimum interval: a shorter one means that the same frame was computed again, and the difference would be noise.</summary>
+        /// <summary>Minimum interval. A shorter interval means that the same frame was computed again; the difference would be noise.</summary>
         static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(5);
 
-        /// <summary>Maximum interval: the mean velocity over a longer one is not the current velocity.</summary>
+        /// <summary>Maximum interval. The mean velocity over a longer interval is not the current velocity.</summary>
         static readonly TimeSpan MaxInterval = TimeSpan.FromMilliseconds(100);
 
         ControlTime? _time;

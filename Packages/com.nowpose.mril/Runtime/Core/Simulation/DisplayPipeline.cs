@@ -1,21 +1,22 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Simulation
 {
     /// <summary>A display with a GPU that renders frames in order; L_visu is constant up to a render time and scatters above it.</summary>
     /// <remarks>
-    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. A frame starts at a refresh while the program keeps up. Two frames may
-    /// be in progress; when both are, the next frame starts as soon as the older one is done. Starts of frames that take longer than a
-    /// refresh therefore drift against the refreshes. A frame is displayed at the first refresh for which it is done before the latch;
-    /// of two frames for the same refresh only the newer is seen. Render times grow with the load and scatter a little, and one frame
-    /// in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
+    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. As long as frames take less than a refresh interval, each frame starts
+    /// at a refresh. At most two frames are in progress: the next frame waits until the older one is done. The starts of frames that take
+    /// longer than a refresh interval therefore drift against the refreshes. A frame is displayed at the first refresh whose latch it meets.
+    /// If two frames are done for the same refresh, only the newer one is displayed. Render times grow with the load and scatter a little,
+    /// and one frame in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
     /// </remarks>
     sealed class DisplayPipeline
     {
         readonly DisplayPipelineSettings _settings;
         readonly Random _random;
 
-        /// <summary>The newest refresh at or before the next start.</summary>
+        /// <summary>Number of the newest refresh at or before the next start.</summary>
         long _refresh;
         double _nextStartMs, _gpuFreeMs;
 
@@ -29,7 +30,7 @@ namespace Nowpose.Simulation
         /// <summary>Maximum constant render time at which each frame is displayed at the next refresh, so that L_visu is constant.</summary>
         public TimeSpan TrueLimit => Span(_settings.RefreshMs - _settings.LatchMs);
 
-        /// <summary>Start of the next frame, since the pipeline's start.</summary>
+        /// <summary>Time from the pipeline's start to the start of the next frame.</summary>
         public TimeSpan NextStart => Span(_nextStartMs);
 
         /// <summary>Renders the next frame.</summary>
@@ -37,7 +38,7 @@ namespace Nowpose.Simulation
         public PipelineFrame Next(double vertices)
         {
             if (!(vertices >= 0 && vertices < 1e9))
-                throw new ArgumentOutOfRangeException(nameof(vertices), vertices, "must be 0 to a billion vertices");
+                throw new ArgumentOutOfRangeException(nameof(vertices), vertices, SettingMessages.Vertices);
             var renderMs = (_settings.BaseMs + _settings.MsPerMillion * vertices / 1e6) * Slowness();
             var (startMs, olderDoneMs) = (_nextStartMs, _gpuFreeMs);
             _gpuFreeMs = Math.Max(olderDoneMs, startMs) + renderMs;

@@ -1,4 +1,4 @@
-using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Simulation
 {
@@ -21,12 +21,12 @@ namespace Nowpose.Simulation
             double spikeChance = 0.01, double plateauMs = 40)
         {
             RefreshMs = SettingRange.Require(refreshMs, 1, 100, "refresh interval", "ms");
-            LatchMs = SettingRange.Require(latchMs, 0, 0.99 * refreshMs, "latch before the refresh", "ms");
-            BaseMs = SettingRange.Require(baseMs, 0.1, 100, "render time of an empty scene", "ms");
-            MsPerMillion = SettingRange.Require(msPerMillion, 0, 1000, "render time per million vertices", "ms");
-            Scatter = SettingRange.Require(scatter, 0, 0.2, "scatter of the render time", "");
-            SpikeChance = SettingRange.Require(spikeChance, 0, 1, "chance of a slow frame", "");
-            PlateauMs = SettingRange.Require(plateauMs, refreshMs, 500, "visualisation latency of frames in time", "ms");
+            LatchMs = SettingRange.Require(latchMs, 0, 0.99 * refreshMs, SettingNames.Latch, "ms");
+            BaseMs = SettingRange.Require(baseMs, 0.1, 100, SettingNames.EmptySceneRenderTime, "ms");
+            MsPerMillion = SettingRange.Require(msPerMillion, 0, 1000, SettingNames.RenderTimePerVertices, "ms");
+            Scatter = SettingRange.Require(scatter, 0, 0.2, SettingNames.RenderTimeScatter, "");
+            SpikeChance = SettingRange.Require(spikeChance, 0, 1, SettingNames.SlowFrameChance, "");
+            PlateauMs = SettingRange.Require(plateauMs, refreshMs, 500, SettingNames.VisualisationInTime, "ms");
         }
 
         public double RefreshMs { get; }
@@ -37,7 +37,7 @@ namespace Nowpose.Simulation
         public double SpikeChance { get; }
         public double PlateauMs { get; }
 
-        /// <summary>Returns the number of vertices for a render time without scatter; negative below <see cref="BaseMs"/>.</summary>
+        /// <summary>Returns the number of vertices for a render time without scatter; negative for a time below <see cref="BaseMs"/>.</summary>
         public double VerticesOf(double renderMs) => (renderMs - BaseMs) / MsPerMillion * 1e6;
     }
 }

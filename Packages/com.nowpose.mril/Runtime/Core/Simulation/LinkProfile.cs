@@ -1,12 +1,13 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Simulation
 {
     /// <summary>Delay, jitter, loss and stalls of a packet link, the same in both directions.</summary>
     /// <remarks>
-    /// Describes single packets: the TCP implementation determines the effect of a lost one. <see cref="NetworkProfile"/> describes
+    /// Describes single packets; the effect of a lost packet depends on the TCP implementation. <see cref="NetworkProfile"/> describes
     /// the delays of a byte stream instead.
     /// </remarks>
     sealed class LinkProfile
@@ -53,11 +54,11 @@ namespace Nowpose.Simulation
         public double Loss { get; }
 
         /// <summary>
-        /// Interval from the start of a stall to the start of the next, and from the link's start to the first; zero for no stalls.
+        /// Interval between the starts of two stalls, and from the link's start to the first stall; zero for no stalls.
         /// </summary>
         public TimeSpan StallInterval { get; }
 
-        /// <summary>Duration of a stall. Both directions stall together, and packets wait for its end; none is lost.</summary>
+        /// <summary>Duration of a stall. Both directions stall together; packets are not lost but wait for the end of the stall.</summary>
         public TimeSpan StallLength { get; }
 
         /// <summary>Returns the end of the stall at a time, or the time itself if the link is not stalled.</summary>
@@ -72,6 +73,6 @@ namespace Nowpose.Simulation
         /// <exception cref="InputException">No profile has that name.</exception>
         public static LinkProfile Named(string name) =>
             All.FirstOrDefault(profile => profile.Name == name)
-            ?? throw new InputException("link profile: '" + name + "' is not known; allowed: " + string.Join(", ", All.Select(p => p.Name)));
+            ?? throw new InputException(SettingMessages.UnknownLinkProfile(name, string.Join(", ", All.Select(p => p.Name))));
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Simulation
 {
@@ -65,12 +66,12 @@ namespace Nowpose.Simulation
         /// <exception cref="InputException">No profile has that name.</exception>
         public static NetworkProfile Named(string name) =>
             All.FirstOrDefault(profile => profile.Name == name)
-            ?? throw new InputException("network: '" + name + "' is not known; allowed: " + string.Join(", ", All.Select(p => p.Name)));
+            ?? throw new InputException(SettingMessages.UnknownNetwork(name, string.Join(", ", All.Select(p => p.Name))));
 
-        /// <summary>Makes the delays from the headset to the control system.</summary>
+        /// <summary>Creates the delays from the headset to the control system.</summary>
         internal PathDelay Up(int seed) => new PathDelay(this, SpikeChanceUp, seed);
 
-        /// <summary>Makes the delays from the control system to the headset.</summary>
+        /// <summary>Creates the delays from the control system to the headset.</summary>
         internal PathDelay Down(int seed) => new PathDelay(this, SpikeChanceDown, seed);
     }
 }

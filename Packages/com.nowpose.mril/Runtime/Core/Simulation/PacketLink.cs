@@ -12,7 +12,7 @@ namespace Nowpose.Simulation
         HeadsetTime _newestArrival;
 
         /// <param name="start">Time to which stalls are relative. Use the same value for both directions.</param>
-        /// <param name="keepsOrder">True for a queue, as on a real link: no packet overtakes another.</param>
+        /// <param name="keepsOrder">Whether packets keep their order, as in the queue of a real link.</param>
         public PacketLink(LinkProfile profile, HeadsetTime start, int seed, bool keepsOrder = true)
         {
             _profile = profile;
@@ -22,12 +22,12 @@ namespace Nowpose.Simulation
         }
 
         /// <summary>Sends a packet.</summary>
-        /// <param name="now">Time of sending, not before that of the previous packet.</param>
+        /// <param name="now">Time of sending, not before the time of the previous packet.</param>
         /// <param name="arrival">Time at which the packet leaves the link at the far end.</param>
         /// <returns>False if the packet is lost.</returns>
         public bool TrySend(HeadsetTime now, out HeadsetTime arrival)
         {
-            // Draws both numbers for every packet, so that a lost one does not affect others.
+            // Draws both numbers for every packet, so that a lost packet does not affect the others.
             var jitterMs = -_profile.MeanJitterMs * Math.Log(1 - _random.NextDouble());
             var isLost = _random.NextDouble() < _profile.Loss;
             arrival = now + ClockTicks.Span((_profile.BaseMs + jitterMs) / 1000);

@@ -6,7 +6,7 @@ namespace Nowpose.Simulation
     /// <summary>Generates the delays of consecutive packets in one direction of a connection. Seeded; not thread-safe.</summary>
     sealed class PathDelay
     {
-        const double ChanceThatASpikeGoesOn = 0.3;
+        const double SpikeContinuation = 0.3;
 
         readonly NetworkProfile _profile;
         readonly double _spikeChance;
@@ -22,9 +22,9 @@ namespace Nowpose.Simulation
 
         public TimeSpan Next()
         {
-            // The parameter of MathNet's gamma distribution is a rate, that of the profile a scale.
+            // MathNet's gamma distribution has a rate parameter; the profile has a scale parameter.
             var ms = _profile.BaseMs + Gamma.Sample(_random, _profile.GammaShape, 1 / _profile.GammaScaleMs);
-            _inSpike = _random.NextDouble() < (_inSpike ? ChanceThatASpikeGoesOn : _spikeChance);
+            _inSpike = _random.NextDouble() < (_inSpike ? SpikeContinuation : _spikeChance);
             if (_inSpike)
                 ms += _profile.MinSpikeMs + (_profile.MaxSpikeMs - _profile.MinSpikeMs) * _random.NextDouble();
             return ClockTicks.Span(ms / 1000);

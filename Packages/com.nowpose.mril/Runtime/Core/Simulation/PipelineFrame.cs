@@ -26,10 +26,10 @@ namespace Nowpose.Simulation
         /// <summary>L_visu: from the trigger to the middle of the frame's display duration.</summary>
         public TimeSpan Visualisation { get; }
 
-        /// <summary>Number of the refresh for which the frame is done, counted from the pipeline's start.</summary>
+        /// <summary>Number of the refresh at which the frame is ready for display, counted from the pipeline's start.</summary>
         public long Refresh { get; }
 
-        /// <summary>Returns whether the next frame is done for the same refresh, so that this one is never seen.</summary>
+        /// <summary>Returns whether the next frame is ready for the same refresh, so that this frame is never displayed.</summary>
         public bool IsReplacedBy(PipelineFrame next) => next.Refresh == Refresh;
     }
 }

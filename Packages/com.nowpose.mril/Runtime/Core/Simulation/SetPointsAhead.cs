@@ -5,16 +5,18 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>Generates a planner's messages for a motion: the next set-points with velocities and accelerations.</summary>
+    /// <summary>Generates the messages of a motion planner: the next set-points of a motion with velocities and accelerations.</summary>
     sealed class SetPointsAhead
     {
-        /// <summary>Interval of the messages: short enough that the set-points never run out.</summary>
+        /// <summary>Interval between messages. It is short enough that the set-points never run out.</summary>
         public static readonly TimeSpan Interval = new TimeSpan(TimeSpan.TicksPerSecond / 4);
 
         /// <summary>Time span of the set-points of a message, in s.</summary>
         const double Span = 1;
 
-        /// <summary>Interval of the set-points, in s: that of a usual motion planner's time parameterisation, or finer.</summary>
+        /// <summary>
+        /// Interval of the set-points, in s. The time parameterisation of a usual motion planner uses this interval or a longer one.
+        /// </summary>
         const double Step = 0.05;
 
         /// <summary>Step of the difference quotients for velocity and acceleration, in s.</summary>

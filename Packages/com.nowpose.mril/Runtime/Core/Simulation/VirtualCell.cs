@@ -7,13 +7,13 @@ using Nowpose.Simulation.Work;
 namespace Nowpose.Simulation
 {
     /// <summary>
-    /// A control system with its robot and a network, in one process and without sockets: feeds a session as a gateway
-    /// does, and computes the robot's true position. Deterministic: the same seed and times give the same run. One thread.
+    /// A control system with its robot and a network, in one process and without sockets. Feeds a session as a gateway does, and computes
+    /// the robot's true position. Deterministic: the same seed and times give the same run. Not thread-safe.
     /// </summary>
-    /// <remarks>Settings and clock may change at run time; packets in transit then arrive as they were sent.</remarks>
+    /// <remarks>Settings and clock may change at run time; packets in transit keep their arrival times.</remarks>
     public sealed class VirtualCell
     {
-        /// <summary>Maximum pause between two calls; earlier events are lost, as for a headset that was asleep.</summary>
+        /// <summary>Maximum interval between two calls. Earlier events are lost, as after a sleep of the headset.</summary>
         static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
 
         readonly IMotion _motion;
@@ -33,7 +33,7 @@ namespace Nowpose.Simulation
         }
 
         /// <summary>
-        /// Creates a cell whose robot has work: a conveyor brings workpieces, and the robot puts them on a fixture. Sends the frames
+        /// Creates a cell with workpieces: a conveyor brings them, and the robot puts them on a fixture. The cell sends the frames
         /// <c>conveyor</c>, <c>fixture</c> and <c>workpiece_1</c> to <c>workpiece_3</c>, and the signals <c>gripper_closed</c>,
         /// <c>belt_running</c> and <c>part_present</c>.
         /// </summary>
@@ -42,7 +42,7 @@ namespace Nowpose.Simulation
             RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start) =>
             new VirtualCell(motion, clock, settings, seed, start, new CellWork(robot, motion));
 
-        /// <param name="work">The work of the robot; null for none.</param>
+        /// <param name="work">Workpieces and signals of the robot's work; null for none.</param>
         internal VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, CellWork work)
         {
             _work = work == null ? null : new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);
@@ -57,12 +57,12 @@ namespace Nowpose.Simulation
 
         public VirtualCellSettings Settings { get; set; }
 
-        /// <summary>Delay of the robot behind its set-points; null if it publishes none. The next are sent within 0.25 s.</summary>
+        /// <summary>Delay of the robot behind its set-points; null if it publishes none. A change takes effect within 0.25 s.</summary>
         public TimeSpan? PlanLag { get; set; }
 
-        /// <summary>Passes the messages that arrive until now to the session. Allocates nothing but the messages.</summary>
-        /// <param name="now">Current time, not before that of the last call.</param>
-        /// <param name="session">The session, which may differ from that of the last call.</param>
+        /// <summary>Passes the messages that have arrived to the session. Allocates only the messages.</summary>
+        /// <param name="now">Current time, not before the time in the last call.</param>
+        /// <param name="session">The session, which may differ from the session in the last call.</param>
         public void Run(HeadsetTime now, CompensationSession session)
         {
             var from = now - MaxPause;
@@ -73,7 +73,7 @@ namespace Nowpose.Simulation
         }
 
         /// <summary>Computes the robot's true position; allocates nothing.</summary>
-        /// <param name="joints">One per joint of the motion, rad or m.</param>
+        /// <param name="joints">Receives one position per joint of the motion, rad or m.</param>
         public void TruthAt(HeadsetTime t, Span<double> joints) => _motion.At(ClockTicks.Seconds(t - _start), joints);
     }
 }

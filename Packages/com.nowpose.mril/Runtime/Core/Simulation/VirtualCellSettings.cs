@@ -7,7 +7,7 @@ namespace Nowpose.Simulation
     {
         /// <param name="samplingMs">T_s, sampling interval, ms, 5 to 1000.</param>
         /// <param name="latencyMinMs">Minimum time from t_k until a sample is sent, ms, 0 to 2000: subscription and middleware.</param>
-        /// <param name="latencyMaxMs">Maximum of that time; uniformly distributed in between, and no sample overtakes another.</param>
+        /// <param name="latencyMaxMs">Maximum of this time, ms. The time is uniformly distributed, and samples keep their order.</param>
         /// <param name="jitterMs">
         /// Maximum additional delay of each packet of samples and sync exchanges, ms, 0 to 1000, uniformly distributed; samples
         /// may overtake each other.

@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one at a time, as over TCP. One thread.</summary>
+    /// <summary>The sync exchanges of a <see cref="VirtualCell"/>: one at a time, as over TCP. Not thread-safe.</summary>
     sealed class VirtualExchanges
     {
         static readonly TimeSpan LostInterval = ClockTicks.Span(ProtocolLimits.SyncIntervalMs / 1000);
@@ -32,12 +32,12 @@ namespace Nowpose.Simulation
             _next = start;
         }
 
-        /// <summary>Simulates the exchanges until now; none begins before <paramref name="from"/>.</summary>
+        /// <summary>Simulates the exchanges until now. No exchange begins before <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_session != session)
             {
-                // A new session has its own connection, without exchanges of the previous one.
+                // A new session has its own connection, without exchanges of the previous session.
                 if (_session != null) _next = now;
                 _underway = null;
                 _session = session;
@@ -59,7 +59,7 @@ namespace Nowpose.Simulation
             session.SyncFaults.Count(fault);
             var ended = _underway.Value.T4;
             _next = _begun + _pace.Next(session.Clock, ended);
-            // The next exchange waits for this one, and follows immediately if it is already due.
+            // The next exchange waits until this exchange has ended, and follows immediately if it is already due.
             if (_next < ended) _next = ended;
             _underway = null;
         }

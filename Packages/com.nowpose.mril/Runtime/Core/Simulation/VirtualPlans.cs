@@ -6,7 +6,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>Sends the set-points ahead of a <see cref="VirtualCell"/>; they arrive in order. One thread.</summary>
+    /// <summary>Sends the set-points of a <see cref="VirtualCell"/> in advance. Messages arrive in order. Not thread-safe.</summary>
     sealed class VirtualPlans
     {
         readonly VirtualClock _clock;

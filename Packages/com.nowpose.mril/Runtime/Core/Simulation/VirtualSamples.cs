@@ -6,7 +6,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>Takes, sends and delivers the samples of a <see cref="VirtualCell"/>. One thread.</summary>
+    /// <summary>Takes, sends and delivers the samples of a <see cref="VirtualCell"/>. Not thread-safe.</summary>
     sealed class VirtualSamples
     {
         readonly IMotion _motion;
@@ -30,7 +30,7 @@ namespace Nowpose.Simulation
             _random = new Random(seed + 2);
         }
 
-        /// <summary>Simulates the samples until now; none is taken before <paramref name="from"/>.</summary>
+        /// <summary>Simulates the samples until now. No sample is taken before <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_lastTaken < from) _lastTaken = from;

@@ -1,23 +1,23 @@
 namespace Nowpose.Sync
 {
-    /// <summary>Change of the clocks that an exchange indicates, other than the offset estimate.</summary>
+    /// <summary>Change of a clock that an exchange indicates.</summary>
     enum ClockChange
     {
         None,
 
-        /// <summary>The exchange is inconsistent with the earlier ones. One or two more are needed to determine the cause.</summary>
+        /// <summary>The exchange is inconsistent with earlier exchanges. One or two more exchanges are needed to determine the cause.</summary>
         Suspected,
 
         /// <summary>
-        /// The resolution of the control clock has changed. Its time stamps are earlier than their events by half the resolution on
-        /// average, so that no line fits both these exchanges and the earlier ones.
+        /// The resolution of the control clock has changed. Its time stamps are early by half the resolution on average, so that no line
+        /// fits both the new and the earlier exchanges.
         /// </summary>
         Resolution,
 
-        /// <summary>A clock stepped by less than a round-trip time. Both clocks are still the same ones.</summary>
+        /// <summary>A clock stepped by less than a round-trip time. The clocks still belong to the same machines.</summary>
         ShortStep,
 
-        /// <summary>A clock stepped, perhaps because the control clock is that of another machine now.</summary>
+        /// <summary>A clock stepped, perhaps because another machine now provides the control clock.</summary>
         LongStep,
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Sync
@@ -25,7 +26,7 @@ namespace Nowpose.Sync
             {
                 case Default: return new EnvelopeClockEstimator();
                 case Ransac: return new RansacClockEstimator(ransac ?? RansacSettings.Paper);
-                default: throw new InputException("clock estimator '" + name + "' is unknown; allowed: " + string.Join(", ", Names));
+                default: throw new InputException(ClockMessages.UnknownEstimator(name, string.Join(", ", Names)));
             }
         }
     }

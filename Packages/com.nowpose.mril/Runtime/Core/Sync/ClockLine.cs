@@ -6,8 +6,7 @@ namespace Nowpose.Sync
     readonly struct ClockLine
     {
         /// <summary>
-        /// Maximum skew: quartz clocks are accurate to 100 ppm each, and slewing one to a reference adds up to 500 ppm in either
-        /// direction.
+        /// Maximum skew: each of the two quartz clocks is accurate to 100 ppm, and slewing a clock to a reference adds up to 500 ppm.
         /// </summary>
         internal const double MaxSkew = 700e-6;
 
@@ -35,7 +34,7 @@ namespace Nowpose.Sync
         /// <summary>Standard error of <see cref="Skew"/>; a third of the maximum skew while it is unknown.</summary>
         public double SkewError { get; }
 
-        /// <summary>Number of exchanges since the start or the last reset; with 0, the other values have no meaning.</summary>
+        /// <summary>Number of exchanges since the start or the last reset. If it is 0, the other values are undefined.</summary>
         public int Exchanges { get; }
     }
 }

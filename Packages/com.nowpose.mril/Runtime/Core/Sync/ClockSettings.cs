@@ -7,17 +7,19 @@ namespace Nowpose.Sync
     {
         public static readonly ClockSettings Default = new ClockSettings();
 
-        /// <param name="exchangesToSynchronise">Minimum exchanges of a synchronised clock; 20 fill the paper's moving average.</param>
+        /// <param name="exchangesToSynchronise">Minimum number of exchanges of a synchronised clock; 20 fill the paper's moving average.</param>
         /// <param name="errorToSynchroniseMs">Maximum estimated error (three standard errors) of a synchronised clock, ms.</param>
-        /// <param name="holdoverAfterSeconds">Time without exchanges until a coarse or synchronised clock is in holdover, s: ten missed ones.</param>
-        /// <param name="stepMarginMs">Minimum amount by which an exchange contradicts the earlier ones to count as a step, ms.</param>
-        /// <param name="restartAfterSeconds">
-        /// Time without exchanges after which the estimate restarts, s: the headset may have slept, and quartz clocks drift.
+        /// <param name="holdoverAfterSeconds">
+        /// Time without exchanges after which a coarse or synchronised clock goes into holdover, s. The default is ten missed exchanges.
         /// </param>
-        /// <param name="maxHoldoverErrorMs">Maximum estimated error at which a pose counts as current during a holdover, ms.</param>
+        /// <param name="stepMarginMs">Minimum amount by which an exchange must contradict earlier exchanges to indicate a step, ms.</param>
+        /// <param name="restartAfterSeconds">
+        /// Time without exchanges after which the estimate restarts, s, because the headset may have slept and the skew may have changed.
+        /// </param>
+        /// <param name="maxHoldoverErrorMs">Maximum estimated error at which a pose still counts as current in holdover, ms.</param>
         /// <param name="skewVariationPpm">
-        /// Change of the skew within a minute beyond its standard errors, ppm. The error bound grows at this rate while no exchange
-        /// arrives. Quartz clocks that warm up change by a few ppm.
+        /// Possible change of the skew within a minute, in addition to its standard errors, ppm. The error bound grows at this rate while no
+        /// exchange arrives. Quartz clocks that warm up change by a few ppm.
         /// </param>
         /// <param name="coarseErrorMs">
         /// Maximum estimated error of a coarse clock, ms. A robot at 1 m/s is then shown within 10 mm of its position, compared with
@@ -46,7 +48,7 @@ namespace Nowpose.Sync
         public TimeSpan RestartAfter { get; }
         public TimeSpan MaxHoldoverError { get; }
 
-        /// <summary>Dimensionless: seconds of error per second.</summary>
+        /// <summary>Growth rate of the error bound beyond the standard errors of the skew; dimensionless, seconds of error per second.</summary>
         public double SkewVariation { get; }
 
         /// <summary>Whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short holdover.</summary>

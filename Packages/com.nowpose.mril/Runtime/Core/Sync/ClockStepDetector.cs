@@ -5,12 +5,12 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Distinguishes a step of a clock from a slow path. A long step contradicts the bounds of the recent exchanges, which no
-    /// path can do, however slow or asymmetric. A short step moves both bounds. Also detects a change of the resolution.
+    /// Distinguishes a step of a clock from a slow path. A long step contradicts the bounds of the recent exchanges, which no path can do,
+    /// however slow or asymmetric it is. A short step moves both bounds. Also detects a change of the resolution.
     /// </summary>
     sealed class ClockStepDetector
     {
-        /// <summary>Number of consecutive exchanges that contradict the earlier ones and agree with each other to count as a change.</summary>
+        /// <summary>Number of consecutive exchanges that must contradict earlier exchanges and agree with each other to indicate a change.</summary>
         const int InARow = 3;
 
         readonly TimeSpan _margin;
@@ -20,7 +20,7 @@ namespace Nowpose.Sync
         TimeSpan _resolution;
         bool _hasContradicted;
 
-        /// <param name="skewUncertainty">As in <see cref="OffsetEnvelope"/>.</param>
+        /// <param name="skewUncertainty">See <see cref="OffsetEnvelope"/>.</param>
         public ClockStepDetector(TimeSpan margin, double skewUncertainty)
         {
             _margin = margin;
@@ -45,7 +45,7 @@ namespace Nowpose.Sync
             return ClockChange.ShortStep;
         }
 
-        /// <summary>Makes the suspected exchanges the reference for further ones.</summary>
+        /// <summary>Makes the suspected exchanges the reference for later exchanges.</summary>
         public void Reset()
         {
             _resolution = _suspects[_suspects.Count - 1].Resolution;

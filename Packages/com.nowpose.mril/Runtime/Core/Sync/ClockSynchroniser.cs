@@ -3,19 +3,19 @@ using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Maintains the clock model. Exchanges can be added and the model can be read on any thread.</summary>
+    /// <summary>Maintains the clock model. Thread-safe: exchanges can be added and the model can be read on any thread.</summary>
     sealed class ClockSynchroniser
     {
-        /// <summary>Minimum exchanges of a coarse clock: fewer do not show the scatter of their delays.</summary>
+        /// <summary>Minimum number of exchanges of a coarse clock. Fewer exchanges do not show the scatter of their delays.</summary>
         const int ExchangesToBeCoarse = 5;
 
-        /// <summary>Contradicting exchanges after which the clock is converging: a single one may be a fault.</summary>
+        /// <summary>Number of contradicting exchanges after which the clock is converging. A single contradicting exchange may be an error.</summary>
         const int SuspectsToConverge = 2;
 
         /// <summary>
-        /// Standard deviation of the change of the skew: with the same clocks (one was set, or its resolution changed), after a long
-        /// step (the control clock may be that of another machine), and after a long time without exchanges (the headset slept and
-        /// cooled down).
+        /// Standard deviations of the change of the skew: with the same clocks (a clock was set, or its resolution changed), after a long
+        /// step (another machine may provide the control clock), and after a long time without exchanges (the headset slept and cooled
+        /// down).
         /// </summary>
         const double SkewUncertaintyOfSameClocks = 1e-6, SkewUncertaintyAfterStep = 50e-6, SkewUncertaintyAfterSilence = 5e-6;
 
@@ -41,22 +41,22 @@ namespace Nowpose.Sync
         /// <summary>Number of clock steps since the start.</summary>
         public int Steps => _estimate.Steps;
 
-        /// <summary>Round-trip time of the newest exchange that was used; zero before the first one.</summary>
+        /// <summary>Round-trip time of the newest exchange that was used; zero before the first exchange.</summary>
         public TimeSpan RoundTripTime => _estimate.RoundTripTime;
 
-        /// <summary>Resolution of the control clock from the newest exchange that was used; zero before the first one and when unknown.</summary>
+        /// <summary>Resolution of the control clock in the newest exchange that was used; zero if unknown and before the first exchange.</summary>
         public TimeSpan Resolution => _estimate.Resolution;
 
-        /// <summary>Standard error of the offset at the newest exchange; zero before the first one.</summary>
+        /// <summary>Standard error of the offset at the newest exchange; zero before the first exchange.</summary>
         public TimeSpan OffsetError => _estimate.Line.OffsetError;
 
-        /// <summary>Number of exchanges in the model since the start, the last step or the last long time without exchanges.</summary>
+        /// <summary>Number of exchanges in the model since the start, the last step, or the last long time without exchanges.</summary>
         public int Exchanges => _estimate.Line.Exchanges;
 
         /// <summary>Whether recent exchanges indicate a step that only further exchanges can confirm.</summary>
         public bool IsStepSuspected => _estimate.IsStepSuspected;
 
-        /// <summary>Reports each exchange with its verdict, in order; raised by <see cref="Add"/> on the same thread.</summary>
+        /// <summary>Raised for each exchange with its verdict, in order, by <see cref="Add"/> on the same thread.</summary>
         /// <remarks>A handler must be fast, must not throw, and must not call this object.</remarks>
         public event SyncExchangeHandler Judged;
 
@@ -73,11 +73,11 @@ namespace Nowpose.Sync
 
         /// <summary>Returns the model at a headset time, with error bound and state as of that time. Allocates nothing.</summary>
         /// <remarks>
-        /// The error bound is the sum of the bound from the recent exchanges (at most half the minimum round-trip time, the maximum
-        /// effect of an asymmetry), the server's error bound, and the growth since the newest exchange due to the uncertain skew. It
-        /// relies on the resolution that the server states. A step below the minimum round-trip time is covered from the first
-        /// exchange with a delay short enough to show it. A step below about 0.3 ms can be missed; it is covered again when the
-        /// exchanges before it are a minute old.
+        /// The error bound is the sum of the bound from the recent exchanges (at most half the minimum round-trip time, the maximum effect of
+        /// an asymmetry), the server's error bound, and the growth since the newest exchange due to the uncertain skew. It relies on the
+        /// resolution that the server states. The bound includes a step below the minimum round-trip time from the first exchange whose delay
+        /// is short enough to show the step. A step below about 0.3 ms can be missed; the bound includes it again when the exchanges before it
+        /// are a minute old.
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
@@ -86,7 +86,7 @@ namespace Nowpose.Sync
             if (line.Exchanges == 0) return default;
 
             var age = Math.Max(0, ClockTicks.Seconds(now - line.Reference));
-            // Skew beyond the maximum of real clocks counts as error: a line through two late replies can be that steep.
+            // Skew beyond the maximum of real clocks counts as an error, because a line through two late replies can be too steep.
             var excess = Math.Max(0, Math.Abs(line.Skew) - ClockLine.MaxSkew);
             var grown = ClockTicks.Span((3 * line.SkewError + _settings.SkewVariation + excess) * age);
             var isUsable = estimate.State == ClockState.Synchronised || estimate.State == ClockState.Coarse;
@@ -138,7 +138,7 @@ namespace Nowpose.Sync
             Publish(exchange, stepped);
         }
 
-        // The envelope is kept: it shows whether a clock stepped during the time without exchanges.
+        // Keeps the envelope, because it shows whether a clock stepped during the time without exchanges.
         void ResetLine(double skewUncertainty)
         {
             _estimator.Restart(skewUncertainty);
@@ -146,7 +146,7 @@ namespace Nowpose.Sync
             _synchronised.Reset();
         }
 
-        // The old line stays in use with a bound that includes the contradiction, as a converging clock if the contradiction is serious.
+        // Keeps the old line with a bound that includes the contradiction. A serious contradiction makes the clock converging.
         void WidenBound(in SyncExchange exchange, bool isSerious)
         {
             var model = ModelAt(exchange.T4);

@@ -7,35 +7,35 @@ namespace Nowpose.Sync
     /// frames; a step of a clock takes effect at once. Use it on the frame's thread only; allocates nothing.
     /// </summary>
     /// <remarks>
-    /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051
-    /// times while it is coarse, and at 0.5 to 1.5 times before. It never stops or goes back. The state is converging until this
-    /// clock has caught up with the first usable estimate: a pose is not current while the clock is still tens of milliseconds
-    /// away from the estimate.
+    /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051 times while
+    /// it is coarse, and at 0.5 to 1.5 times before that. Except for a step of a clock, it never stops or goes back. The state is converging
+    /// until this clock has caught up with the first usable estimate, because a pose is not current while the clock is still tens of
+    /// milliseconds away from the estimate.
     /// </remarks>
     public sealed class DisplayClock
     {
         /// <summary>
-        /// Maximum correction in seconds per second while synchronised. A typical correction of 20 µs takes less than a frame, one of
-        /// 1 ms after a time without exchanges a fifth of a second, in which a robot at 1 m/s appears 5 mm/s too fast or too slow.
+        /// Maximum correction in seconds per second while synchronised. A typical correction of 20 µs takes less than a frame. A correction of
+        /// 1 ms, after a time without exchanges, takes a fifth of a second, during which a robot at 1 m/s appears 5 mm/s too fast or too slow.
         /// </summary>
         public const double SlewRate = 5e-3;
 
         /// <summary>Maximum correction while coarse, in s/s: removes an initial error of a few milliseconds in a tenth of a second.</summary>
         public const double CoarseSlewRate = 0.05;
 
-        /// <summary>Maximum correction before, in s/s: the first offsets may be off by tens of milliseconds, and no pose is current yet.</summary>
+        /// <summary>Maximum correction while converging, in s/s: the first offsets may be wrong by tens of milliseconds.</summary>
         public const double ConvergingSlewRate = 0.5;
 
         ClockModel _shown;
         HeadsetTime _at;
         bool _isCatchingUp;
 
-        /// <summary>Whether control time of the newest frame is on another time line than before: the clock stepped, or became known or unknown.</summary>
+        /// <summary>Whether the newest frame is on another time line than the previous one: the clock stepped, or became known or unknown.</summary>
         internal bool IsRestarted { get; private set; }
 
         /// <summary>Returns the clock model for a frame.</summary>
-        /// <param name="believed">The synchroniser's model at that time.</param>
-        /// <param name="now">Start of the frame. A time before that of the last call returns the last model and changes nothing.</param>
+        /// <param name="believed">The synchroniser's model at <paramref name="now"/>.</param>
+        /// <param name="now">Start of the frame. If it is before the start in the last call, the last model is returned and nothing changes.</param>
         public ClockModel Follow(in ClockModel believed, HeadsetTime now)
         {
             IsRestarted = believed.Steps != _shown.Steps || believed.IsKnown != _shown.IsKnown;

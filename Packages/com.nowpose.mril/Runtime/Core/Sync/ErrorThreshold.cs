@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Upper limit of an error with hysteresis, so that a state that depends on it does not flicker.</summary>
+    /// <summary>Upper limit of an error with hysteresis, so that a state that depends on the limit does not flicker.</summary>
     sealed class ErrorThreshold
     {
-        /// <summary>Share of the limit below which the error must fall once it has exceeded the limit.</summary>
+        /// <summary>Fraction of the limit below which the error must fall once it has exceeded the limit.</summary>
         const double ReturnShare = 0.75;
 
         readonly TimeSpan _limit;

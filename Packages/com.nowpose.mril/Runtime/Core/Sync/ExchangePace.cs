@@ -3,13 +3,12 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Schedules the sync exchanges. The pace is quick at the start, after a step or a long silence, and while a step is suspected; it is
-    /// slow when the clock is known so accurately that more exchanges would not help; otherwise the configured pace applies.
-    /// Single-threaded.
+    /// Schedules the sync exchanges. The pace is quick at the start, after a step or a long silence, and while a step is suspected. It is
+    /// slow while the offset is so accurate that more exchanges would not help. Otherwise the configured pace applies. Single-threaded.
     /// </summary>
     sealed class ExchangePace
     {
-        /// <summary>Minimum interval between two exchanges: half the rate that a server accepts.</summary>
+        /// <summary>Minimum interval between two exchanges; the resulting rate is half the rate that a server accepts.</summary>
         static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(20);
 
         /// <summary>Maximum interval: a sixth of the silence that a server accepts.</summary>
@@ -17,15 +16,17 @@ namespace Nowpose.Sync
 
         const int QuickFactor = 4, SlowFactor = 5;
 
-        /// <summary>Quick exchanges after a start (five seconds) and after a silence (about one second), for an interval of 200 ms.</summary>
+        /// <summary>
+        /// Number of quick exchanges at the start (five seconds) and after a silence (about one second), for an interval of 200 ms.
+        /// </summary>
         const int QuickAtStart = 100, QuickAfterSilence = 25;
 
-        /// <summary>Maximum quick exchanges before synchronisation: 50 s for an interval of 200 ms; then the configured pace applies.</summary>
+        /// <summary>Maximum number of quick exchanges before synchronisation: 50 s for an interval of 200 ms.</summary>
         const int QuickUntilSynchronised = 1000;
 
         /// <summary>
-        /// Standard error of the offset below which the slow pace starts, and above which it ends. A wired network reaches it, WiFi
-        /// rarely, where more exchanges still help.
+        /// Standard error of the offset below which the slow pace starts, and above which it ends. A wired network reaches this accuracy. WiFi
+        /// reaches it rarely, and more exchanges still help there.
         /// </summary>
         static readonly TimeSpan SlowBelow = ClockTicks.Span(10e-6), SlowUntil = ClockTicks.Span(25e-6);
 
@@ -38,7 +39,7 @@ namespace Nowpose.Sync
 
         /// <param name="usual">Configured interval from the start of one exchange to the start of the next.</param>
         /// <param name="silence">
-        /// Time without exchanges after which the clock is in holdover. The next exchanges are then quick. Two slow ones fit into it.
+        /// Time without exchanges after which the clock is in holdover and the next exchanges are quick. Two slow intervals fit into it.
         /// </param>
         /// <param name="random">Spreads exchanges over the steps of a coarse control clock; not shared with other objects.</param>
         /// <param name="isConstant">Whether the configured pace always applies, as in the paper.</param>
@@ -53,7 +54,7 @@ namespace Nowpose.Sync
         }
 
         /// <summary>Returns the time from the start of the exchange that has just ended to the start of the next.</summary>
-        /// <param name="clock">Synchroniser to which that exchange was already added.</param>
+        /// <param name="clock">Synchroniser that has already received the ended exchange.</param>
         /// <param name="now">Not earlier than in the last call.</param>
         public TimeSpan Next(ClockSynchroniser clock, HeadsetTime now)
         {
@@ -67,8 +68,8 @@ namespace Nowpose.Sync
             return (isQuick ? _quick : _isSlow ? _slow : _usual) + Dither(clock.Resolution);
         }
 
-        // Without dither, exchanges may hit a coarse clock at the same part of its step each time, which biases the estimated rate.
-        // The dither is limited to the quick interval, so that an implausible resolution does not slow the pace; several intervals cover a longer step.
+        // Without dither, exchanges may hit a coarse clock at the same part of its step each time, which biases the estimated rate. The dither is
+        // limited to the quick interval, so that an implausible resolution does not slow the pace; several intervals cover a longer step.
         TimeSpan Dither(TimeSpan resolution) => new TimeSpan((long)(Min(resolution, _quick).Ticks * _random.NextDouble()));
 
         static TimeSpan Min(TimeSpan a, TimeSpan b) => a < b ? a : b;

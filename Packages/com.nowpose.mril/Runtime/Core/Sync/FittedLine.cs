@@ -23,7 +23,7 @@ namespace Nowpose.Sync
 
         public ClockOffset OffsetAt(HeadsetTime t) => Offset + ClockTicks.Span(ClockTicks.Seconds(t - Reference) * Skew);
 
-        /// <summary>Standard error of <see cref="OffsetAt"/>, s; it grows quickly for a line through few points.</summary>
+        /// <summary>Returns the standard error of <see cref="OffsetAt"/>, s; it grows quickly for a line through few points.</summary>
         public double ErrorAt(HeadsetTime t)
         {
             var drift = SkewError * ClockTicks.Seconds(t - Reference);
@@ -45,7 +45,7 @@ namespace Nowpose.Sync
                 squares += residual * residual;
                 spread += (x[i] - meanX) * (x[i] - meanX);
             }
-            // Adds one point at the maximum distance: the residuals of a line through two points are zero and contain no information.
+            // Adds one point at the maximum distance, because the residuals of a line through two points are zero and contain no information.
             var variance = (squares + bound * bound) / (x.Length - 1);
             var offsetError = Math.Sqrt(variance * (1.0 / x.Length + meanX * meanX / spread));
             return new FittedLine(

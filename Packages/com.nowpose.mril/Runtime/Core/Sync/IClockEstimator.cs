@@ -5,19 +5,19 @@ namespace Nowpose.Sync
     /// <summary>Estimates offset and skew from sync exchanges. Not thread-safe: <see cref="ClockSynchroniser"/> serialises the calls.</summary>
     interface IClockEstimator
     {
-        /// <summary>The line after the newest exchange; <see cref="ClockLine.Exchanges"/> is 0 before the first.</summary>
+        /// <summary>The line after the newest exchange; <see cref="ClockLine.Exchanges"/> is 0 before the first exchange.</summary>
         ClockLine Line { get; }
 
         /// <summary>Possible error of the offset due to changes of the path that were not recognised, in addition to the standard error.</summary>
         TimeSpan PathChangeError { get; }
 
-        /// <param name="exchange">A checked exchange that is newer than all previous ones.</param>
+        /// <param name="exchange">A checked exchange that is newer than all previous exchanges.</param>
         void Add(in SyncExchange exchange);
 
         /// <summary>Removes the estimate of the offset after a clock step or a long time without exchanges.</summary>
         /// <param name="skewUncertainty">
-        /// Standard deviation of the change of the skew, dimensionless; small when the clocks are still the same. An estimator may
-        /// ignore it.
+        /// Standard deviation of the change of the skew, dimensionless; small if the clocks still belong to the same machines. An estimator
+        /// may ignore it.
         /// </param>
         void Restart(double skewUncertainty);
     }

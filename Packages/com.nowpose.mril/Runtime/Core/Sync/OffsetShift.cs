@@ -5,31 +5,33 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Exchanges since one of them broke a bound, relative to the line and the bounds before it. They show whether the other bound has
-    /// moved by the same amount, as with a clock step. Single-threaded; allocates nothing after construction.
+    /// Exchanges since the first exchange that violates a bound, relative to the line and the bounds before that exchange. They show
+    /// whether the opposite bound has moved by the same amount, which indicates a clock step. Single-threaded; allocates nothing after
+    /// construction.
     /// </summary>
     sealed class OffsetShift
     {
-        /// <summary>Minimum number of exchanges that determine a step, and how many of them must break the bound.</summary>
+        /// <summary>Minimum number of exchanges from which a step is determined.</summary>
         public const int MinExchanges = 15;
 
-        const int Violations = 3;
+        /// <summary>Minimum number of these exchanges that must violate the bound.</summary>
+        const int MinViolations = 3;
 
         /// <summary>Maximum number of exchanges, three seconds at the quick pace. If they do not confirm a step, the path has changed.</summary>
         const int MaxExchanges = 60;
 
-        /// <summary>Minimum step, s; and in mean latenesses divided by the number of older exchanges, which is the accuracy of the bounds.</summary>
+        /// <summary>Minimum step in s, and in units of the bounds' accuracy, the mean lateness divided by the number of older exchanges.</summary>
         const double MinShift = 0.15e-3, LatenessShare = 10;
 
         /// <summary>
-        /// Minimum ratio of the smaller movement to the larger one. A step moves both bounds by the same amount, so the minimum round-trip
-        /// time stays the same, while the two directions of a path change by different amounts.
+        /// Minimum ratio of the smaller movement to the larger one. A step moves both bounds by the same amount and leaves the minimum round-trip
+        /// time unchanged, while the two directions of a path change by different amounts.
         /// </summary>
         const double CommonShare = 0.8;
 
         /// <summary>
-        /// Part of the other bound's movement that late packets may cause, relative to the maximum lateness of the best of as many packets
-        /// before. The maximum itself would hide steps of half a millisecond over WiFi.
+        /// Part of the other bound's movement that late packets may cause, relative to the maximum lateness of the best packet in an earlier group
+        /// of the same size. The maximum itself would hide steps of half a millisecond over WiFi.
         /// </summary>
         const double RowShare = 0.75;
 
@@ -40,13 +42,13 @@ namespace Nowpose.Sync
         int _violations;
         double _broken, _other;
 
-        /// <param name="sign">1 for an offset that rises, which breaks the lower bound; −1 for one that falls.</param>
+        /// <param name="sign">1 to detect a rise of the offset, which violates the lower bound; −1 to detect a fall.</param>
         public OffsetShift(int sign) => _sign = sign;
 
-        /// <summary>Exchanges since the first that violates the bound; empty if none does.</summary>
+        /// <summary>Exchanges since the first exchange that violates the bound; empty if none does.</summary>
         public List<SyncExchange> Since => _since;
 
-        /// <summary>Maximum violation of the bound, s; zero while no exchange breaks it.</summary>
+        /// <summary>Maximum violation of the bound, s; zero while no exchange violates it.</summary>
         public double Broken => _since.Count == 0 ? 0 : _broken;
 
         public void Reset() => _since.Clear();
@@ -60,7 +62,7 @@ namespace Nowpose.Sync
             if (_since.Count == 0)
             {
                 if (Violation(exchange, line, past) <= Margin(exchange, line, past)) return false;
-                // From now on, the exchanges also move the line.
+                // Stores the line, because the following exchanges also move it.
                 _line = line;
                 _past.CopyFrom(past);
                 (_violations, _broken, _other) = (0, 0, double.PositiveInfinity);
@@ -72,8 +74,8 @@ namespace Nowpose.Sync
             if (violation > margin) _violations++;
             _broken = Math.Max(_broken, violation);
             _other = Math.Min(_other, _sign > 0 ? above - _past.Upper : _past.Lower - below);
-            if (_since.Count < MinExchanges || _violations < Violations) return false;
-            // The best of more packets is less late.
+            if (_since.Count < MinExchanges || _violations < MinViolations) return false;
+            // The best packet of a larger group is less late.
             var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * MinExchanges / _since.Count;
             return _other - byChance > Math.Max(margin, CommonShare * _broken)
                 && CommonShare * _other <= _broken + ClockTicks.Seconds(exchange.Resolution);

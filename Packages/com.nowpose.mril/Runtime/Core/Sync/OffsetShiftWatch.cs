@@ -7,17 +7,18 @@ namespace Nowpose.Sync
     /// <summary>Detects a clock step that is shorter than a round-trip time, which no single exchange contradicts.</summary>
     /// <remarks>
     /// When the offset steps, both bounds move with it: several requests arrive earlier than before, and all replies later, or the
-    /// other way round. The minimum round-trip time stays the same. A path that becomes shorter or longer moves one bound, or both apart,
-    /// and one that becomes shorter one way and longer the other way moves them by different amounts; none of this is a step.
-    /// If one direction becomes shorter by as much as the other becomes longer, the change is not distinguishable from a step.
+    /// other way round. The minimum round-trip time stays the same. A path that becomes shorter or longer moves one bound, or moves both
+    /// bounds apart. A path that becomes shorter in one direction and longer in the other moves them by different amounts. None of these
+    /// changes is a step. If one direction becomes shorter by as much as the other becomes longer, the change is not distinguishable from a
+    /// step.
     /// </remarks>
     sealed class OffsetShiftWatch
     {
         /// <summary>
-        /// Age in exchanges after which an exchange contributes to the bounds, and minimum number of older exchanges. Otherwise a step
-        /// whose first exchanges are late would move the bounds in small parts.
+        /// Age in exchanges after which an exchange contributes to the bounds, and minimum number of older exchanges. Newer exchanges do not
+        /// contribute, because a step whose first exchanges are late would otherwise move the bounds in small parts.
         /// </summary>
-        const int Guard = 2 * OffsetShift.MinExchanges, MinPast = 30;
+        const int MinAge = 2 * OffsetShift.MinExchanges, MinPast = 30;
 
         /// <summary>Maximum standard error of the skew with which a bound can be extrapolated over a minute.</summary>
         const double MaxSkewError = 25e-6;
@@ -44,7 +45,7 @@ namespace Nowpose.Sync
         {
             if (line.Exchanges == 0) Reset();
             if (line.Exchanges == 0 || line.SkewError > MaxSkewError) return false;
-            envelope.Fill(_past, line, Guard - 1);
+            envelope.Fill(_past, line, MinAge - 1);
             if (_past.Count < MinPast) return false;
             var hasRisen = _rise.Judge(exchange, line, _past);
             var hasFallen = _fall.Judge(exchange, line, _past);

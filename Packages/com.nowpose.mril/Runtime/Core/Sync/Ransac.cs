@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Random sample consensus for a line: selects the hypothesis through two points that has most points within a bound.</summary>
+    /// <summary>Random sample consensus for a line: selects the line through two points that has the most points within a bound.</summary>
     static class Ransac
     {
-        /// <returns>The points within <paramref name="bound"/> of the best hypothesis; all points when no hypothesis has two of them.</returns>
+        /// <returns>The points within <paramref name="bound"/> of the best line; all points if no line has two of them.</returns>
         public static (double[] X, double[] Y) Inliers(double[] x, double[] y, int hypotheses, double bound, Random random)
         {
             int bestCount = 0, bestPoint = 0;

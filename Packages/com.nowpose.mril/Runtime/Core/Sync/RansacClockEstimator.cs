@@ -11,12 +11,14 @@ namespace Nowpose.Sync
     {
         const int MinForLine = 3;
 
-        /// <summary>Exchanges after which the slope of a line is used for its error; a burst of late replies can tilt an earlier line.</summary>
+        /// <summary>
+        /// Number of exchanges after which the standard error of the skew is used. A burst of late replies can tilt an earlier line.
+        /// </summary>
         const int MatureExchanges = 50;
 
         /// <summary>
-        /// Error of the skew beyond its standard errors, which do not include delays that come in bursts. In fifty simulated outages of 30
-        /// s on a loaded WiFi, the error exceeded three times 80 ppm in one, and three times 130 ppm in none.
+        /// Error of the skew beyond its standard errors, which do not include delays that come in bursts. In fifty simulated outages of 30 s on a
+        /// loaded WiFi, the error exceeded three times 80 ppm once, and never exceeded three times 130 ppm.
         /// </summary>
         const double BurstError = 130e-6;
 
@@ -58,7 +60,7 @@ namespace Nowpose.Sync
         ClockLine MedianSoFar()
         {
             var newest = _points[_points.Count - 1];
-            // The mean of two offsets, or the only one.
+            // The mean of the two offsets, or the only offset.
             var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
             return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.MaxSkew / 3, _exchanges);
         }
@@ -68,7 +70,7 @@ namespace Nowpose.Sync
 
         FittedLine Fit()
         {
-            // Times and offsets relative to the newest exchange: at absolute times the normal equations lose milliseconds.
+            // Times and offsets are relative to the newest exchange, because the normal equations lose milliseconds at absolute times.
             var newest = _points[_points.Count - 1];
             var x = new double[_points.Count];
             var y = new double[_points.Count];

@@ -1,8 +1,9 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Constants of the paper's estimator; the defaults are those of Fig. 8.</summary>
+    /// <summary>Constants of the paper's estimator; the defaults are the values of Fig. 8.</summary>
     public sealed class RansacSettings
     {
         public static readonly RansacSettings Paper = new RansacSettings();
@@ -18,8 +19,7 @@ namespace Nowpose.Sync
             Hypotheses = SettingRange.RequireCount(hypotheses, 1, 10_000, nameof(hypotheses));
             MovingAverage = SettingRange.RequireCount(movingAverage, 1, 10_000, nameof(movingAverage));
             if (!(inlierBoundMs > 0 && inlierBoundMs <= 1000))
-                throw new InputException(FormattableString.Invariant(
-                    $"inlier bound: {inlierBoundMs} ms is out of range; allowed: more than 0 to 1000 ms"));
+                throw new InputException(ClockMessages.InlierBound(inlierBoundMs));
             InlierBound = TimeSpan.FromTicks((long)(inlierBoundMs * TimeSpan.TicksPerMillisecond));
             Seed = seed;
         }

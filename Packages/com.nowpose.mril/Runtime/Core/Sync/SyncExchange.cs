@@ -6,13 +6,13 @@ namespace Nowpose.Sync
     /// <remarks>Only exchanges that passed <see cref="SyncExchangeRules.Check"/> should reach an estimator.</remarks>
     readonly struct SyncExchange
     {
-        /// <param name="t1">Headset time of sending the request.</param>
-        /// <param name="t2">Control time of its arrival.</param>
-        /// <param name="t3">Control time of sending the reply.</param>
-        /// <param name="t4">Headset time of its arrival.</param>
+        /// <param name="t1">Headset time at which the request was sent.</param>
+        /// <param name="t2">Control time at which the request arrived.</param>
+        /// <param name="t3">Control time at which the reply was sent.</param>
+        /// <param name="t4">Headset time at which the reply arrived.</param>
         /// <param name="resolution">
-        /// Resolution of the control clock, zero when unknown. If a clock rounds its time stamps down, they are early by half its
-        /// resolution on average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
+        /// Resolution of the control clock; zero if unknown. If a clock rounds its time stamps down, they are early by half its resolution on
+        /// average, so half the resolution is added to <paramref name="t2"/> and <paramref name="t3"/>.
         /// </param>
         /// <param name="serverErrorBound">Error bound that the server states for its own control clock.</param>
         /// <param name="serverSynchronised">False when the server states that its control clock is not synchronised.</param>
@@ -30,16 +30,16 @@ namespace Nowpose.Sync
             ServerSynchronised = serverSynchronised;
         }
 
-        /// <summary>Headset time of sending the request.</summary>
+        /// <summary>Headset time at which the request was sent.</summary>
         public HeadsetTime T1 { get; }
 
-        /// <summary>Control time of receiving the request, plus half the resolution.</summary>
+        /// <summary>Control time at which the request arrived, plus half the resolution.</summary>
         public ControlTime T2 { get; }
 
-        /// <summary>Control time of sending the reply, plus half the resolution.</summary>
+        /// <summary>Control time at which the reply was sent, plus half the resolution.</summary>
         public ControlTime T3 { get; }
 
-        /// <summary>Headset time of receiving the reply.</summary>
+        /// <summary>Headset time at which the reply arrived.</summary>
         public HeadsetTime T4 { get; }
 
         /// <summary>Resolution of the control clock; zero when unknown.</summary>
@@ -50,7 +50,7 @@ namespace Nowpose.Sync
         public bool ServerSynchronised { get; }
 
         /// <summary>
-        /// Φ* of this exchange alone, Eq. (5): exact when both directions take equally long; otherwise the error is at most half of
+        /// Φ* from this exchange alone, Eq. (5). It is exact if both directions take equally long; otherwise its error is at most half of
         /// <see cref="RoundTripTime"/>.
         /// </summary>
         public ClockOffset Offset

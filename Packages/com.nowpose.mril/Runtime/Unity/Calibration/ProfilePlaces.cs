@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using UnityEngine;
 
@@ -45,8 +46,7 @@ namespace Nowpose.Unity.Calibration
             if (!path.Contains("://")) return Read(path);
             // Report this place only if there is neither a saved file nor a text asset.
             if (_asset == null && _refusals.Count == 0 && !File.Exists(SavedPath))
-                _refusals.Add("latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the profile "
-                    + "as a text asset, or copy it to " + SavedPath);
+                _refusals.Add(LoaderMessages.InArchive(SavedPath));
             return null;
         }
 

@@ -1,6 +1,7 @@
 using Nowpose.Frames;
 using Nowpose.Protocol;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
@@ -54,9 +55,9 @@ namespace Nowpose.Unity.Cell
                 switch (State)
                 {
                     case PoseState.Current: return null;
-                    case PoseState.Incomplete: return _frame == null ? _missing : "its parent is unknown";
-                    case PoseState.Held: return _frame.State == FrameState.ParentNotCurrent ? "its parent is not current" : "its poses have stopped";
-                    default: return PoseWords.Of(State);
+                    case PoseState.Incomplete: return _frame == null ? _missing : ObjectMessages.ParentUnknown;
+                    case PoseState.Held: return _frame.State == FrameState.ParentNotCurrent ? ObjectMessages.ParentNotCurrent : ObjectMessages.PosesStopped;
+                    default: return PoseMessages.Of(State);
                 }
             }
         }

@@ -1,5 +1,6 @@
 using Nowpose.Kinematics;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -64,7 +65,7 @@ namespace Nowpose.Unity.Cell
             try
             {
                 if (_description == null)
-                    throw new InputException("robot namespace '" + _name + "': has no description; assign a Robot Description to the rig '" + _rig.name + "'");
+                    throw new InputException(RigMessages.NoDescription(_name, _rig.name));
                 return session.Robots.Add(_name, _description.Read());
             }
             catch (InputException fault)

@@ -1,4 +1,5 @@
 using Nowpose.Anchoring;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Rendering
 {
@@ -27,11 +28,11 @@ namespace Nowpose.Unity.Rendering
                 // While the user places the base, there is no fade: the user must compare the displayed robot with the real robot.
                 case BaseAnchorState.Searching:
                     return _isBeingPlaced
-                    ? look.Also("being placed", "the base follows a marker that is being moved", 0)
-                    : look.Also("base not locked", "no marker has located the base", 0.8f);
-                case BaseAnchorState.Restored: return look.Also("base not confirmed", "the base has its pose from an earlier run; look at a marker to confirm it", 0);
-                case BaseAnchorState.Moved: return look.Also("base or marker moved", "a marker is not at its expected place", 0.5f);
-                case BaseAnchorState.Lost: return look.Also("base lost", "the headset has lost its position", 0.5f);
+                    ? look.Also("being placed", BaseMessages.FollowsMarker, 0)
+                    : look.Also("base not locked", BaseMessages.NotLocated, 0.8f);
+                case BaseAnchorState.Restored: return look.Also("base not confirmed", BaseMessages.Restored, 0);
+                case BaseAnchorState.Moved: return look.Also(BaseMessages.MovedLabel, BaseMessages.Moved, 0.5f);
+                case BaseAnchorState.Lost: return look.Also("base lost", BaseMessages.Lost, 0.5f);
                 default: return look;
             }
         }

@@ -1,3 +1,4 @@
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
@@ -30,8 +31,8 @@ namespace Nowpose.Unity.Rendering
 
         /// <summary>Returns the look of a part while its carrier does not follow the session. The part is then at an old pose.</summary>
         public PoseLook Unmoved(PoseLook look) => IsGripper
-            ? look.With("gripper not moved", "the gripper is disabled or is not attached to a link of a moving rig")
-            : look.With("rig not moved", "the rig is disabled or cannot show the robot");
+            ? look.With("gripper not moved", PoseMessages.GripperUnattached)
+            : look.With("rig not moved", PoseMessages.RigDisabled);
 
         bool IsGripper => _gripper is object;
 

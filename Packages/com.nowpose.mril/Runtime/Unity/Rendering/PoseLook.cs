@@ -1,4 +1,5 @@
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
 using UnityEngine;
 
@@ -8,10 +9,10 @@ namespace Nowpose.Unity.Rendering
     readonly struct PoseLook
     {
         /// <summary>Look of the last pose while no more frames are computed.</summary>
-        public static readonly PoseLook Abandoned = new PoseLook("no session", "the session is disabled or paused", 0.8f);
+        public static readonly PoseLook Abandoned = new PoseLook("no session", PoseMessages.SessionPaused, 0.8f);
 
         /// <summary>Look of an object that has not been placed yet. It is visible, so that the user can grasp it.</summary>
-        public static readonly PoseLook Unplaced = new PoseLook("not placed", "neither a hand nor a source has placed it", 0.5f);
+        public static readonly PoseLook Unplaced = new PoseLook("not placed", PoseMessages.NotPlaced, 0.5f);
 
         /// <summary>
         /// Minimum fade of a striped look. A part that is smaller than a stripe (1 cm) may lie between two stripes; then only the fade marks it.
@@ -49,11 +50,11 @@ namespace Nowpose.Unity.Rendering
             switch (pose)
             {
                 case PoseState.Current: return new PoseLook("", reason, 0, isHatched: false);
-                case PoseState.OutsideRange: return new PoseLook(PoseWords.Of(pose, outsideRange), reason, FadeOf(outsideRange));
-                case PoseState.Held: return new PoseLook(PoseWords.Of(pose), reason, 0.5f);
-                case PoseState.Unsynchronised: return new PoseLook(PoseWords.Of(pose), reason, 0.8f);
+                case PoseState.OutsideRange: return new PoseLook(PoseMessages.Of(pose, outsideRange), reason, FadeOf(outsideRange));
+                case PoseState.Held: return new PoseLook(PoseMessages.Of(pose), reason, 0.5f);
+                case PoseState.Unsynchronised: return new PoseLook(PoseMessages.Of(pose), reason, 0.8f);
                 // The joint positions are unknown, so the rig is at zero. The robot must not be drawn in this pose.
-                default: return new PoseLook(PoseWords.Of(pose), reason, 0.8f, isDrawn: false);
+                default: return new PoseLook(PoseMessages.Of(pose), reason, 0.8f, isDrawn: false);
             }
         }
 

@@ -1,5 +1,6 @@
 using System;
 using Nowpose.Kinematics;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Robot
@@ -91,9 +92,7 @@ namespace Nowpose.Unity.Robot
                 var child = at.GetChild(i);
                 if (child.TryGetComponent<RobotRig>(out _) || child.TryGetComponent<VirtualGripper>(out _)) continue;
                 if (child.TryGetComponent<MeshFilter>(out _))
-                    throw new InputException("robot '" + model.Name + "': no object below '" + rig.name + "' has the name of its root link '"
-                        + model.Root.Name + "', but '" + at.name + "' is drawn there; name an object after each link of the URDF, "
-                        + "or remove this object so that the rig builds the robot");
+                    throw new InputException(RigMessages.NoRootLink(model.Name, rig.name, model.Root.Name, at.name));
                 RequireEmpty(model, rig, child);
             }
         }
@@ -104,12 +103,10 @@ namespace Nowpose.Unity.Robot
             for (var at = link.parent; at != parent; at = at.parent)
             {
                 if (at.localPosition.magnitude > Tolerance || IsTurned(at.localRotation) || IsScaled(at))
-                    throw new InputException("robot '" + model.Name + "': '" + at.name + "' is between the links '" + parent.name + "' and '"
-                        + link.name + "' and is moved, turned or scaled; reset its transform");
+                    throw new InputException(RigMessages.MovedBetween(model.Name, at.name, parent.name, link.name));
             }
             if (IsScaled(link))
-                throw new InputException("robot '" + model.Name + "': link '" + link.name
-                    + "' is scaled, and so are its children; scale the visible object instead");
+                throw new InputException(RigMessages.ScaledLink(model.Name, link.name));
         }
 
         static bool IsTurned(Quaternion q) => new Vector3(q.x, q.y, q.z).magnitude > Tolerance;
@@ -120,8 +117,7 @@ namespace Nowpose.Unity.Robot
         {
             var joint = link.ParentJoint;
             var where = Below(rig, link.Name) == null ? "is missing" : "is elsewhere";
-            return new InputException("robot '" + model.Name + "': below link '" + joint.ParentLink + "' in '" + rig.name + "' link '" + link.Name
-                + "' of joint '" + joint.Name + "' " + where + "; name an object after each link of the URDF and nest the objects in the same way");
+            return new InputException(RigMessages.MissingLink(model.Name, joint.ParentLink, rig.name, link.Name, joint.Name, where));
         }
 
         // Does not search below other rigs, because the objects there belong to those rigs.

@@ -1,5 +1,6 @@
 using Nowpose.Kinematics;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Session
 {
@@ -20,16 +21,15 @@ namespace Nowpose.Unity.Session
         public bool Follow(CompensationSession session, RobotModel shown, RobotDescriptionAsset asset, SessionLog log)
         {
             if (IsNews(session.RobotDescriptionFault))
-                log.Warn("the gateway's robot description cannot be used: " + session.RobotDescriptionFault);
+                log.Warn(SessionMessages.DescriptionUnusable(session.RobotDescriptionFault));
             var described = session.DescribedRobot;
             if (!IsNews(described, shown)) return false;
             if (asset != null)
             {
-                log.Warn("the gateway describes robot '" + described.Name + "' with a URDF that differs from asset '" + asset.name
-                    + "'; the displayed robot may differ from the real one");
+                log.Warn(SessionMessages.DescriptionDiffers(described.Name, asset.name));
                 return false;
             }
-            log.Info("the gateway describes robot '" + described.Name + "'");
+            log.Info(SessionMessages.Description(described.Name));
             Robot = described;
             return true;
         }

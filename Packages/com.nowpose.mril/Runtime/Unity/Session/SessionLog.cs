@@ -2,8 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -51,24 +53,24 @@ namespace Nowpose.Unity.Session
         {
             if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + "clock synchronised", _context);
             if ((change & SessionChange.Lost) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + "clock synchronisation lost; poses are not current", _context);
+                Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.SynchronisationLost, _context);
             if ((change & SessionChange.EnteredRange) != 0)
-                Debug.Log(ConsoleLog.Prefix + "render time within the constant-latency range", _context);
+                Debug.Log(ConsoleLog.Prefix + SessionMessages.WithinRange, _context);
             if ((change & SessionChange.LeftRange) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + "render time beyond the constant-latency range; poses are late by an unknown time", _context);
+                Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.BeyondRange, _context);
             if ((change & SessionChange.DisplayTimeInconsistent) != 0)
                 Debug.LogWarning(
-                    ConsoleLog.Prefix + "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again", _context);
-            if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayWords.ImplausibleTimes(session?.DisplayTimeAhead));
+                    ConsoleLog.Prefix + SessionMessages.LatenciesDiffer, _context);
+            if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayMessages.ImplausibleTimes(session?.DisplayTimeAhead));
             if ((change & SessionChange.DisplayTimePlausible) != 0)
-                Debug.Log(ConsoleLog.Prefix + "display times of the runtime are plausible again, and used", _context);
-            if ((change & SessionChange.Stale) != 0) Warn("joint positions are stale; the pose is held" + MissingJointsOf(statistics));
+                Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
+            if ((change & SessionChange.Stale) != 0) Warn(SessionMessages.Stale(MissingJointsOf(statistics)));
         }
 
         static string MissingJointsOf(SessionStatistics statistics)
         {
             var joints = statistics == null ? "" : JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-            return joints.Length == 0 ? "" : ": " + joints;
+            return joints;
         }
 
         void Follow(IReadOnlyList<ConditionMismatch> mismatches)

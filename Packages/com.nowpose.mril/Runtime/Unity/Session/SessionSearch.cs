@@ -1,3 +1,4 @@
+using Nowpose.Unity.Messages;
 using UnityEngine;
 
 namespace Nowpose.Unity.Session
@@ -17,7 +18,7 @@ namespace Nowpose.Unity.Session
         {
             var session = component.SessionOr(assigned);
             if (session == null)
-                ConsoleLog.Warn(component, kind + " '" + component.name + "' has no session on its object or a parent; assign one");
+                ConsoleLog.Warn(component, ComponentMessages.ComponentWithoutSession(kind, component.name));
             return session;
         }
 

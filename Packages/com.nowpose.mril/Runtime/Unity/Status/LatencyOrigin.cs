@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Nowpose.Latency;
 using Nowpose.Session;
+using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Status
 {
@@ -18,14 +19,14 @@ namespace Nowpose.Unity.Status
         public string Of(SessionStatistics statistics)
         {
             if (statistics.IsDisplayTimeImplausible) return "runtime's are implausible";
-            if (statistics.IsDisplayTimeInconsistent) return "runtime and calibration differ";
-            if (statistics.IsLightPredicted) return "predicted by the runtime";
+            if (statistics.IsDisplayTimeInconsistent) return StatusMessages.LatenciesDiffer;
+            if (statistics.IsLightPredicted) return StatusMessages.LatencyPredicted;
             if (statistics.Profile == null) return "as set";
             if (statistics.Profile != _profile || statistics.ProfileMismatches != _mismatches)
             {
                 _profile = statistics.Profile;
                 _mismatches = statistics.ProfileMismatches;
-                _measured = _mismatches.Count > 0 ? "other " + _mismatches[0].Label : CalibrationWords.OriginOf(_profile);
+                _measured = _mismatches.Count > 0 ? "other " + _mismatches[0].Label : CalibrationMessages.OriginOf(_profile);
             }
             return _measured;
         }

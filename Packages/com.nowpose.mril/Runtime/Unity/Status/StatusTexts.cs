@@ -1,10 +1,12 @@
 using System;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Session.Hindcast;
 using Nowpose.Sync;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 
@@ -30,7 +32,7 @@ namespace Nowpose.Unity.Status
         };
 
         static readonly string[] Poses = WordsOfPoses();
-        static readonly string HeldOutside = "! " + PoseWords.Of(PoseState.OutsideRange, OutsideRangeResponse.Hold);
+        static readonly string HeldOutside = "! " + PoseMessages.Of(PoseState.OutsideRange, OutsideRangeResponse.Hold);
 
         static readonly NumberTexts Milliseconds = new NumberTexts("", " ms", (2, 1, 0));
         static readonly NumberTexts MarkedMilliseconds = new NumberTexts("! ", " ms", (2, 1, 0));
@@ -107,7 +109,7 @@ namespace Nowpose.Unity.Status
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
-                ?? DisplayWords.ProblemOf(statistics) ?? statistics?.VersionMismatch;
+                ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch;
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
@@ -126,10 +128,10 @@ namespace Nowpose.Unity.Status
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayWords.IsMismatched(statistics);
+            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayMessages.IsMismatched(statistics);
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
-            Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeWords.NameOf(statistics.RenderTimeSource));
+            Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeNames.NameOf(statistics.RenderTimeSource));
             Set(StatusRow.Range, RangeOf(statistics.Range), ReasonOf(statistics.RangeUnknownReason));
             UpdateError(statistics.ToolError, WithheldErrors.WordsOf(statistics.ErrorWithheld) ?? "");
         }
@@ -193,8 +195,8 @@ namespace Nowpose.Unity.Status
         static string[] WordsOfPoses()
         {
             var words = new string[(int)PoseState.Current + 1];
-            for (var pose = PoseState.Incomplete; pose < PoseState.Current; pose++) words[(int)pose] = "! " + PoseWords.Of(pose);
-            words[(int)PoseState.Current] = PoseWords.Of(PoseState.Current);
+            for (var pose = PoseState.Incomplete; pose < PoseState.Current; pose++) words[(int)pose] = "! " + PoseMessages.Of(pose);
+            words[(int)PoseState.Current] = PoseMessages.Of(PoseState.Current);
             return words;
         }
 
@@ -204,10 +206,10 @@ namespace Nowpose.Unity.Status
             switch (pose)
             {
                 case PoseState.Current: return "";
-                case PoseState.OutsideRange: return "rendering takes too long";
-                case PoseState.Held: return "too few recent samples";
+                case PoseState.OutsideRange: return StatusMessages.RenderingTooLong;
+                case PoseState.Held: return StatusMessages.TooFewSamples;
                 case PoseState.Unsynchronised: return "time not known";
-                default: return "a joint has no samples";
+                default: return StatusMessages.JointWithoutSamples;
             }
         }
 
@@ -237,10 +239,10 @@ namespace Nowpose.Unity.Status
         {
             switch (reason)
             {
-                case RangeUnknownReason.NoLimit: return "no limit is known";
+                case RangeUnknownReason.NoLimit: return StatusMessages.NoLimit;
                 case RangeUnknownReason.NoRenderTime: return "not measured";
                 case RangeUnknownReason.TooFewFrames: return "measuring";
-                case RangeUnknownReason.OtherSource: return "limit of another source";
+                case RangeUnknownReason.OtherSource: return StatusMessages.OtherSourceLimit;
                 case RangeUnknownReason.BeyondMeasured: return "beyond measured range";
                 default: return "";
             }

@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core
         static readonly double[] Expected = { 0.2, 0.4, 0.8, 1.5, 1.5, 1.5 };
 
         [Test]
-        public void Next_RepeatedFailures_DoublesUpToTheMaximumWithinAFifth()
+        public void Next_RepeatedFailures_DoublesUpToTheMaximumWithin20Percent()
         {
             for (var seed = 0; seed < 50; seed++)
             {
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Next_ManyHeadsets_VariesTheDelay()
+        public void Next_DifferentSeeds_VariesTheDelay()
         {
             var waits = Enumerable.Range(0, 200).Select(seed => new Backoff(new Random(seed)).Next().TotalSeconds).ToList();
 

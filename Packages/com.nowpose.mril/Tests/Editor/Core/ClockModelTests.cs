@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core
         [TestCase(1234.5, 0)]
         [TestCase(-1.7e9, 80e-6)]
         [TestCase(1.7e9, -80e-6)]
-        public void ToHeadset_ToControlResult_RoundTrips(double offsetSeconds, double skew)
+        public void ToHeadset_ResultOfToControl_ReturnsTheOriginalTime(double offsetSeconds, double skew)
         {
             var model = Model(offsetSeconds, skew);
 
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void OffsetAt_FastHeadsetClock_Grows()
+        public void OffsetAt_HeadsetClockRunsFast_GrowsWithTime()
         {
             var model = Model(5, 50e-6);
 
@@ -35,13 +35,13 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void ToControl_HeadsetAhead_IsEarlier()
+        public void ToControl_HeadsetClockAhead_ReturnsAnEarlierTime()
         {
             Assert.That(Model(2, 0).ToControl(Reference), Is.EqualTo(ControlTime.FromSeconds(998)));
         }
 
         [Test]
-        public void ToControl_Unsynchronised_Refuses()
+        public void ToControl_Unsynchronised_Throws()
         {
             Assert.Throws<InvalidOperationException>(() => default(ClockModel).ToControl(Reference));
         }

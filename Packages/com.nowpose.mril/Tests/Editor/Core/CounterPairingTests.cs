@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core
             return pairing;
         }
 
-        // The reading of the stopwatch at a count, in units of 100 ns, computed with 28 digits.
+        // Returns the stopwatch reading that belongs to a count, in units of 100 ns. Decimal arithmetic keeps 28 digits.
         static long Expected(long count, long frequency, decimal lag) =>
             decimal.ToInt64(decimal.Floor(((decimal)count / frequency - lag) * StopwatchHz));
 
@@ -34,14 +34,14 @@ namespace Nowpose.Tests.Core
 
             var bound = pairing.Uncertainty.Ticks + 1;
             Assert.That(reading, Is.InRange(Expected(count, frequency, lag) - bound, Expected(count, frequency, lag) + bound));
-            Assert.That(pairing.Uncertainty.TotalMilliseconds, Is.LessThan(0.003), "two readings and a count of the slowest counter");
+            Assert.That(pairing.Uncertainty.TotalMilliseconds, Is.LessThan(0.003), "two readings plus one period of the slowest counter");
         }
 
-        // The earlier error of the display time: counts were read as readings of the stopwatch.
+        // Earlier versions used the count as a stopwatch reading, so the display time was wrong.
         [TestCase(19_200_000)]
         [TestCase(24_000_000)]
         [TestCase(1_015_592)]
-        public void ToTarget_CountUsedAsReading_WouldHaveALargeError(long frequency)
+        public void ToTarget_CounterOfAnotherFrequency_DiffersFromTheCount(long frequency)
         {
             var pairing = Measure(new PlayedCounters(frequency, 3600, 0));
             var count = 3600 * frequency;
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core
 
         [TestCase(19_200_000)]
         [TestCase(1_015_592)]
-        public void ToTarget_TwoCounts_KeepTheirDistanceAtAnyTime(long frequency)
+        public void ToTarget_TwoCounts_PreservesTheIntervalAtAnyUpTime(long frequency)
         {
             var pairing = Measure(new PlayedCounters(frequency, 500 * Day, 0));
             var start = 500 * Day * frequency + 12_345;
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void TryMeasure_EveryReadingInterrupted_IsWithinItsUncertainty()
+        public void TryMeasure_EveryReadingInterrupted_ErrorIsWithinTheUncertainty()
         {
             // The pause falls between the stopwatch and the second count, which makes the bracket as asymmetric as possible.
             var device = new PlayedCounters(24_000_000, 90 * Day, 0) { PauseAfter = i => i % 3 == 1 ? 0.004 : 0 };
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core
             var count = 90 * Day * 24_000_000;
             var error = TimeSpan.FromTicks(Math.Abs(pairing.ToTarget(count) - Expected(count, 24_000_000, 0)));
             Assert.That(error, Is.LessThanOrEqualTo(pairing.Uncertainty));
-            Assert.That(error.TotalMilliseconds, Is.GreaterThan(1), "the effect");
+            Assert.That(error.TotalMilliseconds, Is.GreaterThan(1), "the pauses cause an error");
         }
 
         [Test]
@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Core
         {
             var device = new PlayedCounters(10_000_000, 10, 0);
 
-            var isPaired = CounterPairing.TryMeasure(() => new Broken(frequency, 0), device.Stopwatch, out _, out var fault);
+            var isPaired = CounterPairing.TryMeasure(() => new FaultyCounter(frequency, 0), device.Stopwatch, out _, out var fault);
 
             Assert.That(isPaired, Is.False);
             Assert.That(fault, Does.Contain(frequency + " Hz"));
@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Core
         {
             var device = new PlayedCounters(10_000_000, 10, 0);
 
-            var isPaired = CounterPairing.TryMeasure(() => new Broken(10_000_000, -1), device.Stopwatch, out _, out var fault);
+            var isPaired = CounterPairing.TryMeasure(() => new FaultyCounter(10_000_000, -1), device.Stopwatch, out _, out var fault);
 
             Assert.That(isPaired, Is.False);
             Assert.That(fault, Does.Contain("went back"));
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core
             Assert.That(() => pairing.ToTarget(count), Throws.Nothing);
         }
 
-        // On Windows this reads the real counters; other systems have none.
+        // On Windows, this test reads the real counters. Other systems have no such counter.
         [Test]
         public void TryMeasure_ThisDevice_PairsOrReturnsTheFault()
         {
@@ -153,12 +153,12 @@ namespace Nowpose.Tests.Core
             Assert.That(reading, Is.InRange(before - bound, after + bound));
         }
 
-        sealed class Broken : ICounter
+        sealed class FaultyCounter : ICounter
         {
             readonly long _step;
             long _count = 1_000_000_000;
 
-            public Broken(long frequency, long step) => (Frequency, _step) = (frequency, step);
+            public FaultyCounter(long frequency, long step) => (Frequency, _step) = (frequency, step);
 
             public long Frequency { get; }
 

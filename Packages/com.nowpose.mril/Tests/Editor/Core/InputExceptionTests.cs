@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void OneLine_CutsInsideASurrogatePair_KeepsOrDropsThePair([Values(0, 1)] int before)
+        public void OneLine_CutInsideASurrogatePair_KeepsOrDropsThePair([Values(0, 1)] int before)
         {
             var text = new string('x', before) + string.Concat(Enumerable.Repeat("\U0001F916", 200));
 
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void OneLine_ControlCharacters_BecomeBlanks() =>
+        public void OneLine_ControlCharacters_AreReplacedBySpaces() =>
             Assert.That(InputException.OneLine("a\nb\u2028c\td", 100), Is.EqualTo("a b c d"));
     }
 }

@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core
     {
         const double Step = 1e-3;
 
-        // Limits of the arm. Differences of a profile with piecewise constant jerk are exact apart from rounding.
+        // Limits of the arm. Finite differences of a profile with piecewise constant jerk are exact except for rounding.
         const double MaxAcceleration = 3;
         const double MaxJerk = 30;
 
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_LongSwing_ReachesNearlyTheRatedSpeed()
+        public void At_LongMove_NearlyReachesTheVelocityLimit()
         {
             var robot = UrdfFiles.Robot("youbot");
             var rows = Sampled(new PickAndPlaceMotion(robot));
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core
             var grips = new List<(double X, double Y, double Z)>();
             var before = default(double[]);
 
-            // Where the fingers have just closed or opened, the grasp point is at the pick or the place position.
+            // When the fingers close or open, the grasp point must be at the pick position or the place position.
             foreach (var row in Sampled(motion))
             {
                 if (before != null && row[finger] != before[finger])
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_MimicFinger_FollowsTheOther()
+        public void At_MimicFinger_EqualsTheOtherFinger()
         {
             var robot = UrdfFiles.Robot("youbot");
             var left = robot.IndexOfMovingJoint("gripper_finger_joint_l");
@@ -133,7 +133,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void Constructor_JointCannotReachAWaypoint_NamesIt()
+        public void Constructor_JointCannotReachAWaypoint_NamesTheJoint()
         {
             var text = UrdfFiles.Text("youbot.urdf").Replace("upper=\"5.8992\"", "upper=\"2\"");
 

@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core
         readonly StopwatchHeadsetClock _clock = new StopwatchHeadsetClock();
 
         [Test]
-        public void At_CountOfTheCounterBetweenTwoReadings_IsBetweenThem()
+        public void At_CountBetweenTwoReadings_ReturnsATimeBetweenThem()
         {
             var before = _clock.Now;
             var count = Stopwatch.GetTimestamp();
@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core
 
         [TestCase(0)]
         [TestCase(1_000_000)]
-        public void At_CountsASecondApart_DifferByASecondAtAnyUptime(long seconds)
+        public void At_CountsOneSecondApart_DifferByOneSecondAtAnyUpTime(long seconds)
         {
             var count = seconds * Stopwatch.Frequency + 3;
 

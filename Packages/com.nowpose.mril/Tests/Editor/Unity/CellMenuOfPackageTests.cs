@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>Tests of the menu with the package's own prefabs.</summary>
+    /// <summary>Tests the menu with the prefabs of the package.</summary>
     public class CellMenuOfPackageTests
     {
         GameObject _instance;
@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Place_RobotCell_IsACompleteInstance()
+        public void Place_RobotCell_CreatesACompleteInstance()
         {
             foreach (var cell in Cells)
             {
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Place_VirtualGripper_IsBelowTheSelectedRig()
+        public void Place_VirtualGripper_CreatesItBelowTheSelectedRig()
         {
             _instance = new GameObject("Robot");
             var rig = _instance.AddComponent<RobotRig>();
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void DefaultSettings_AreOfferedToASessionWithoutAny()
+        public void Fix_SessionWithoutSettings_AssignsTheDefaultSettings()
         {
             _instance = new GameObject("Session");
             var session = _instance.AddComponent<MrilSession>();

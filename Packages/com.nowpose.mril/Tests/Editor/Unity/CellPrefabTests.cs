@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>An instance of each cell in a scene in edit mode: no script runs, but all parts are connected.</summary>
+    /// <summary>Tests an instance of each cell prefab in edit mode. No script runs, but all parts are connected.</summary>
     [TestFixture("Nowpose Robot Cell", "youbot")]
     [TestFixture("Nowpose Robot Cell UR5", "ur5")]
     [TestFixture("Nowpose Robot Cell (Any Robot)", "ur5")]
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Unity
         public void Destroy() => Object.DestroyImmediate(_cell);
 
         [Test]
-        public void Parts_EachReference_IsOfThisInstance()
+        public void Parts_EachReference_PointsToThisInstance()
         {
             var rigs = _cell.GetComponentsInChildren<RobotRig>(true);
             var panel = _cell.GetComponentInChildren<StatusPanel>();
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Unity
                 Assert.That(gripper.transform.IsChildOf(rig.Flange), Is.EqualTo(isKnown));
                 Assert.That(Vector3.Distance(gripper.transform.position, rig.Flange.position), Is.LessThan(1e-5));
                 var isBuilt = rig.GetComponentsInChildren<Transform>(true).Length > objects;
-                Assert.That(isBuilt, Is.EqualTo(!isKnown), "only what is not saved is built");
+                Assert.That(isBuilt, Is.EqualTo(!isKnown), "the rig builds the robot only if the prefab does not contain it");
                 gripper.Unmount();
             }
         }
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Appearance_Refreshed_DoesNotHideEditedParts()
+        public void Appearance_RefreshedInEditMode_DoesNotHideParts()
         {
             var look = _displayed.GetComponent<PoseAppearance>();
 

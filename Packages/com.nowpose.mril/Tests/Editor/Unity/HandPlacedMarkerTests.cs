@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Read_Released_HasItsPoseAndTime()
+        public void Read_AfterRelease_ReturnsPoseAndTimeOfTheRelease()
         {
             _marker.transform.position = new Vector3(1, 2, 3);
             _marker.BeginMove();
@@ -45,13 +45,13 @@ namespace Nowpose.Tests.Unity
 
             Assert.That(_marker.IsMoving, Is.False);
             Assert.That(first.Tracking, Is.EqualTo(MarkerTracking.Placed));
-            Assert.That(first.Payload, Is.Null, "it stands for the base frame itself");
-            Assert.That(new[] { first.Pose.X, first.Pose.Y, first.Pose.Z }, Is.EqualTo(new double[] { 3, -1, 2 }), "the URDF's axes");
-            Assert.That(second.LastSeen, Is.EqualTo(first.LastSeen), "it has not been moved since");
+            Assert.That(first.Payload, Is.Null, "the marker represents the base frame itself");
+            Assert.That(new[] { first.Pose.X, first.Pose.Y, first.Pose.Z }, Is.EqualTo(new double[] { 3, -1, 2 }), "in the axes of the URDF");
+            Assert.That(second.LastSeen, Is.EqualTo(first.LastSeen), "the marker has not moved since then");
         }
 
         [Test]
-        public void Read_WhileMoved_HasANewTimeEachFrame()
+        public void Read_WhileMoving_ReturnsANewTimeEachFrame()
         {
             _marker.BeginMove();
 

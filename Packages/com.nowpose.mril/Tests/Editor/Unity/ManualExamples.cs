@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>The code of the manual's pages, compiled here. A test of the repository checks that both are the same.</summary>
+    /// <summary>Compiles the code of the manual's pages. A test of the repository checks that the pages contain the same code.</summary>
     static class ManualExamples
     {
         internal static void Follow(MrilSession session, RobotRig rig, GameObject warning, Transform lamp)
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Unity
 
             public void Read(List<MarkerSighting> markers)
             {
-                // Its z to the right along the print, its x to the lower edge, its y out of the print.
+                // The z axis points right along the print, the x axis to its lower edge, and the y axis out of it.
                 var pose = UnityPoses.ToRoom(_found.position, _found.rotation);
                 markers.Add(new MarkerSighting("1", "my robot", pose, 0.12, _session.HeadsetClock.Now, MarkerTracking.Tracking));
             }

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>Sets and gets the serialised fields, which the Inspector shows.</summary>
+    /// <summary>Sets and gets serialised fields by name, as the Inspector does.</summary>
     static class Serialized
     {
         public static T With<T>(this T target, string field, object value) where T : Object

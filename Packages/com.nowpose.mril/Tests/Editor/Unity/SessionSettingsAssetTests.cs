@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Unity
         {
             foreach (var (field, value, read, expected) in Fields)
             {
-                Assert.That(read(Asset().ToSettings()), Is.Not.EqualTo(expected), field + ": the default would show nothing");
+                Assert.That(read(Asset().ToSettings()), Is.Not.EqualTo(expected), field + ": the default must differ from the tested value");
                 Assert.That(read(Asset().With(field, value).ToSettings()), Is.EqualTo(expected), field);
             }
         }
@@ -116,18 +116,18 @@ namespace Nowpose.Tests.Unity
             var connection = asset.ToSettings(given).Connection;
 
             Assert.That(connection.Token, Is.EqualTo(expected));
-            Assert.That(connection.Host, Is.EqualTo("localhost"), "all else is the asset's");
+            Assert.That(connection.Host, Is.EqualTo("localhost"), "the other settings come from the asset");
         }
 
         [Test]
-        public void ToSettings_TokenByCodeInPlainText_IsRefused()
+        public void ToSettings_TokenArgumentInPlainText_IsRefused()
         {
             var asset = Asset().With("_host", "192.168.7.9").With("_insecureLan", true);
 
             var message = Assert.Throws<InputException>(() => asset.ToSettings("s3cret")).Message;
 
             Assert.That(message, Does.Contain("token").And.Contain("192.168.7.9").And.Not.Contain("s3cret"));
-            Assert.That(asset.ToSettings().Connection.Token, Is.Null, "nothing is written back");
+            Assert.That(asset.ToSettings().Connection.Token, Is.Null, "the token is not stored in the asset");
         }
 
         [TestCase(null)]

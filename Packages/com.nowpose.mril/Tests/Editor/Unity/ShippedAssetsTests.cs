@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Unity
     {
         const string Runtime = "Packages/com.nowpose.mril/Runtime/";
 
-        /// <summary>References that may be empty, because there is a fallback.</summary>
+        /// <summary>References that may be empty because the component has a fallback.</summary>
         static readonly string[] MayBeEmpty =
         {
             "VirtualGripper._rig", "PoseAppearance._session", "PoseAppearance._words", "BodyFollow._head", "LatencyProfileLoader._shipped",
@@ -27,7 +27,9 @@ namespace Nowpose.Tests.Unity
         static IEnumerable<string> Materials => Files("Materials", "mat");
         static IEnumerable<string> Robots => Files("Robots", "asset");
 
-        /// <summary>Asset paths as Unity uses them. The folder is found from this source file, so the package can be installed anywhere.</summary>
+        /// <summary>
+        /// Returns the asset paths as Unity uses them. The folder is relative to this source file, so the package can be installed anywhere.
+        /// </summary>
         static IEnumerable<string> Files(string folder, string extension) =>
             Directory.GetFiles(FullPath(folder), "*." + extension).Select(file => Runtime + folder + "/" + Path.GetFileName(file));
 

@@ -5,17 +5,17 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>
-    /// Fits the pose of the base to several markers: the rigid transform that maps their poses in the base frame to their measured
-    /// poses, position and rotation, with weights.
+    /// Fits the pose of the base to several markers: the rigid transform that maps their poses in the base frame to their measured poses,
+    /// with weights for positions and rotations.
     /// </summary>
     /// <remarks>
     /// With three or more separate markers, mainly their positions determine the rotation of the base, because a position is measured more
     /// accurately than the angle of a print. With one marker, its angle determines the rotation; with two, both contribute. With three
-    /// or more, the weight of the angles follows from how well they fit.
+    /// or more, the weight of the angles depends on how well they fit.
     /// </remarks>
     static class BaseFit
     {
-        /// <summary>Limits of the estimated angle error of the prints, rad, because an estimate from three markers is uncertain.</summary>
+        /// <summary>Limits of the estimated angle error of the prints, rad. An estimate from only three markers is uncertain.</summary>
         const double MinTiltError = 0.1 * Math.PI / 180, MaxTiltError = 2 * Math.PI / 180;
 
         /// <param name="markers">One marker or more.</param>
@@ -25,11 +25,11 @@ namespace Nowpose.Anchoring.Fitting
         {
             const double Assumed = MarkerEstimate.PlacedRadians * MarkerEstimate.PlacedRadians;
             var first = Of(markers, without, Assumed);
-            return Of(markers, without, AskewVariance(markers, without, first, Assumed));
+            return Of(markers, without, TiltVariance(markers, without, first, Assumed));
         }
 
-        /// <summary>Estimates the variance of the prints' angle errors, rad², from the contradiction between angles and positions.</summary>
-        static double AskewVariance(IReadOnlyList<MarkerEstimate> markers, int without, in RigidTransform fitted, double assumed)
+        /// <summary>Estimates the variance of the prints' angle errors, rad², from the deviations of the angles from the fitted base.</summary>
+        static double TiltVariance(IReadOnlyList<MarkerEstimate> markers, int without, in RigidTransform fitted, double assumed)
         {
             double sum = 0;
             var count = 0;

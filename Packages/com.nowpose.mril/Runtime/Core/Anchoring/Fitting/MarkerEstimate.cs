@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring.Fitting
     readonly struct MarkerEstimate
     {
         /// <summary>
-        /// Standard deviation of a position along an axis that does not decrease with the number of sightings, m: accuracy of the measured
+        /// Standard deviation of a position along an axis, m, that does not decrease with the number of sightings: accuracy of the measured
         /// position at the base, and flatness of the print.
         /// </summary>
         const double PlacedMetres = 0.00025;

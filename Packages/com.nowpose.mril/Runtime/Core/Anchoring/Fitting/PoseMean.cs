@@ -11,8 +11,8 @@ namespace Nowpose.Anchoring.Fitting
     readonly struct PoseMean
     {
         /// <summary>
-        /// Outlier threshold in medians of the distance. For normally distributed noise in three directions, it is 3.8 standard deviations
-        /// of one direction, which 0.2 % exceed.
+        /// Outlier threshold as a multiple of the median distance. For normally distributed noise in three directions, it is 3.8 standard
+        /// deviations of one direction; 0.2 % of the poses exceed it.
         /// </summary>
         const double Reach = 2.5;
 
@@ -21,8 +21,8 @@ namespace Nowpose.Anchoring.Fitting
 
         const int Rounds = 4;
 
-        /// <summary>Maximum difference of the two halves in its standard errors: noise alone exceeds it once in 100 000 times.</summary>
-        const double Sure = 3;
+        /// <summary>Maximum difference between the two halves, in its standard errors. Noise alone exceeds it once in 100 000 cases.</summary>
+        const double MaxStandardErrors = 3;
 
         readonly double _shiftMetres, _shiftRadians;
 
@@ -54,11 +54,12 @@ namespace Nowpose.Anchoring.Fitting
         /// <summary>Estimated error of the mean's rotation, rad.</summary>
         public double ErrorRadians => SpreadRadians / Math.Sqrt(Inliers);
 
-        /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker has no meaning.</summary>
+        /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker is meaningless.</summary>
         /// <param name="metres">Difference that is always allowed, even with little scatter.</param>
         /// <param name="radians">Angle difference that is always allowed.</param>
         public bool IsSteady(double metres, double radians) =>
-            _shiftMetres <= Math.Max(metres, 2 * Sure * ErrorMetres) && _shiftRadians <= Math.Max(radians, 2 * Sure * ErrorRadians);
+            _shiftMetres <= Math.Max(metres, 2 * MaxStandardErrors * ErrorMetres)
+            && _shiftRadians <= Math.Max(radians, 2 * MaxStandardErrors * ErrorRadians);
 
         /// <param name="count">Number of newest poses to use; one or more.</param>
         public static PoseMean Of(PoseWindow window, int count, PoseMeanSpace space)
@@ -74,7 +75,7 @@ namespace Nowpose.Anchoring.Fitting
             for (var i = 0; i < count; i++)
                 if (distances[i] > reach) weights[i] = 0;
 
-            // First an approximate median of the rotations, in which outliers have little influence, then the mean of the rotations near it.
+            // Computes an approximate median of the rotations, in which outliers have little influence, and then the mean of the rotations near it.
             var mean = Mean(window, count, weights);
             for (var round = 0; round < Rounds; round++)
             {
@@ -161,7 +162,7 @@ namespace Nowpose.Anchoring.Fitting
             PoseNumbers.Length(pose.X - to.X, pose.Y - to.Y, pose.Z - to.Z);
     }
 
-    /// <summary>Buffers for the computation of a <see cref="PoseMean"/>, so that it does not allocate them.</summary>
+    /// <summary>Reusable buffers for the computation of a <see cref="PoseMean"/>.</summary>
     sealed class PoseMeanSpace
     {
         readonly double[] _sorted = new double[PoseWindow.Capacity];
@@ -177,7 +178,7 @@ namespace Nowpose.Anchoring.Fitting
             return SortToMedian(_sorted, count);
         }
 
-        /// <summary>Returns the median of the first values, which it sorts.</summary>
+        /// <summary>Sorts the first values and returns their median.</summary>
         /// <param name="count">One or more.</param>
         public static double SortToMedian(double[] values, int count)
         {

@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring.Fitting
     /// <summary>The newest poses of one marker with their times.</summary>
     sealed class PoseWindow
     {
-        /// <summary>Eight seconds at a typical camera rate; more poses hardly improve a mean.</summary>
+        /// <summary>Capacity in poses: eight seconds at a typical camera rate. More poses hardly improve a mean.</summary>
         public const int Capacity = 256;
 
         readonly RigidTransform[] _poses = new RigidTransform[Capacity];
@@ -28,13 +28,13 @@ namespace Nowpose.Anchoring.Fitting
 
         public void Clear() => Count = 0;
 
-        /// <param name="back">0 for the newest pose, 1 for the one before, and so on.</param>
+        /// <param name="back">0 for the newest pose, 1 for the previous pose, and so on.</param>
         public ref readonly RigidTransform PoseOf(int back) => ref _poses[(_next - 1 - back + Capacity) % Capacity];
 
-        /// <param name="back">0 for the newest pose, 1 for the one before, and so on.</param>
+        /// <param name="back">0 for the newest pose, 1 for the previous pose, and so on.</param>
         public HeadsetTime TimeOf(int back) => _times[(_next - 1 - back + Capacity) % Capacity];
 
-        /// <summary>Returns how many of the newest poses span at least the given time; 0 when all poses together do not.</summary>
+        /// <summary>Returns how many of the newest poses are needed to span at least the given time; 0 if all poses together span less.</summary>
         public int CountOver(TimeSpan span)
         {
             for (var back = 1; back < Count; back++)

@@ -5,11 +5,11 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>
-    /// Fits a rotation to weighted rotations and weighted pairs of directions: the eigenvector of the largest eigenvalue of a symmetric
-    /// 4×4 matrix of quaternions (Davenport; for rotations only Markley's mean, for positions only Horn's fit). Never a
-    /// reflection.
+    /// Fits a rotation to weighted rotations and weighted pairs of directions. Uses Davenport's method: the eigenvector of the largest
+    /// eigenvalue of a symmetric 4×4 matrix of quaternions. For rotations only, this is Markley's mean; for positions only, Horn's fit.
+    /// The result is never a reflection.
     /// </summary>
-    /// <remarks>Solving allocates about 1 kB; do not do it in each frame.</remarks>
+    /// <remarks>Solving allocates about 1 kB, so do not solve in every frame.</remarks>
     struct RotationFit
     {
         // The matrix B of the fit: the solution R maximises the trace of RᵀB.
@@ -28,7 +28,7 @@ namespace Nowpose.Anchoring.Fitting
         /// <param name="weight">Inverse variance of the difference between the two along an axis.</param>
         public void Add((double X, double Y, double Z) from, (double X, double Y, double Z) to, double weight)
         {
-            // The squared angle of a rotation is about 3 − trace(RᵀB), the squared distance of two vectors a constant − 2 trace(RᵀB).
+            // The squared angle of a rotation is about 3 − trace(RᵀB). The squared distance of two vectors is a constant − 2 trace(RᵀB).
             weight *= 2;
             _b00 += weight * to.X * from.X; _b01 += weight * to.X * from.Y; _b02 += weight * to.X * from.Z;
             _b10 += weight * to.Y * from.X; _b11 += weight * to.Y * from.Y; _b12 += weight * to.Y * from.Z;

@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Nowpose.Messages;
 
 namespace Nowpose.Anchoring.Tracking
 {
@@ -9,11 +10,11 @@ namespace Nowpose.Anchoring.Tracking
     {
         static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);
 
-        /// <summary>Maximum age of a report of a marker that is in view.</summary>
+        /// <summary>Maximum age of the newest report of a marker that counts as in view.</summary>
         static readonly TimeSpan InView = TimeSpan.FromSeconds(1);
 
         /// <summary>Time without a report of any code after which the camera may not be working.</summary>
-        static readonly TimeSpan Blind = TimeSpan.FromSeconds(10);
+        static readonly TimeSpan CameraTimeout = TimeSpan.FromSeconds(10);
 
         readonly AnchoringSettings _settings;
         Subject _shown;
@@ -27,7 +28,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
-            // The time before the first frame and the time of a pause of the application do not count.
+            // The time before the first frame and the duration of a pause of the application do not count.
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);
@@ -85,8 +86,8 @@ namespace Nowpose.Anchoring.Tracking
         Subject Look(BaseTracker tracker, HeadsetTime now)
         {
             var since = tracker.LastReport is HeadsetTime reported && reported > _searching.Value ? reported : _searching.Value;
-            var isBlind = tracker.SourceProblem == null && now - since > Blind;
-            return new Subject(Kind.Looking, tracker.SourceProblem, count: isBlind ? 1 : 0);
+            var isCameraSuspect = tracker.SourceProblem == null && now - since > CameraTimeout;
+            return new Subject(Kind.Looking, tracker.SourceProblem, count: isCameraSuspect ? 1 : 0);
         }
 
         static Subject Move(BaseTracker tracker)
@@ -109,27 +110,20 @@ namespace Nowpose.Anchoring.Tracking
             var off = subject.A + " mm, " + Number(subject.B / 10.0, "0.0") + "°";
             switch (subject.Kind)
             {
-                case Kind.BeingPlaced: return "being placed by hand";
-                case Kind.Conflict:
-                    return Name(subject.First) + " and " + Name(subject.Second) + " contradict each other by " + off
-                    + ": measure their poses again";
-                case Kind.Scatters: return Name(subject.First) + " scatters by " + off + ": move closer and keep still";
-                case Kind.Gathers: return subject.A + " of " + tracker.Markers.Count + " markers in view: keep looking";
+                case Kind.BeingPlaced: return BaseStatusMessages.BeingPlaced;
+                case Kind.Conflict: return BaseStatusMessages.Conflict(Name(subject.First), Name(subject.Second), off);
+                case Kind.Scatters: return BaseStatusMessages.Scatters(Name(subject.First), off);
+                case Kind.Gathers: return BaseStatusMessages.Gathers(subject.A, tracker.Markers.Count);
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
-                case Kind.Moving: return Name(subject.First) + " is moving: keep it and the robot still";
-                case Kind.Looking: return "looking for markers" + (subject.Count > 0 ? "; allow the camera if it is blocked" : Because((string)subject.First));
-                case Kind.Moved:
-                    return (subject.Count > 1 ? subject.Count + " markers, the worst " : "") + Name(subject.First) + ", " + off
-                    + " from its expected place: put it back, or lock again";
+                case Kind.Moving: return BaseStatusMessages.Moving(Name(subject.First));
+                case Kind.Looking: return BaseStatusMessages.Looking(subject.Count > 0, (string)subject.First);
+                case Kind.Moved: return BaseStatusMessages.Moved(subject.Count, Name(subject.First), off);
                 case Kind.Locked: return Locked(tracker);
-                case Kind.Restored:
-                    return "as in an earlier run: " + (tracker.Markers.Count > 0 ? "look at a marker" : "lock it") + " to confirm it"
-                    + Because(tracker.Problem);
+                case Kind.Restored: return BaseStatusMessages.Restored(tracker.Markers.Count > 0, tracker.Problem);
                 case Kind.Lost:
                     return subject.A == 0
-                    ? "the headset has lost the place: look around"
-                    : "the headset has the place " + Number(tracker.ElsewhereMetres, "0.0") + " m elsewhere, which is not followed: "
-                        + (tracker.Markers.Count > 0 ? "look around, or lock again" : "look around, or place it again");
+                    ? BaseStatusMessages.Lost
+                    : BaseStatusMessages.Elsewhere(Number(tracker.ElsewhereMetres, "0.0"), tracker.Markers.Count > 0);
                 default: return "placed by hand";
             }
         }
@@ -138,13 +132,13 @@ namespace Nowpose.Anchoring.Tracking
         {
             switch (fault)
             {
-                case SightingFault.TooFar: return "is too far away: go within " + Number(_settings.MaxDistanceMetres, "0.##") + " m";
-                case SightingFault.TooOblique: return "is seen too obliquely: go in front of it";
-                case SightingFault.Behind: return "is behind you: look at it";
-                case SightingFault.OtherSize: return "does not have the configured size";
-                case SightingFault.TwoPlaces: return "is in two places: cover one";
-                case SightingFault.Old: return "is no longer in view: look at it";
-                default: return "is not placed by the headset yet: look at it";
+                case SightingFault.TooFar: return BaseStatusMessages.TooFar(Number(_settings.MaxDistanceMetres, "0.##"));
+                case SightingFault.TooOblique: return BaseStatusMessages.TooOblique;
+                case SightingFault.Behind: return BaseStatusMessages.Behind;
+                case SightingFault.OtherSize: return BaseStatusMessages.OtherSize;
+                case SightingFault.TwoPlaces: return BaseStatusMessages.TwoPlaces;
+                case SightingFault.Old: return BaseStatusMessages.NotInView;
+                default: return BaseStatusMessages.NotPlaced;
             }
         }
 
@@ -155,14 +149,11 @@ namespace Nowpose.Anchoring.Tracking
             if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
                 text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
             if (tracker.Conflict is { } conflict)
-                text += "; " + Name(conflict.Marker) + " is " + Mm(conflict.Metres) + " mm, " + Number(Degrees(conflict.Radians), "0.0")
-                    + "° from where the other markers place it";
+                text += BaseStatusMessages.ConflictOfLock(Name(conflict.Marker), Mm(conflict.Metres), Number(Degrees(conflict.Radians), "0.0"));
             if (tracker.IsCorrected)
-                text += "; moved by the headset by " + Mm(tracker.CorrectedMetres) + " mm, " + Number(Degrees(tracker.CorrectedRadians), "0.0") + "°";
-            return text + Because(tracker.Problem);
+                text += BaseStatusMessages.Corrected(Mm(tracker.CorrectedMetres), Number(Degrees(tracker.CorrectedRadians), "0.0"));
+            return text + BaseStatusMessages.Because(tracker.Problem);
         }
-
-        static string Because(string problem) => problem == null ? "" : "; " + problem;
 
         static string Name(object marker) => MarkerName.Of(((BaseMarker)marker).Payload);
 

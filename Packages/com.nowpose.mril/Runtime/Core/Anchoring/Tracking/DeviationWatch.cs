@@ -7,15 +7,17 @@ namespace Nowpose.Anchoring.Tracking
     /// <summary>Recent deviation of a marker from its expected pose: a median, so that single wrong poses have no effect.</summary>
     sealed class DeviationWatch
     {
-        const int Capacity = 32, Least = 5, Numbers = 6;
+        const int Capacity = 32, MinPoses = 5, Numbers = 6;
 
-        /// <summary>For a normal distribution: sd divided by median absolute deviation, and sd of a median divided by that of a mean.</summary>
+        /// <summary>
+        /// For a normal distribution: standard deviation (sd) divided by median absolute deviation, and sd of a median divided by sd of a mean.
+        /// </summary>
         const double SdPerMedian = 1.4826, MedianPerMean = 1.2533;
 
-        /// <summary>Excess over the limit in sd of the median, so that the state does not alternate for a marker at the limit.</summary>
-        const double Sure = 3;
+        /// <summary>Minimum excess over the limit, in sd of the median, so that the state does not alternate for a marker at the limit.</summary>
+        const double MinStandardErrors = 3;
 
-        /// <summary>Maximum age of the poses. With fewer than the minimum number, the newest ones up to the second age are used as well.</summary>
+        /// <summary>Maximum age of the poses. If there are fewer than the minimum number, poses up to the second age are used, too.</summary>
         static readonly TimeSpan Recent = TimeSpan.FromMilliseconds(600), Oldest = TimeSpan.FromSeconds(5);
 
         readonly double[] _values = new double[Capacity * Numbers];
@@ -24,7 +26,7 @@ namespace Nowpose.Anchoring.Tracking
         int _next, _count;
         double _metresSd, _radiansSd;
 
-        /// <summary>Whether there are enough recent poses; otherwise the values below have no meaning.</summary>
+        /// <summary>Whether there are enough recent poses; otherwise the other values are undefined.</summary>
         public bool IsKnown { get; private set; }
 
         public double Metres { get; private set; }
@@ -53,7 +55,7 @@ namespace Nowpose.Anchoring.Tracking
 
         /// <summary>Whether the deviation exceeds the limits by more than its own uncertainty.</summary>
         public bool IsBeyond(double metres, double radians) =>
-            IsKnown && (Metres > metres + Sure * _metresSd || Radians > radians + Sure * _radiansSd);
+            IsKnown && (Metres > metres + MinStandardErrors * _metresSd || Radians > radians + MinStandardErrors * _radiansSd);
 
         /// <summary>Whether the deviation is clearly within the limits.</summary>
         public bool IsWithin(double metres, double radians) => IsKnown && Metres < 0.7 * metres && Radians < 0.7 * radians;
@@ -61,8 +63,8 @@ namespace Nowpose.Anchoring.Tracking
         void Update(HeadsetTime now)
         {
             var count = 0;
-            while (count < _count && (now - TimeOf(count) <= Recent || (count < Least && now - TimeOf(count) <= Oldest))) count++;
-            IsKnown = count >= Least;
+            while (count < _count && (now - TimeOf(count) <= Recent || (count < MinPoses && now - TimeOf(count) <= Oldest))) count++;
+            IsKnown = count >= MinPoses;
             if (!IsKnown) return;
             (Metres, _metresSd) = Middle(count, 0);
             (Radians, _radiansSd) = Middle(count, 3);

@@ -3,13 +3,13 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Follows a pose that may jump, without jumps: the difference decreases exponentially.</summary>
+    /// <summary>Smooths the jumps of a pose: the difference to the pose decreases exponentially.</summary>
     sealed class EasedPose
     {
-        /// <summary>Number of time constants in the given duration, after which 2 % of the difference remain.</summary>
-        const double Constants = 4;
+        /// <summary>Number of time constants in the configured duration, after which 2 % of the difference remain.</summary>
+        const double TimeConstants = 4;
 
-        /// <summary>Differences below these are not visible.</summary>
+        /// <summary>Differences below these values are not visible.</summary>
         const double NearMetres = 1e-6, NearRadians = 1e-6;
 
         /// <summary>Maximum time step, so that the motion continues after a pause from where it was interrupted.</summary>
@@ -20,10 +20,10 @@ namespace Nowpose.Anchoring.Tracking
 
         public EasedPose(TimeSpan ease) => _ease = ease;
 
-        /// <summary>The eased pose; null before the first one.</summary>
+        /// <summary>The smoothed pose; null before the first pose.</summary>
         public RigidTransform? Pose { get; private set; }
 
-        /// <summary>Sets the pose without easing; null to start again with the next pose.</summary>
+        /// <summary>Sets the pose without smoothing; null starts again with the next pose.</summary>
         public void Jump(in RigidTransform? pose) => Pose = pose;
 
         public void Follow(in RigidTransform target, HeadsetTime now)
@@ -35,14 +35,14 @@ namespace Nowpose.Anchoring.Tracking
             else Pose = PoseNumbers.Between(pose, target, PartOf(passed));
         }
 
-        /// <summary>Lets time pass without a pose to follow.</summary>
+        /// <summary>Advances the time while there is no pose to follow.</summary>
         public void Rest(HeadsetTime now) => _last = now;
 
         double PartOf(TimeSpan passed)
         {
             if (_ease <= TimeSpan.Zero) return 1;
             if (passed > MaxFrameTime) passed = MaxFrameTime;
-            return passed > TimeSpan.Zero ? 1 - Math.Exp(-Constants * passed.Ticks / _ease.Ticks) : 0;
+            return passed > TimeSpan.Zero ? 1 - Math.Exp(-TimeConstants * passed.Ticks / _ease.Ticks) : 0;
         }
     }
 }

@@ -3,10 +3,10 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>The position of the base that the device holds.</summary>
-    /// <remarks>Searched for at the start, held from a lock on, and updated when the device corrects its map.</remarks>
+    /// <remarks>The position is searched for at the start, held after a lock, and updated when the device corrects its map.</remarks>
     sealed class HeldPlace
     {
-        /// <summary>A pose is invalid if it is this close to the application's origin and this far from the previous one.</summary>
+        /// <summary>A pose is invalid if it is this close to the application's origin and this far from the previous pose.</summary>
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 
         /// <summary>Maximum correction of the map; a larger jump indicates another map or another position.</summary>
@@ -39,7 +39,7 @@ namespace Nowpose.Anchoring.Tracking
 
         /// <summary>Holds another position and stores it instead of the previous one.</summary>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
-        /// <param name="name">Name to store it under; empty if it must not be stored.</param>
+        /// <param name="name">Name under which the position is stored; empty if it must not be stored.</param>
         public void Hold(ISpatialAnchors anchors, in RigidTransform pose, string name)
         {
             _isSought = true;
@@ -61,7 +61,7 @@ namespace Nowpose.Anchoring.Tracking
             _isSought = !seekAgain;
         }
 
-        /// <param name="last">Previous pose; null before the first.</param>
+        /// <param name="last">Previous pose; null before the first pose.</param>
         /// <returns>The current pose; null when it is unknown.</returns>
         public RigidTransform? Follow(in RigidTransform? last)
         {

@@ -13,7 +13,7 @@ namespace Nowpose.Anchoring.Tracking
         static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(250);
 
         /// <summary>Waiting time for markers that come into view a few frames later.</summary>
-        static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(80);
+        static readonly TimeSpan WaitingTime = TimeSpan.FromMilliseconds(80);
 
         readonly AnchoringSettings _settings;
         readonly PoseMeanSpace _space = new PoseMeanSpace();
@@ -38,8 +38,8 @@ namespace Nowpose.Anchoring.Tracking
             Conflict = null;
         }
 
-        /// <param name="locked">The locked base, with which the estimates of its parts are used; null without a lock.</param>
-        /// <returns>Whether the attempt succeeded. The markers used are then the parts of the lock.</returns>
+        /// <param name="locked">Locked base, which adds the estimates of the markers that are parts of the lock; null without a lock.</param>
+        /// <returns>Whether the attempt succeeded. In this case, the markers used become parts of the lock.</returns>
         public bool Make(HeadsetTime now, IReadOnlyList<TrackedMarker> markers, in RigidTransform? locked)
         {
             if (!IsTime(now, markers)) return false;
@@ -49,13 +49,13 @@ namespace Nowpose.Anchoring.Tracking
             if (locked is RigidTransform known) AddParts(markers, known);
             var agreement = MarkerAgreement.Of(_estimates, _settings);
             Conflict = null;
-            if (!agreement.IsGood && !LeaveOut(agreement)) return false;
+            if (!agreement.IsGood && !TryExclude(agreement)) return false;
             Fitted = agreement.Fitted;
             for (var i = 0; i < _estimated.Count; i++) _estimated[i].Join(_estimates[i].From(Fitted.Inverse));
             return true;
         }
 
-        /// <summary>Returns the root mean square over the markers of the scatter of their poses.</summary>
+        /// <summary>Returns the scatter of the markers' poses as root mean square over the markers used.</summary>
         public (double Metres, double Radians) Spread()
         {
             double metres = 0, radians = 0;
@@ -91,7 +91,7 @@ namespace Nowpose.Anchoring.Tracking
         bool IsWorthWaiting(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)
         {
             _ready ??= now;
-            if (now - _ready.Value >= Patience) return false;
+            if (now - _ready.Value >= WaitingTime) return false;
             for (var i = 0; i < markers.Count; i++)
                 if (markers[i].IsOpen && !_estimated.Contains(markers[i]) && markers[i].IsFresh(now)) return true;
             return false;
@@ -107,13 +107,13 @@ namespace Nowpose.Anchoring.Tracking
             }
         }
 
-        /// <returns>Whether the remaining markers suffice.</returns>
-        bool LeaveOut(in MarkerAgreement agreement)
+        /// <returns>Whether the remaining markers are sufficient.</returns>
+        bool TryExclude(in MarkerAgreement agreement)
         {
             var isClear = agreement.Wrong >= 0;
             var wrong = _estimated[isClear ? agreement.Wrong : 0];
             Conflict = new MarkerConflict(wrong.Marker, isClear ? null : _estimated[1].Marker, agreement.Metres, agreement.Radians);
-            // Parts of the lock are at the end of the list. If two markers contradict each other, the part is kept and the other one excluded.
+            // Parts of the lock are at the end of the list. If two markers contradict each other, the part is kept and the other marker is excluded.
             if (isClear || _estimated[_estimated.Count - 1].IsPart) wrong.Exclude();
             if (!isClear) return false;
             _estimates.RemoveAt(agreement.Wrong);

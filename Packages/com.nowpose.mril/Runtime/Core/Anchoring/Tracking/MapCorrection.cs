@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>How far the device has moved a base since its lock, by correcting its map.</summary>
+    /// <summary>Distance and angle by which the device has moved a base since its lock, by correcting its map.</summary>
     readonly struct MapCorrection
     {
         /// <param name="locked">Base at the lock, in the room frame.</param>

@@ -5,16 +5,21 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Whether the relative poses of markers are as measured at the base and, if not, which marker is wrong.</summary>
+    /// <summary>
+    /// Result of the check whether the relative poses of markers are as measured at the base. If not, it identifies the wrong marker.
+    /// </summary>
     readonly struct MarkerAgreement
     {
         /// <summary>
-        /// Share of one marker's position error in its own misfit: a fit distributes the error, half each with two markers. The angle of a
-        /// print has no such share: mainly the positions determine the rotation of the base, so its error is in its own misfit.
+        /// Fraction of a marker's position error that appears in its own misfit. A fit distributes the error over the markers, half to each
+        /// of two markers. An angle error of a print appears completely in its own misfit, because mainly the positions determine the
+        /// rotation of the base.
         /// </summary>
         const double Shared = 0.5;
 
-        /// <summary>Factors on the tolerances: the pose of a print at the base is measured less accurately than a later movement of it.</summary>
+        /// <summary>
+        /// Factors on the tolerances. The pose of a print at the base is measured less accurately than a later movement of the print.
+        /// </summary>
         public const double MetresFactor = 2, AngleFactor = 4;
 
         MarkerAgreement(bool isGood, int wrong, in RigidTransform fitted, double metres, double radians)
@@ -28,13 +33,13 @@ namespace Nowpose.Anchoring.Tracking
 
         public bool IsGood { get; }
 
-        /// <summary>Index of the marker that the others contradict; −1 if there is none or if it cannot be determined.</summary>
+        /// <summary>Index of the marker that the other markers contradict; −1 if there is none or if it cannot be determined.</summary>
         public int Wrong { get; }
 
-        /// <summary>Base from all markers except the wrong one.</summary>
+        /// <summary>Base from all markers except the wrong marker.</summary>
         public RigidTransform Fitted { get; }
 
-        /// <summary>Deviation of the wrong marker or, if that one is unknown, of the markers from each other.</summary>
+        /// <summary>Deviation of the wrong marker, or of the markers from each other if the wrong marker is unknown, in metres.</summary>
         public double Metres { get; }
 
         public double Radians { get; }
@@ -71,7 +76,7 @@ namespace Nowpose.Anchoring.Tracking
             return new MarkerAgreement(false, -1, all, metres, radians);
         }
 
-        /// <summary>Returns the maximum misfit relative to the allowed one.</summary>
+        /// <summary>Returns the maximum misfit relative to the allowed misfit.</summary>
         static double Worst(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
         {
             double worst = 0;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 
 namespace Nowpose.Anchoring.Tracking
 {
@@ -25,19 +26,19 @@ namespace Nowpose.Anchoring.Tracking
             }
         }
 
-        /// <summary>Replaces the markers. Those that were there before keep their sightings.</summary>
-        /// <returns>Whether all parts of a lock are still there.</returns>
-        /// <exception cref="InputException">Two markers have the same payload, or there are too many. Nothing has changed.</exception>
+        /// <summary>Replaces the markers. Markers that are also in the new list keep their sightings.</summary>
+        /// <returns>Whether all parts of a lock are still in the list.</returns>
+        /// <exception cref="InputException">Two markers have the same payload, or there are too many; nothing is changed then.</exception>
         public bool Replace(IReadOnlyList<BaseMarker> markers, AnchoringSettings settings)
         {
-            SettingRange.RequireCount(markers.Count, 0, MaxCount, "markers of a base");
+            SettingRange.RequireCount(markers.Count, 0, MaxCount, SettingNames.MarkersOfBase);
             var tracked = new TrackedMarker[markers.Count];
             for (var i = 0; i < tracked.Length; i++)
             {
                 var marker = markers[i] ?? throw new ArgumentNullException(nameof(markers));
                 for (var j = 0; j < i; j++)
                     if (markers[j].Payload == marker.Payload)
-                        throw new InputException(MarkerName.Of(marker.Payload) + " is given twice; each marker of a base needs its own payload");
+                        throw new InputException(MarkerMessages.PayloadTwice(MarkerName.Of(marker.Payload)));
                 tracked[i] = Array.Find(_markers, known => known.Marker.IsSameAs(marker)) ?? new TrackedMarker(marker, settings);
             }
             var hasAllParts = Array.TrueForAll(_markers, known => !known.IsPart || Array.IndexOf(tracked, known) >= 0);
@@ -50,9 +51,9 @@ namespace Nowpose.Anchoring.Tracking
             foreach (var marker in _markers) marker.Restart();
         }
 
-        public void ForgetSeen()
+        public void RemoveSightings()
         {
-            foreach (var marker in _markers) marker.ForgetSeen();
+            foreach (var marker in _markers) marker.RemoveSightings();
         }
 
         /// <param name="payload">Null for the base itself.</param>
@@ -65,7 +66,7 @@ namespace Nowpose.Anchoring.Tracking
             return null;
         }
 
-        /// <param name="watched">Pose of the base with which the sighting is compared; null to compare nothing.</param>
+        /// <param name="watched">Pose of the base with which the sighting is compared; null for no comparison.</param>
         /// <returns>Whether the sighting was accepted.</returns>
         public bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? watched)
         {

@@ -9,10 +9,10 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Maximum relative error of the size; errors of lenses and prints are smaller.</summary>
         const double MaxSizeDeviation = 0.1;
 
-        /// <summary>Poses this close to the origin are invalid: no marker is so close to where the head was at the start.</summary>
+        /// <summary>Poses this close to the origin are invalid, because no marker is that close to the position of the head at the start.</summary>
         const double OriginMetres = 0.001;
 
-        /// <summary>Maximum time of a sighting in the future: the clocks of engine and headset are read one after the other.</summary>
+        /// <summary>Maximum time by which a sighting may be in the future: the clocks of engine and headset are read one after the other.</summary>
         public static readonly TimeSpan Ahead = TimeSpan.FromMilliseconds(50);
 
         /// <param name="head">Viewer's head in the room frame, x forward; null when unknown.</param>
@@ -29,10 +29,10 @@ namespace Nowpose.Anchoring.Tracking
             if (age > settings.Oldest || age < -Ahead) return SightingFault.Old;
             if (marker.SizeMetres > 0 && sighting.SizeMetres > 0
                 && Math.Abs(sighting.SizeMetres - marker.SizeMetres) > MaxSizeDeviation * marker.SizeMetres) return SightingFault.OtherSize;
-            return head is RigidTransform eyes ? JudgeView(pose, eyes, settings) : SightingFault.None;
+            return head is RigidTransform eyes ? CheckView(pose, eyes, settings) : SightingFault.None;
         }
 
-        static SightingFault JudgeView(in RigidTransform pose, in RigidTransform head, AnchoringSettings settings)
+        static SightingFault CheckView(in RigidTransform pose, in RigidTransform head, AnchoringSettings settings)
         {
             double x = head.X - pose.X, y = head.Y - pose.Y, z = head.Z - pose.Z;
             var distance = PoseNumbers.Length(x, y, z);

@@ -8,8 +8,8 @@ namespace Nowpose.Latency.Calibration
     {
         const int Window = 30;
 
-        /// <summary>Maximum speed difference of the two halves of the window, relative or absolute in mm/s, whichever is larger.</summary>
-        const double Alike = 0.1, AlikeMmPerS = 3;
+        /// <summary>Maximum difference between the speeds of the two halves of the window: relative, or in mm/s, whichever is larger.</summary>
+        const double MaxDifference = 0.1, MaxDifferenceMmPerS = 3;
 
         readonly double[] _seconds = new double[Window], _mm = new double[Window];
         ControlTime _epoch, _newest;
@@ -18,18 +18,18 @@ namespace Nowpose.Latency.Calibration
         /// <summary>Speed from a line fit over the window; positive along the axis. Null before 30 frames.</summary>
         public double? MmPerS => _count < Window ? (double?)null : Slope(0, Window);
 
-        /// <summary>Whether the tool neither accelerates nor decelerates.</summary>
+        /// <summary>Whether the speed is constant within the window.</summary>
         public bool IsConstant
         {
             get
             {
                 if (_count < Window) return false;
                 var (older, newer) = (Slope(0, Window / 2), Slope(Window / 2, Window / 2));
-                return Math.Abs(newer - older) <= Math.Max(AlikeMmPerS, Alike * Math.Abs(Slope(0, Window)));
+                return Math.Abs(newer - older) <= Math.Max(MaxDifferenceMmPerS, MaxDifference * Math.Abs(Slope(0, Window)));
             }
         }
 
-        /// <param name="at">Time of the position. The same time again is ignored; an earlier time restarts the window.</param>
+        /// <param name="at">Time of the position. A repeated time is ignored; an earlier time restarts the window.</param>
         /// <param name="mm">Position along the axis.</param>
         public void Add(ControlTime at, double mm)
         {

@@ -1,17 +1,17 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>Marks by eye with the speed measured at each; the sign of the speed is the direction.</summary>
+    /// <summary>Marks that a user sets by eye, each with the measured speed of the tool; the sign of the speed is the direction.</summary>
     sealed class MarkedNudges
     {
         const double MinSpeedMmPerS = 20;
 
         /// <summary>Maximum deviation of a mark's speed from the mean, relative to the mean.</summary>
-        const double SameSpeed = 0.1;
+        const double MaxSpeedDeviation = 0.1;
 
         readonly double _usedVisuMs;
         readonly List<(double OffsetMm, double SpeedMmPerS)> _marks = new List<(double, double)>();
@@ -23,27 +23,26 @@ namespace Nowpose.Latency.Calibration
 
         public int BackwardCount => _marks.Count(m => m.SpeedMmPerS < 0);
 
-        /// <param name="offsetMm">Shift of the ghost along the axis at which it agrees with the robot.</param>
-        /// <param name="speedMmPerS">Speed of the tool along the axis, negative backward.</param>
-        /// <exception cref="InputException">The speed is too low or differs from that of the previous marks.</exception>
+        /// <param name="offsetMm">Shift of the ghost along the axis at which the ghost agrees with the robot.</param>
+        /// <param name="speedMmPerS">Speed of the tool along the axis, negative for backward motion.</param>
+        /// <exception cref="InputException">The speed is too low, or differs from the speed at the previous marks.</exception>
         public void Add(double offsetMm, double speedMmPerS)
         {
             if (!(Math.Abs(speedMmPerS) >= MinSpeedMmPerS))
-                throw Fault("nudge: the tool moves at {0:0} mm/s along the axis; mark at {1:0} mm/s or more", speedMmPerS, MinSpeedMmPerS);
-            if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > SameSpeed * Speed)
-                throw Fault("nudge: the tool moves at {0:0} mm/s, and moved at {1:0} mm/s during the earlier marks; use the same speed, or clear the marks",
-                    Math.Abs(speedMmPerS), Speed);
+                throw new InputException(NudgeMessages.TooSlow(speedMmPerS, MinSpeedMmPerS));
+            if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > MaxSpeedDeviation * Speed)
+                throw new InputException(NudgeMessages.OtherSpeed(Math.Abs(speedMmPerS), Speed));
             _marks.Add((offsetMm, speedMmPerS));
         }
 
         public void Clear() => _marks.Clear();
 
-        /// <exception cref="InputException">A direction has no mark, or the marks give no possible L_visu.</exception>
+        /// <exception cref="InputException">A direction has no mark, or the marks result in an impossible L_visu.</exception>
         public NudgeResult Result
         {
             get
             {
-                // Without marks, the calibration reports which direction lacks one, and the speed has no effect.
+                // Without marks, NudgeCalibration reports which direction has no mark, and the speed has no effect.
                 var nudge = new NudgeCalibration(_marks.Count == 0 ? MinSpeedMmPerS : Speed, _usedVisuMs);
                 foreach (var (offsetMm, speedMmPerS) in _marks)
                 {
@@ -54,7 +53,8 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        // Both directions have equal weight regardless of their number of marks: the half difference uses the mean of the two.
+        // Both directions have equal weight regardless of their number of marks, because half the difference of the directions is computed
+        // from the mean of each direction.
         double Speed
         {
             get
@@ -63,8 +63,5 @@ namespace Nowpose.Latency.Calibration
                 return directions.Average();
             }
         }
-
-        static InputException Fault(string format, params object[] values) =>
-            new InputException(string.Format(CultureInfo.InvariantCulture, format, values));
     }
 }

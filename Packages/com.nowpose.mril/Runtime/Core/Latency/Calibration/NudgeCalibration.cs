@@ -1,11 +1,12 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>Measures L_visu by eye: the shift that makes the ghost agree with the robot at constant speed, forward and backward.</summary>
+    /// <summary>Calibrates L_visu by eye, from the shifts at which the ghost agrees with the robot at constant speed, forward and backward.</summary>
     /// <remarks>
     /// With e = true L_visu − L_visu in use, and a base that is misplaced by d, the shift is v·e + d forward and −v·e + d
-    /// backward: half the difference divided by the speed is e, and half the sum is d. Not thread-safe.
+    /// backward. Half the difference divided by the speed v is e, and half the sum is d. Not thread-safe.
     /// </remarks>
     sealed class NudgeCalibration
     {
@@ -19,10 +20,10 @@ namespace Nowpose.Latency.Calibration
 
         /// <param name="speedMmPerS">Speed of the tool along the axis, the same in both directions: 1 to 10 000 mm/s.</param>
         /// <param name="usedVisuMs">L_visu that was in use when the ghost was drawn, 0 to 500 ms.</param>
-        /// <exception cref="InputException">Out of range.</exception>
+        /// <exception cref="InputException">A value is out of range.</exception>
         public NudgeCalibration(double speedMmPerS, double usedVisuMs)
         {
-            _speedMmPerS = SettingRange.Require(speedMmPerS, 1, 10_000, "speed of the tool", "mm/s");
+            _speedMmPerS = SettingRange.Require(speedMmPerS, 1, 10_000, SettingNames.ToolSpeed, "mm/s");
             _usedVisuMs = VisualisationLatency.FromMilliseconds(usedVisuMs).Length.TotalMilliseconds;
         }
 
@@ -33,19 +34,19 @@ namespace Nowpose.Latency.Calibration
         /// <summary>Whether there is a mark in each direction.</summary>
         public bool IsComplete => ForwardCount > 0 && BackwardCount > 0;
 
-        /// <param name="offsetMm">Shift of the ghost along the axis at which it agrees with the robot, −1000 to 1000 mm.</param>
-        /// <exception cref="InputException">Out of range.</exception>
+        /// <param name="offsetMm">Shift of the ghost along the axis at which the ghost agrees with the robot, −1000 to 1000 mm.</param>
+        /// <exception cref="InputException">The shift is out of range.</exception>
         public void AddForward(double offsetMm) => _forward.Add(Required(offsetMm));
 
         /// <inheritdoc cref="AddForward"/>
         public void AddBackward(double offsetMm) => _backward.Add(Required(offsetMm));
 
-        /// <exception cref="InputException">A direction has no mark, or the marks give no possible L_visu.</exception>
+        /// <exception cref="InputException">A direction has no mark, or the marks result in an impossible L_visu.</exception>
         public NudgeResult Result
         {
             get
             {
-                if (!IsComplete) throw new InputException("nudge: " + (ForwardCount == 0 ? "forward" : "backward") + " has no mark; mark both directions");
+                if (!IsComplete) throw new InputException(NudgeMessages.NoMark(ForwardCount == 0));
                 var errorMs = (_forward.Mean - _backward.Mean) / (2 * _speedMmPerS) * 1000;
                 var visuMs = SettingRange.Require(
                     Math.Round(_usedVisuMs + errorMs, 4), 0, LatencyProfile.MaxVisuMs, "nudge: visualisation latency", "ms");

@@ -16,12 +16,12 @@ namespace Nowpose.Latency.Calibration
         public VisualisationLatency Visualisation { get; }
 
         /// <summary>
-        /// Standard deviation of L_visu from one forward and one backward mark. It is at least that of marks with a standard deviation
-        /// of <see cref="NudgeCalibration.EyeMm"/>.
+        /// Standard deviation of L_visu from one forward and one backward mark. The standard deviation of a mark is assumed to be
+        /// <see cref="NudgeCalibration.EyeMm"/> or more.
         /// </summary>
         public TimeSpan Spread { get; }
 
-        /// <summary>Distance by which the drawn robot is too far back along the axis, mm, independent of its motion: its base is misplaced.</summary>
+        /// <summary>Distance by which the drawn robot is too far back along the axis at any speed, mm, because its base is misplaced.</summary>
         public double OffsetMm { get; }
 
         /// <summary>Number of marks in both directions.</summary>

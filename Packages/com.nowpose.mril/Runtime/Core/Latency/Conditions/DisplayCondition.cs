@@ -12,7 +12,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Graphics API, such as Direct3D11.</summary>
         GraphicsApi,
 
-        /// <summary>Threads that prepare graphics commands: with or without Graphics Jobs.</summary>
+        /// <summary>Rendering threading mode of Unity: with or without Graphics Jobs.</summary>
         GraphicsJobs,
 
         /// <summary>Unity's render pipeline.</summary>

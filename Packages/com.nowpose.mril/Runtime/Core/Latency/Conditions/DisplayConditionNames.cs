@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Conditions
 {
@@ -19,8 +20,8 @@ namespace Nowpose.Latency.Conditions
 
         static readonly string[] Places =
         {
-            "", "", "Project Settings, Player", "Project Settings, Player", "Project Settings, Graphics and Quality",
-            "Session Settings", "Project Settings, XR Plug-in Management, OpenXR", "the component or script that sets the reprojection mode",
+            "", "", "Project Settings, Player", "Project Settings, Player", ConditionMessages.PlaceOfQuality,
+            "Session Settings", ConditionMessages.PlaceOfOpenXr, ConditionMessages.PlaceOfReprojection,
         };
 
         public static int Count => Fields.Length;
@@ -37,7 +38,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Returns where the user can change the condition.</summary>
         public static string PlaceOf(DisplayCondition condition) => Places[(int)condition];
 
-        /// <param name="field">Exactly as written by <see cref="FieldOf"/>.</param>
+        /// <param name="field">Name exactly as returned by <see cref="FieldOf"/>.</param>
         public static bool TryParse(string field, out DisplayCondition condition)
         {
             var index = Array.IndexOf(Fields, field);

@@ -2,11 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
-using Nowpose.Latency.Reprojection;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Conditions
 {
-    /// <summary>The conditions under which L_visu was measured, or under which a device runs. Null means that a condition is not known.</summary>
+    /// <summary>Conditions under which L_visu was measured, or under which a device runs. Null means that a condition is not known.</summary>
     /// <remarks>Immutable.</remarks>
     sealed class DisplayConditions : IEquatable<DisplayConditions>
     {
@@ -16,14 +16,14 @@ namespace Nowpose.Latency.Conditions
         internal const double MaxDisplayHz = 1000;
         internal const string On = "on", Off = "off";
 
-        /// <summary>Maximum difference of rates of the same display: 60 Hz is also reported as 59.94 Hz.</summary>
+        /// <summary>Maximum difference between two reports of the same rate: 60 Hz is also reported as 59.94 Hz.</summary>
         const double RateToleranceHz = 1;
 
         static readonly CultureInfo Culture = CultureInfo.InvariantCulture;
 
         readonly string[] _values = new string[DisplayConditionNames.Count];
 
-        /// <param name="device">Model, one line of up to 128 characters, as are the other texts; null or empty when not known.</param>
+        /// <param name="device">Model of the headset. Each text is one line of up to 128 characters; null or empty if unknown.</param>
         /// <param name="displayHz">Refresh rate, up to 1000 Hz; null, 0 or NaN when not known.</param>
         /// <param name="graphicsApi">Value of <c>SystemInfo.graphicsDeviceType</c>, such as Direct3D11.</param>
         /// <param name="graphicsJobs">Value of <c>SystemInfo.renderingThreadingMode</c>: MultiThreaded without Graphics Jobs.</param>
@@ -40,7 +40,7 @@ namespace Nowpose.Latency.Conditions
                 DisplayHz = SettingRange.Require(displayHz.Value, 0, MaxDisplayHz, "display rate", "Hz");
             RewritesBeforeRender = rewritesBeforeRender;
             Reprojection = reprojection;
-            Set(DisplayCondition.Device, device, "the name of a model");
+            Set(DisplayCondition.Device, device, SettingNames.DeviceModel);
             Set(DisplayCondition.DisplayRate, DisplayHz?.ToString("0.##", Culture));
             Set(DisplayCondition.GraphicsApi, graphicsApi);
             Set(DisplayCondition.GraphicsJobs, graphicsJobs);
@@ -78,7 +78,9 @@ namespace Nowpose.Latency.Conditions
         /// <summary>The condition as text, without a unit; null when it is not known.</summary>
         public string this[DisplayCondition condition] => _values[(int)condition];
 
-        /// <summary>Returns the conditions that are known on both sides and differ. This instance holds the conditions of a calibration.</summary>
+        /// <summary>
+        /// Returns the conditions that are known in both instances and differ. This instance holds the conditions of a calibration.
+        /// </summary>
         /// <param name="actual">Conditions of the device that uses the calibration.</param>
         /// <returns>In the order of <see cref="DisplayCondition"/>; empty when nothing differs.</returns>
         public IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual)
@@ -102,8 +104,8 @@ namespace Nowpose.Latency.Conditions
         public override int GetHashCode() => (Device, GraphicsApi, RenderPipeline, Reprojection).GetHashCode();
 
         /// <summary>Parses each condition from its text.</summary>
-        /// <param name="valueOf">The text of a condition as the indexer gives it; null or empty when it is not known.</param>
-        /// <exception cref="InputException">A text cannot be used; the message begins with the name of its field.</exception>
+        /// <param name="valueOf">Returns the text of a condition in the format of the indexer; null or empty if unknown.</param>
+        /// <exception cref="InputException">A text is invalid; the message begins with the name of its field.</exception>
         internal static DisplayConditions Parse(Func<DisplayCondition, string> valueOf) => new DisplayConditions(
             valueOf(DisplayCondition.Device), RateOf(valueOf(DisplayCondition.DisplayRate)), valueOf(DisplayCondition.GraphicsApi),
             valueOf(DisplayCondition.GraphicsJobs), valueOf(DisplayCondition.RenderPipeline), SwitchOf(valueOf(DisplayCondition.RewriteBeforeRender)),
@@ -122,8 +124,7 @@ namespace Nowpose.Latency.Conditions
         {
             if (string.IsNullOrEmpty(value)) return;
             if (value.Length > MaxTextLength || value.Any(char.IsControl))
-                throw new InputException(
-                    DisplayConditionNames.FieldOf(condition) + ": " + what + " must be one line of up to " + MaxTextLength + " characters");
+                throw new InputException(ConditionMessages.NotOneLine(DisplayConditionNames.FieldOf(condition), what, MaxTextLength));
             _values[(int)condition] = value;
         }
 
@@ -131,22 +132,21 @@ namespace Nowpose.Latency.Conditions
         {
             if (string.IsNullOrEmpty(text)) return null;
             if (double.TryParse(text, NumberStyles.Float, Culture, out var hertz)) return hertz;
-            throw new InputException(DisplayConditionNames.FieldOf(DisplayCondition.DisplayRate) + ": '" + text + "' is not a number of hertz");
+            throw new InputException(ConditionMessages.NotARate(DisplayConditionNames.FieldOf(DisplayCondition.DisplayRate), text));
         }
 
         static bool? SwitchOf(string text)
         {
             if (string.IsNullOrEmpty(text)) return null;
             return text == On || (text == Off ? false : throw new InputException(
-                DisplayConditionNames.FieldOf(DisplayCondition.RewriteBeforeRender) + ": '" + text + "' is not allowed; use " + On + " or " + Off));
+                ConditionMessages.NotASwitch(DisplayConditionNames.FieldOf(DisplayCondition.RewriteBeforeRender), text, On, Off)));
         }
 
         static ReprojectionMode ReprojectionOf(string text)
         {
             if (string.IsNullOrEmpty(text)) return ReprojectionMode.Unknown;
             return ReprojectionModeNames.TryParse(text, out var mode) ? mode : throw new InputException(
-                DisplayConditionNames.FieldOf(DisplayCondition.Reprojection) + ": '" + text + "' is not allowed; use one of "
-                + ReprojectionModeNames.All);
+                ConditionMessages.NotAMode(DisplayConditionNames.FieldOf(DisplayCondition.Reprojection), text, ReprojectionModeNames.All));
         }
     }
 }

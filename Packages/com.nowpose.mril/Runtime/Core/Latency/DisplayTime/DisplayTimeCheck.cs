@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Latency.DisplayTime
 {
-    /// <summary>Detects a lasting difference between the display times that a runtime predicts and the calibrated ones.</summary>
+    /// <summary>Detects a lasting difference between the display times that a runtime predicts and the calibrated display times.</summary>
     /// <remarks>
-    /// Either the calibration is for other conditions (another mode of the display, another version of the runtime) or the
-    /// prediction is incomplete. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
+    /// Such a difference means that either the calibration is for other conditions (another mode of the display, another version of the
+    /// runtime) or the prediction is incomplete. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class DisplayTimeCheck
     {
@@ -14,22 +14,24 @@ namespace Nowpose.Latency.DisplayTime
 
         static readonly TimeSpan MaxDifference = TimeSpan.FromMilliseconds(5);
 
-        /// <summary>Hysteresis: the difference must fall below this value to agree again.</summary>
-        static readonly TimeSpan Agreeing = TimeSpan.FromMilliseconds(4);
+        /// <summary>Hysteresis: the difference must fall below this value before the times count as consistent again.</summary>
+        static readonly TimeSpan ConsistentBelow = TimeSpan.FromMilliseconds(4);
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 
-        /// <summary>Maximum interval between frames; the duration restarts after a longer one because the difference in it is unknown.</summary>
+        /// <summary>Maximum interval between frames. A longer interval restarts the duration, because the difference within it is unknown.</summary>
         static readonly TimeSpan Gap = TimeSpan.FromMilliseconds(250);
 
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
         HeadsetTime? _since, _newest;
 
         /// <summary>Whether the median has differed by more than 5 ms for a second and has not yet been below 4 ms for a second.</summary>
-        /// <remarks>An interval of more than 0.25 s between frames restarts the second.</remarks>
+        /// <remarks>An interval of more than 0.25 s between frames restarts the duration.</remarks>
         public bool IsInconsistent { get; private set; }
 
-        /// <summary>Median of predicted minus calibrated display time over 60 frames, positive for a later prediction; null with fewer.</summary>
+        /// <summary>
+        /// Median of predicted minus calibrated display time over 60 frames, positive for a later prediction; null with fewer frames.
+        /// </summary>
         public TimeSpan? Difference => _recent.Count < Window ? (TimeSpan?)null : _recent.At(0.5);
 
         /// <summary>Adds one frame for which both display times are known.</summary>
@@ -40,8 +42,8 @@ namespace Nowpose.Latency.DisplayTime
             _newest = frameStart;
             _recent.Add(predictedMinusCalibrated);
             if (!(Difference is TimeSpan median)) return;
-            var isNews = IsInconsistent ? median.Duration() < Agreeing : median.Duration() > MaxDifference;
-            if (!isNews) _since = null;
+            var contradictsState = IsInconsistent ? median.Duration() < ConsistentBelow : median.Duration() > MaxDifference;
+            if (!contradictsState) _since = null;
             else if (frameStart - (_since ??= frameStart) >= Lasting) Toggle();
         }
 

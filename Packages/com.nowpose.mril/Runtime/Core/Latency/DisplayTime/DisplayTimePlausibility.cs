@@ -4,13 +4,14 @@ namespace Nowpose.Latency.DisplayTime
 {
     /// <summary>Detects a source whose display times have been implausible for a second.</summary>
     /// <remarks>
-    /// The duration of implausible frames is added and that of plausible ones subtracted; the state changes at one second and at zero.
-    /// Single bad frames are ignored, and a source that is wrong for most of the time is detected. Allocates nothing; not thread-safe.
+    /// Adds the duration of implausible frames to a sum, and subtracts the duration of plausible frames. The state changes when the sum
+    /// reaches one second or zero. Single bad frames are ignored, and a source that is wrong for most of the time is detected. Allocates
+    /// nothing; not thread-safe.
     /// </remarks>
     sealed class DisplayTimePlausibility
     {
-        /// <summary>Maximum time from the start of a frame to its display; longer than any L_visu that a profile allows.</summary>
-        static readonly TimeSpan Furthest = ClockTicks.Span(LatencyProfile.MaxVisuMs / 1000);
+        /// <summary>Maximum time from the start of a frame to its display, equal to the maximum L_visu of a profile.</summary>
+        static readonly TimeSpan MaxAhead = ClockTicks.Span(LatencyProfile.MaxVisuMs / 1000);
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 
@@ -20,19 +21,19 @@ namespace Nowpose.Latency.DisplayTime
         TimeSpan _evidence;
         HeadsetTime? _newest;
 
-        /// <summary>Whether the display times have been implausible for a second and not yet plausible for a second.</summary>
+        /// <summary>Whether the display times have been implausible for a second and have not been plausible for a second since.</summary>
         public bool IsImplausible { get; private set; }
 
-        /// <summary>Newest display time minus the start of its frame, plausible or not; null before the first.</summary>
+        /// <summary>Newest display time minus the start of its frame, even if implausible; null before the first display time.</summary>
         public TimeSpan? Ahead { get; private set; }
 
-        /// <summary>Adds the display time of one frame. Frames without one are not added.</summary>
+        /// <summary>Adds the display time of one frame. Do not call it for a frame without a display time.</summary>
         /// <param name="frameStart">Start of the frame, not earlier than that of the previous frame.</param>
         /// <param name="ahead">Display time minus the frame's start.</param>
         /// <returns>Whether this display time is plausible: 0 to 500 ms after the frame's start.</returns>
         public bool Add(HeadsetTime frameStart, TimeSpan ahead)
         {
-            var isPlausible = ahead >= TimeSpan.Zero && ahead <= Furthest;
+            var isPlausible = ahead >= TimeSpan.Zero && ahead <= MaxAhead;
             var passed = frameStart - _newest ?? TimeSpan.Zero;
             _newest = frameStart;
             Ahead = ahead;

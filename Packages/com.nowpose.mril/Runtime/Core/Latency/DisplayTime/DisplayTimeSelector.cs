@@ -25,7 +25,7 @@ namespace Nowpose.Latency.DisplayTime
             set => Calibrate(value, null);
         }
 
-        /// <summary>Profile of the constant L_visu; null when the value was set as a number.</summary>
+        /// <summary>Profile of the constant L_visu; null if the value was set as a number.</summary>
         public LatencyProfile Profile { get; private set; }
 
         /// <summary>Source of predicted display times; null to use the calibrated L_visu.</summary>
@@ -60,9 +60,10 @@ namespace Nowpose.Latency.DisplayTime
         /// <summary>Value of <see cref="DisplayTimePlausibility.IsImplausible"/>.</summary>
         public bool IsImplausible => _plausibility.IsImplausible;
 
+        /// <summary>Returns the display time of a frame.</summary>
         /// <param name="isComparable">
-        /// False when a comparison with the calibration is not meaningful: the render time shows that L_visu is not the calibrated one,
-        /// or the frame is computed a second time.
+        /// False when a comparison with the calibration is not meaningful: the render time shows that L_visu differs from the calibrated
+        /// value, or the frame is computed a second time.
         /// </param>
         public HeadsetTime LightOf(HeadsetTime frameStart, bool isComparable)
         {
@@ -73,7 +74,7 @@ namespace Nowpose.Latency.DisplayTime
             return frameStart + Used;
         }
 
-        /// <param name="profile">Profile of the value; null when it is set as a number.</param>
+        /// <param name="profile">Profile of the value; null if the value is set as a number.</param>
         public void Calibrate(VisualisationLatency calibrated, LatencyProfile profile)
         {
             if (calibrated.Length != _calibrated.Length) _check.Reset();

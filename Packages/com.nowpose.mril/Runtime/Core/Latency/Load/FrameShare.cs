@@ -1,16 +1,20 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Load
 {
     /// <summary>Decides which steps of a long task fit into a frame, based on the duration of earlier steps of the same kind.</summary>
     /// <remarks>
-    /// The steps of a frame end within its share of time. A step that is longer than the share, or of a kind without a measured
-    /// duration, gets a frame of its own, so that the task always progresses. Allocates nothing; not thread-safe.
+    /// The steps of one frame fit into its share of time. The first step of a frame always runs, so that the task progresses even if a step
+    /// is longer than the share, or if its kind has no measured duration yet. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class FrameShare
     {
-        /// <summary>A shorter step lowers the expected duration by the difference divided by this: the next step may be long again.</summary>
-        const int Patience = 8;
+        /// <summary>
+        /// Divisor: a shorter step lowers the expected duration by the difference divided by this value, because the next step may be long
+        /// again.
+        /// </summary>
+        const int DecreaseDivisor = 8;
 
         readonly TimeSpan _share;
         readonly TimeSpan[] _expected;
@@ -19,10 +23,10 @@ namespace Nowpose.Latency.Load
 
         /// <param name="milliseconds">Share of each frame, 0.1 to 100 ms.</param>
         /// <param name="kinds">Number of kinds of steps.</param>
-        /// <exception cref="InputException">Out of range.</exception>
+        /// <exception cref="InputException">The share is out of range.</exception>
         public FrameShare(double milliseconds, int kinds)
         {
-            _share = SettingRange.RequireMs(milliseconds, 0.1, 100, "time for building per frame");
+            _share = SettingRange.RequireMs(milliseconds, 0.1, 100, SettingNames.BuildingTime);
             _expected = new TimeSpan[kinds];
             for (var kind = 0; kind < kinds; kind++) _expected[kind] = _share;
         }
@@ -41,7 +45,7 @@ namespace Nowpose.Latency.Load
         {
             _hasWorked = true;
             var shorter = _expected[kind] - length;
-            _expected[kind] = shorter > TimeSpan.Zero ? _expected[kind] - shorter / Patience : length;
+            _expected[kind] = shorter > TimeSpan.Zero ? _expected[kind] - shorter / DecreaseDivisor : length;
         }
     }
 }

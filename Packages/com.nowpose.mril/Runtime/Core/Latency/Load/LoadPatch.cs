@@ -4,7 +4,8 @@ namespace Nowpose.Latency.Load
 {
     /// <summary>One part of a <see cref="LoadMesh"/>: a rectangular grid whose last row may be incomplete.</summary>
     /// <remarks>
-    /// Vertices are in rows from the lower left. Each vertex determines its own triangles, so that any number can be built at a time.
+    /// Vertices are ordered in rows, starting at the lower left. The triangles of a vertex depend only on its index, so that any number of
+    /// vertices can be built at a time.
     /// </remarks>
     readonly struct LoadPatch
     {
@@ -40,7 +41,7 @@ namespace Nowpose.Latency.Load
             }
         }
 
-        /// <summary>Computes the position of a vertex, in widths of the wall.</summary>
+        /// <summary>Computes the position of a vertex, in units of the wall's width.</summary>
         /// <param name="vertex">0 to <see cref="Vertices"/> − 1.</param>
         public void PlaceOf(int vertex, out float x, out float y)
         {
@@ -48,7 +49,9 @@ namespace Nowpose.Latency.Load
             y = _bottom + vertex / _columns * _stepY;
         }
 
-        /// <summary>Writes the triangles whose last vertex is this one to their positions. The winding is clockwise seen along +z.</summary>
+        /// <summary>
+        /// Writes the triangles whose last vertex is the given vertex into the index array. The winding is clockwise when seen along +z.
+        /// </summary>
         /// <param name="indices">Indices of the whole patch, length <see cref="Indices"/> or more.</param>
         public void WriteTriangles(int vertex, int[] indices)
         {

@@ -8,7 +8,7 @@ namespace Nowpose.Latency.Profile
         /// <summary>Pictures of the codes of both clocks, Schnierle &amp; Röck 2022, Eq. (7).</summary>
         VisibleLight,
 
-        /// <summary>Delay of the ghost behind the robot in a sine jog, measured by a camera.</summary>
+        /// <summary>Delay of the ghost behind the robot during a sinusoidal motion, measured with a camera.</summary>
         Sine,
 
         /// <summary>By eye: the ghost was shifted until it agreed with the robot, forward and backward.</summary>
@@ -25,7 +25,7 @@ namespace Nowpose.Latency.Profile
 
         public static string NameOf(CalibrationMethod method) => Names[(int)method];
 
-        /// <param name="name">Exactly as written.</param>
+        /// <param name="name">Name exactly as in files.</param>
         public static bool TryParse(string name, out CalibrationMethod method)
         {
             var index = Array.IndexOf(Names, name);

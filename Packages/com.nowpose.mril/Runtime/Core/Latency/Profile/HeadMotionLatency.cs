@@ -1,8 +1,9 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>Latency of the picture's position after head motion, which late-stage reprojection reduces.</summary>
+    /// <summary>Latency with which the picture follows head motion. Late-stage reprojection reduces it.</summary>
     /// <remarks>L_visu is the age of the content, which late-stage reprojection does not change.</remarks>
     sealed class HeadMotionLatency
     {
@@ -14,10 +15,10 @@ namespace Nowpose.Latency.Profile
         public HeadMotionLatency(double latencyMs, double uncertaintyMs)
         {
             Latency = SettingRange.RequireMs(latencyMs, MinMs, MaxMs, "head motion latency");
-            Uncertainty = SettingRange.RequireMs(uncertaintyMs, 0, MaxMs, "uncertainty of the head motion latency");
+            Uncertainty = SettingRange.RequireMs(uncertaintyMs, 0, MaxMs, SettingNames.HeadMotionUncertainty);
         }
 
-        /// <summary>Delay of the picture behind the head; negative when the picture is ahead.</summary>
+        /// <summary>Delay of the picture behind the head; negative if the picture is ahead.</summary>
         public TimeSpan Latency { get; }
 
         /// <summary>Half of the 95 % confidence interval.</summary>

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using Newtonsoft.Json;
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Profile
 {
@@ -44,7 +45,9 @@ namespace Nowpose.Latency.Profile
         }
 
         /// <param name="name">Name of the text in messages, such as a file name.</param>
-        /// <exception cref="InputException">Not a profile, a newer version, or an invalid value; the message has file, field and value.</exception>
+        /// <exception cref="InputException">
+        /// The text is not a profile, has a newer version, or has an invalid value, which the message names.
+        /// </exception>
         public static LatencyProfile Read(string text, string name)
         {
             var fields = new ProfileFields(text, name);
@@ -69,16 +72,15 @@ namespace Nowpose.Latency.Profile
             }
         }
 
-        // Checked first: fields of a newer version may have another meaning.
+        // Checked first, because fields of a newer version may have another meaning.
         static void CheckFormat(ProfileFields fields)
         {
             var format = fields.OptionalText("format");
-            if (format != Format) throw fields.Fault("it is not a latency profile; its format is '" + format + "', not '" + Format + "'");
+            if (format != Format) throw fields.Fault(ProfileMessages.OtherFormat(format, Format));
             var version = fields.Count("version");
             if (version > Version)
-                throw fields.Fault(
-                    "the latency profile has version " + version + "; this Nowpose reads up to version " + Version + "; update Nowpose or calibrate again");
-            if (version < 1) throw fields.Fault("version: " + version + " is out of range; allowed: " + Version);
+                throw fields.Fault(ProfileMessages.NewerVersion(version, Version));
+            if (version < 1) throw fields.Fault(ProfileMessages.Version(version, Version));
         }
 
         // Profiles of older versions contain only the device and the display rate.
@@ -105,7 +107,7 @@ namespace Nowpose.Latency.Profile
         {
             var name = fields.Text("method");
             return CalibrationMethodNames.TryParse(name, out var method)
-                ? method : throw fields.Fault("method: '" + name + "' is unknown; allowed: " + CalibrationMethodNames.All);
+                ? method : throw fields.Fault(ProfileMessages.UnknownMethod(name, CalibrationMethodNames.All));
         }
 
         static RenderTimeSourceKind SourceOf(ProfileFields fields)

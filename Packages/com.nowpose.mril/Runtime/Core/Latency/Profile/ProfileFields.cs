@@ -2,17 +2,18 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Text;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Latency.Profile
 {
-    /// <summary>Reads single fields of a flat JSON object. Errors are one line with the file and the field.</summary>
+    /// <summary>Reads single fields of a flat JSON object. Each error message is one line that names the file and the field.</summary>
     sealed class ProfileFields
     {
         /// <summary>Maximum nesting depth. Unknown fields may be nested.</summary>
         const int Nesting = 8;
 
-        // Stands for a value that is neither text nor a number.
+        // Represents a value that is neither text nor a number.
         static readonly object Other = new object();
 
         readonly string _name;
@@ -24,7 +25,7 @@ namespace Nowpose.Latency.Profile
             _name = name;
             var utf8 = Encoding.UTF8.GetBytes(text);
             if (JsonUtf8Reader.Check(utf8, Nesting) != DropReason.None)
-                throw Fault("it is not a complete JSON object; calibrate again");
+                throw Fault(ProfileMessages.NotComplete);
             var json = new JsonUtf8Reader(utf8, Nesting);
             json.BeginObject();
             while (json.NextField(out var field))
@@ -50,14 +51,14 @@ namespace Nowpose.Latency.Profile
             {
                 case null: return null;
                 case double value: return SettingRange.Require(value, min, max, _name + ": " + field, unit);
-                default: throw Fault(field + " must be a number");
+                default: throw Fault(ProfileMessages.NotANumber(field));
             }
         }
 
         public int Count(string field)
         {
             var value = Number(field, 0, int.MaxValue, "");
-            return value == Math.Floor(value) ? (int)value : throw Fault(field + " must be a whole number");
+            return value == Math.Floor(value) ? (int)value : throw Fault(ProfileMessages.NotWhole(field));
         }
 
         public string Text(string field) => OptionalText(field) ?? throw Missing(field);
@@ -66,7 +67,7 @@ namespace Nowpose.Latency.Profile
         public string OptionalText(string field)
         {
             var value = ValueOf(field);
-            return value == null ? null : value as string ?? throw Fault(field + " must be a text");
+            return value == null ? null : value as string ?? throw Fault(ProfileMessages.NotAText(field));
         }
 
         public DateTime Utc(string field)
@@ -74,7 +75,7 @@ namespace Nowpose.Latency.Profile
             var text = Text(field);
             const DateTimeStyles styles = DateTimeStyles.AdjustToUniversal | DateTimeStyles.AssumeUniversal;
             return DateTime.TryParse(text, CultureInfo.InvariantCulture, styles, out var utc)
-                ? utc : throw Fault(field + ": '" + text + "' is not a date; write it as 2026-11-20T13:00:00Z");
+                ? utc : throw Fault(ProfileMessages.NotADate(field, text));
         }
 
         public InputException Fault(string what) => new InputException(_name + ": " + what);

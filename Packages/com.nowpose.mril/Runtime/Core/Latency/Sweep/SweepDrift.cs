@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Increase of the render time over time, independent of the load, at each visit of a sweep, in ms; summed over constant loads.</summary>
+    /// <summary>Drift of a sweep: increase of the render time with time instead of load, accumulated from the rates at constant load, ms.</summary>
     sealed class SweepDrift
     {
         readonly Dictionary<SweepVisit, double> _sums = new Dictionary<SweepVisit, double>();

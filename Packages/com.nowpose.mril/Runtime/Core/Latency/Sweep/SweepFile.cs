@@ -4,6 +4,7 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Nowpose.Latency.Conditions;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Sweep
 {
@@ -18,7 +19,7 @@ namespace Nowpose.Latency.Sweep
         Task _writing = Task.CompletedTask;
         volatile string _problem;
 
-        /// <param name="path">Created with its folder when the first load ends; must not exist.</param>
+        /// <param name="path">Path of the file, which must not exist. It is created with its folder when the first load ends.</param>
         /// <param name="rowsPerLoad">Capacity in rows; adding up to this number per load allocates nothing.</param>
         /// <param name="conditions">Conditions of the sweep; null when they are unknown.</param>
         public SweepFile(string path, int rowsPerLoad, DisplayConditions conditions = null)
@@ -31,10 +32,12 @@ namespace Nowpose.Latency.Sweep
 
         public string Path { get; }
 
-        /// <summary>Error that stopped the writing, in one line; null unless there is an error. Can be read on any thread.</summary>
+        /// <summary>Error that stopped the writing, in one line; null if there is no error. Can be read on any thread.</summary>
         public string Problem => _problem;
 
-        /// <summary>Adds a row. Rows above the capacity are handed over early, so that a crash during a very long load does not lose them.</summary>
+        /// <summary>
+        /// Adds a row. When the capacity is reached, writes the rows early, so that a crash during a very long load does not lose them.
+        /// </summary>
         public void Add(in SweepRow row)
         {
             _rows.Add(row);
@@ -60,7 +63,7 @@ namespace Nowpose.Latency.Sweep
                 _ => judged, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         }
 
-        // The scheduler is explicit because the caller's current one may run on the frame's thread.
+        // The scheduler is explicit because the caller's current scheduler may run on the frame's thread.
         void Then(Action action) => _writing = _writing.ContinueWith(
             _ => Try(action), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
 
@@ -74,7 +77,7 @@ namespace Nowpose.Latency.Sweep
             // Any exception ends the sweep with a message, not the application.
             catch (Exception fault)
             {
-                _problem = "sweep log " + Path + " cannot be written: " + fault.Message.Replace('\r', ' ').Replace('\n', ' ');
+                _problem = SweepMessages.LogNotWritten(Path, fault.Message.Replace('\r', ' ').Replace('\n', ' '));
             }
         }
 
@@ -83,8 +86,9 @@ namespace Nowpose.Latency.Sweep
             if (rows.Count == 0) return;
             var isNew = _written.Count == 0;
             if (isNew) Directory.CreateDirectory(System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Path)));
-            // Shared for writing as well: on Mono, a reader that opens the file now keeps the sharing mode that it found, which would block the
-            // next load.
+            // The file is also shared for writing: on Mono, a reader that opens it now keeps the sharing mode, which would otherwise
+            // block the writing
+            // of the next load.
             using (var stream = new FileStream(Path, isNew ? FileMode.CreateNew : FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
             using (var writer = new StreamWriter(stream))
             {

@@ -6,9 +6,9 @@ namespace Nowpose.Latency.Sweep
 {
     /// <summary>Writes a load sweep as CSV with one row for each frame, to be joined with the pictures of a camera.</summary>
     /// <remarks>
-    /// The columns: control time of the frame's start in nanoseconds, number of vertices shown, render time in milliseconds (empty when
-    /// none became known in the frame), its source, device, display rate (empty when unknown). Above the header, lines "# field: value"
-    /// hold the other known conditions; readers of versions before 0.2 reject a log with such lines.
+    /// Columns: control time of the frame's start in nanoseconds, number of vertices shown, render time in milliseconds (empty if none
+    /// became known in the frame), its source, device, display rate (empty if unknown). Above the header, lines "# field: value" hold
+    /// the other known conditions; versions before 0.2 cannot read a log with such lines.
     /// </remarks>
     static class SweepLog
     {

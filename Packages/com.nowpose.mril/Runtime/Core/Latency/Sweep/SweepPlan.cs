@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Sweep
 {
@@ -25,10 +26,10 @@ namespace Nowpose.Latency.Sweep
         public SweepPlan(
             int maxLoad = MaxVertices, int steps = 10, double secondsPerLoad = 5, double settleSeconds = 1, bool goesDown = true)
         {
-            MaxLoad = SettingRange.RequireCount(maxLoad, 1000, MaxVertices, "maximum load of the sweep, vertices");
-            SettingRange.RequireCount(steps, 2, 100, "steps of the sweep");
-            Settling = SettingRange.RequireSeconds(settleSeconds, 0, 60, "time for a load to settle");
-            TimePerLoad = Settling + SettingRange.RequireSeconds(secondsPerLoad, 0.5, 600, "time of a load");
+            MaxLoad = SettingRange.RequireCount(maxLoad, 1000, MaxVertices, SettingNames.MaxSweepLoad);
+            SettingRange.RequireCount(steps, 2, 100, SettingNames.SweepSteps);
+            Settling = SettingRange.RequireSeconds(settleSeconds, 0, 60, SettingNames.SettlingTime);
+            TimePerLoad = Settling + SettingRange.RequireSeconds(secondsPerLoad, 0.5, 600, SettingNames.LoadTime);
             _loads = new int[goesDown ? 2 * steps + 1 : steps + 1];
             for (var i = 0; i <= steps; i++)
             {

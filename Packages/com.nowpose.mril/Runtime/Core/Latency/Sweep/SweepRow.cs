@@ -1,17 +1,17 @@
-using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Latency.Sweep
 {
     /// <summary>One frame of a load sweep: the load, and the render time that became known in the frame.</summary>
     readonly struct SweepRow
     {
-        /// <param name="frameStart">Control time of the frame's start, the one in its timestamp code.</param>
+        /// <param name="frameStart">Control time of the frame's start, which the timestamp code of the frame shows.</param>
         /// <param name="vertices">Number of vertices of the load that were drawn, 0 to <see cref="SweepPlan.MaxVertices"/>.</param>
         /// <param name="renderMs">Δt_render that became known in this frame, see <see cref="MeasuredRenderTime"/>; null for none.</param>
-        /// <param name="source">Source of the render time; may also be set without one.</param>
+        /// <param name="source">Source of the render time; may also be set without a render time.</param>
         /// <param name="device">Device name as in a latency profile; empty when unknown.</param>
         /// <param name="displayHz">Display rate; NaN when unknown.</param>
-        /// <exception cref="InputException">Out of range, or a render time without a source.</exception>
+        /// <exception cref="InputException">A value is out of range, or a render time has no source.</exception>
         public SweepRow(ControlTime frameStart, int vertices, double? renderMs, RenderTimeSourceKind source, string device, double displayHz)
         {
             SettingRange.RequireCount(vertices, 0, SweepPlan.MaxVertices, "vertices");
@@ -41,7 +41,7 @@ namespace Nowpose.Latency.Sweep
         {
             MeasuredRenderTime.RequireMs(ms);
             if (source == RenderTimeSourceKind.None)
-                throw new InputException("render_ms: its source is missing; a render time needs a source");
+                throw new InputException(SweepMessages.TimeWithoutSource);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
@@ -36,7 +37,7 @@ namespace Nowpose.Prediction.Forecasting
             if (degree < 0 || degree > MaxDegree)
                 throw new ArgumentOutOfRangeException(nameof(degree), degree, "0 to " + MaxDegree);
             if (history < degree || history > MaxHistory)
-                throw new ArgumentOutOfRangeException(nameof(history), history, "must be from the degree to " + MaxHistory);
+                throw new ArgumentOutOfRangeException(nameof(history), history, PredictionMessages.History(MaxHistory));
             _degree = degree;
             Samples = history + 1;
             _times = new double[Samples];
@@ -49,7 +50,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <returns>False if the stamps determine no velocity.</returns>
         public override bool Solve(MotionState motion)
         {
-            var count = Math.Min(motion.Connected, Samples);
+            var count = Math.Min(motion.ConnectedSamples, Samples);
             Array.Clear(_coefficients, 0, _coefficients.Length);
             Localise(motion.Samples, count);
             var degree = Math.Min(_degree, DistinctTimes(count) - 1);

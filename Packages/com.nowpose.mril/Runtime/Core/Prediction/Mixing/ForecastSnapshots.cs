@@ -1,4 +1,3 @@
-using System;
 using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Mixing
@@ -9,26 +8,18 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Capacity for the maximum horizon at the minimum sampling interval: 0.45 s at 180 Hz are 81.</summary>
         const int Capacity = 96;
 
-        readonly Snapshot[] _snapshots = new Snapshot[Capacity];
-        int _first;
+        readonly RecyclingQueue<Snapshot> _snapshots;
 
         /// <param name="forecasts">Number of tables in each snapshot.</param>
-        public ForecastSnapshots(int forecasts)
-        {
-            for (var i = 0; i < Capacity; i++) _snapshots[i] = new Snapshot(forecasts);
-        }
+        public ForecastSnapshots(int forecasts) => _snapshots = new RecyclingQueue<Snapshot>(Capacity, () => new Snapshot(forecasts));
 
-        public int Count { get; private set; }
+        public int Count => _snapshots.Count;
 
         /// <summary>Index 0 is the oldest.</summary>
-        public Snapshot this[int index] => _snapshots[(_first + index) % Capacity];
+        public Snapshot this[int index] => _snapshots[index];
 
         /// <summary>Appends a snapshot to be filled. Drops the oldest when full.</summary>
-        public Snapshot Append()
-        {
-            if (Count == Capacity) Drop(1);
-            return this[Count++];
-        }
+        public Snapshot Append() => _snapshots.Append();
 
         /// <summary>Finds the snapshots before and after a time, and drops all that are older.</summary>
         /// <param name="time">In s.</param>
@@ -38,19 +29,13 @@ namespace Nowpose.Prediction.Mixing
         public bool TryFind(double time, out Snapshot older, out Snapshot younger)
         {
             var i = Count - 1;
-            while (i >= 0 && this[i].Time > time + JointSample.SameSeconds) i--;
-            (older, younger) = (i < 0 ? null : this[i], i + 1 < Count ? this[i + 1] : null);
-            Drop(Math.Max(i, 0));
+            while (i >= 0 && _snapshots[i].Time > time + JointSample.SameSeconds) i--;
+            (older, younger) = (i < 0 ? null : _snapshots[i], i + 1 < Count ? _snapshots[i + 1] : null);
+            for (; i > 0; i--) _snapshots.DropFirst();
             return older != null;
         }
 
-        void Drop(int count)
-        {
-            _first = (_first + count) % Capacity;
-            Count -= count;
-        }
-
-        public void Clear() => _first = Count = 0;
+        public void Clear() => _snapshots.Clear();
 
         public sealed class Snapshot
         {
@@ -74,7 +59,7 @@ namespace Nowpose.Prediction.Mixing
             /// <summary>Whether the joint was at rest, including noise.</summary>
             public bool WasAtRest { get; set; }
 
-            /// <summary>Whether the newest sample had the same position as the one before.</summary>
+            /// <summary>Whether the joint stood still (<see cref="RestDetector.StillSamples"/>).</summary>
             public bool WasStill { get; set; }
 
             /// <summary>The tables of <see cref="ForecastTable"/>, one after another.</summary>

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Prediction.Planning
 {
@@ -24,12 +25,12 @@ namespace Nowpose.Prediction.Planning
         public PlannedPath(double[] times, double[] positions, double[] velocities = null, double[] accelerations = null)
         {
             if (times.Length == 0 || positions.Length != times.Length)
-                throw new ArgumentException(positions.Length + " positions for " + times.Length + " times; the numbers must be equal and at least 1");
+                throw new ArgumentException(PredictionMessages.PositionCount(positions.Length, times.Length));
             if ((velocities ?? times).Length != times.Length || (accelerations ?? times).Length != times.Length)
-                throw new ArgumentException("the numbers of velocities and accelerations must equal that of the times, " + times.Length);
+                throw new ArgumentException(PredictionMessages.DerivativeCount(times.Length));
             for (var i = 1; i < times.Length; i++)
                 if (!(times[i] > times[i - 1]))
-                    throw new ArgumentException("time " + i + ": " + times[i] + " s is not later than " + times[i - 1] + " s");
+                    throw new ArgumentException(PredictionMessages.TimeOrder(i, times[i], times[i - 1]));
 
             _times = times;
             _positions = positions;

@@ -2,11 +2,14 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Protocol.Cell
 {
-    /// <summary>Keeps returned messages for reuse, up to a maximum number. Any thread may use it.</summary>
+    /// <summary>Keeps returned messages for reuse, up to a maximum number. Thread-safe.</summary>
     sealed class CellMessagePool<T>
         where T : class
     {
-        /// <summary>A source at 1 kHz sends 17 messages per frame at 60 Hz. Further ones, after a stall, are garbage-collected.</summary>
+        /// <summary>
+        /// Maximum number of kept messages. A source at 1 kHz sends 17 per frame at 60 Hz; the pool discards further messages, for example
+        /// after a stall.
+        /// </summary>
         const int Capacity = 32;
 
         readonly ConcurrentQueue<T> _free = new ConcurrentQueue<T>();

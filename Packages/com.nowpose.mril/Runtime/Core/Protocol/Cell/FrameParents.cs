@@ -3,19 +3,19 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol.Cell
 {
-    /// <summary>The parent of each frame of the cell. Keeps the limits of the protocol: number of frames, depth, and no cycles. One thread.</summary>
+    /// <summary>Parents of the cell's frames. Enforces the protocol's limits: number of frames, depth, and no cycles. Not thread-safe.</summary>
     /// <remarks>A frame without a known parent, such as the world, is a root. Setting the same parent again costs one look-up.</remarks>
     sealed class FrameParents
     {
-        /// <summary>The cell's frame, which is anchored in the room.</summary>
+        /// <summary>Name of the cell's own frame, which is anchored in the room.</summary>
         public const string World = "world";
 
         readonly Dictionary<string, string> _parents = new Dictionary<string, string>(StringComparer.Ordinal);
         readonly Func<string, string> _rootOfLink;
 
         /// <param name="rootOfLink">
-        /// Returns the root link of the robot to which a link belongs; null for a frame that is not a link. With it, cycles through a robot
-        /// are found. The links of a robot do not count for the depth.
+        /// Returns the root link of the robot to which a link belongs; null for a frame that is not a link. The function is needed to detect
+        /// cycles through a robot. The links of a robot do not count for the depth.
         /// </param>
         public FrameParents(Func<string, string> rootOfLink = null) => _rootOfLink = rootOfLink ?? (_ => null);
 
@@ -25,7 +25,7 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Returns the parent of a frame; null if none is known.</summary>
         public string this[string child] => _parents.TryGetValue(child, out var parent) ? parent : null;
 
-        /// <summary>Sets the parent of a frame, unless that breaks a limit. The former parent then stays.</summary>
+        /// <summary>Sets the parent of a frame. If the new parent would violate a limit, the previous parent is kept.</summary>
         public DropReason TrySet(string child, string parent)
         {
             var isKnown = _parents.TryGetValue(child, out var present);
@@ -47,11 +47,11 @@ namespace Nowpose.Protocol.Cell
             return depth + 1 + HeightBelow(child) > ProtocolLimits.FrameDepth ? DropReason.FrameTooDeep : DropReason.None;
         }
 
-        // Number of transforms between a frame and its root; stops at a frame that must not be reached.
+        // Returns the number of transforms between a frame and its root; stops at the forbidden frame.
         int DistanceToRoot(string frame, string forbidden, out bool isReached)
         {
             var depth = 0;
-            // Links of robots are not counted as steps. The tree has no cycle, so it is left after each frame was passed once.
+            // Without a cycle, a path has at most one parent and one jump from a link to its root link per frame.
             for (var steps = 0; steps <= 2 * ProtocolLimits.Frames + 1; steps++)
             {
                 isReached = frame == forbidden;
@@ -61,12 +61,12 @@ namespace Nowpose.Protocol.Cell
                 frame = parent;
             }
 
-            // A robot that was described after the frames closed the cycle.
+            // The path did not end: a robot that was added after the frames has closed a cycle.
             isReached = true;
             return depth;
         }
 
-        // Maximum number of transforms from a descendant of a frame up to the frame.
+        // Returns the maximum number of transforms from a descendant of a frame up to the frame.
         int HeightBelow(string frame)
         {
             var height = 0;

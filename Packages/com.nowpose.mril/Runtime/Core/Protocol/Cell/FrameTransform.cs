@@ -8,12 +8,12 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Maximum deviation of a received quaternion's norm from 1.</summary>
         public const double NormTolerance = 1e-3;
 
-        // A norm of exactly 1 ± NormTolerance is valid in spite of rounding errors.
+        // Accepts a norm of exactly 1 ± NormTolerance despite rounding errors.
         const double Rounding = 1e-9;
 
         /// <param name="stamp">See <see cref="Stamp"/>.</param>
-        /// <param name="x">Metres; <paramref name="y"/> and <paramref name="z"/> likewise.</param>
-        /// <param name="qx">Component of a unit quaternion, as <paramref name="qy"/>, <paramref name="qz"/> and <paramref name="qw"/>.</param>
+        /// <param name="x">Coordinate in metres, like <paramref name="y"/> and <paramref name="z"/>.</param>
+        /// <param name="qx">Component of a unit quaternion, like <paramref name="qy"/>, <paramref name="qz"/> and <paramref name="qw"/>.</param>
         public FrameTransform(
             ControlTime stamp, string parent, string child, double x, double y, double z, double qx, double qy, double qz, double qw)
         {
@@ -29,13 +29,13 @@ namespace Nowpose.Protocol.Cell
             Qw = qw;
         }
 
-        /// <summary>t_k: time of the pose, on the control clock C1. Zero, for "always", in a stationary frame.</summary>
+        /// <summary>t_k: time of the pose, on the control clock C1. Zero in a stationary frame, whose pose is valid at all times.</summary>
         public ControlTime Stamp { get; }
 
         /// <summary>Frame in which the pose is given: <see cref="FrameParents.World"/>, a link of a robot, or another child frame.</summary>
         public string Parent { get; }
 
-        /// <summary>The frame whose pose this is.</summary>
+        /// <summary>Frame whose pose is given.</summary>
         public string Child { get; }
 
         /// <summary>Translation along the parent's x, metres.</summary>
@@ -62,12 +62,12 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Returns the same pose at another time.</summary>
         public FrameTransform At(ControlTime stamp) => new FrameTransform(stamp, Parent, Child, X, Y, Z, Qx, Qy, Qz, Qw);
 
-        /// <summary>Divides a quaternion by its norm, if that is within <see cref="NormTolerance"/> of 1.</summary>
+        /// <summary>Divides a quaternion by its norm, if the norm is within <see cref="NormTolerance"/> of 1.</summary>
         /// <returns>False for another norm; the quaternion is unchanged.</returns>
         public static bool TryNormalise(ref double qx, ref double qy, ref double qz, ref double qw)
         {
             var norm = Math.Sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
-            // Also false for NaN.
+            // The negated comparison also rejects NaN.
             if (!(Math.Abs(norm - 1) <= NormTolerance + Rounding)) return false;
             qx /= norm;
             qy /= norm;

@@ -3,9 +3,9 @@ using System;
 namespace Nowpose.Protocol.Cell
 {
     /// <summary>
-    /// nowpose_msgs/Signals: states of actuators and sensors from one control time on. May contain a subset of the cell's signals; each once.
+    /// nowpose_msgs/Signals: states of actuators and sensors from one control time on. May contain a subset of the cell's signals, each once.
     /// </summary>
-    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused for a later one after <see cref="Release"/>.</remarks>
+    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
     sealed class SignalsMessage
     {
         readonly CellMessagePool<SignalsMessage> _pool;
@@ -22,7 +22,7 @@ namespace Nowpose.Protocol.Cell
         public SignalsMessage(CellMessagePool<SignalsMessage> pool)
             : this(default(ControlTime)) => _pool = pool;
 
-        /// <summary>Control cycle of the change, or of the sample, on the control clock C1.</summary>
+        /// <summary>Time of the control cycle in which the signals changed or were sampled, on the control clock C1.</summary>
         public ControlTime Stamp { get; set; }
 
         /// <summary>Number of signals.</summary>
@@ -38,11 +38,13 @@ namespace Nowpose.Protocol.Cell
             _values[Count++] = value;
         }
 
-        /// <summary>Returns the message to its reader for reuse; call it as the last user. Does nothing if no reader created the message.</summary>
+        /// <summary>
+        /// Returns the message to its reader for reuse. Only the last user may call it. Does nothing if no reader created the message.
+        /// </summary>
         public void Release() => _pool?.Return(this);
     }
 
-    /// <summary>The value of a signal of the plant.</summary>
+    /// <summary>Value of one signal of the plant.</summary>
     readonly struct SignalValue
     {
         /// <param name="value">See <see cref="Value"/>.</param>
@@ -54,7 +56,7 @@ namespace Nowpose.Protocol.Cell
 
         public string Name { get; }
 
-        /// <summary>Finite; 0 or 1 for a Boolean.</summary>
+        /// <summary>Finite value; 0 or 1 for a Boolean signal.</summary>
         public double Value { get; }
     }
 }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol.Cell
 {
-    /// <summary>Reads nowpose_msgs/Signals. Allocates nothing if the source repeats its names and messages are returned. One thread.</summary>
+    /// <summary>Reads nowpose_msgs/Signals. Allocates nothing if a source repeats its names and messages are released. Not thread-safe.</summary>
     sealed class SignalsReader
     {
         static readonly JsonNames Fields = new JsonNames("header", "name", "value");

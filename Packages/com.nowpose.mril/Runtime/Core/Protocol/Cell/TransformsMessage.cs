@@ -2,8 +2,8 @@ using System;
 
 namespace Nowpose.Protocol.Cell
 {
-    /// <summary>tf2_msgs/TFMessage: poses of frames, each with its own stamp. May contain a subset of the cell's frames; each child once.</summary>
-    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused for a later one after <see cref="Release"/>.</remarks>
+    /// <summary>tf2_msgs/TFMessage: poses of frames, each with its own stamp. May contain a subset of the cell's frames, each child once.</summary>
+    /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
     sealed class TransformsMessage
     {
         readonly CellMessagePool<TransformsMessage> _pool;
@@ -35,7 +35,9 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Replaces the stamp of one transform.</summary>
         public void SetStamp(int index, ControlTime stamp) => _transforms[index] = _transforms[index].At(stamp);
 
-        /// <summary>Returns the message to its reader for reuse; call it as the last user. Does nothing if no reader created the message.</summary>
+        /// <summary>
+        /// Returns the message to its reader for reuse. Only the last user may call it. Does nothing if no reader created the message.
+        /// </summary>
         public void Release() => _pool?.Return(this);
     }
 }

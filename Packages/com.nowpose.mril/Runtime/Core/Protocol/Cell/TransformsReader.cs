@@ -3,13 +3,13 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol.Cell
 {
-    /// <summary>Reads tf2_msgs/TFMessage. Allocates nothing if the source repeats its names and messages are returned. One thread.</summary>
+    /// <summary>Reads tf2_msgs/TFMessage. Allocates nothing if a source repeats its names and messages are released. Not thread-safe.</summary>
     sealed class TransformsReader
     {
-        // Parents are other children, links of robots, or the world.
+        // Cache size: messages contain the names of children and of their parents, which may be links of robots or the world.
         const int Names = 4 * ProtocolLimits.Frames;
 
-        /// <summary>Maximum magnitude of a coordinate, m: far outside a cell, and single precision still resolves 0.1 m.</summary>
+        /// <summary>Maximum magnitude of a coordinate, m. It is far outside a cell, and single precision still resolves 0.1 m there.</summary>
         const double MaxCoordinate = 1e6;
 
         static readonly JsonNames MessageFields = new JsonNames("transforms");
@@ -24,7 +24,7 @@ namespace Nowpose.Protocol.Cell
         readonly double[] _pose = new double[7];
         readonly HashSet<string> _children = new HashSet<string>(StringComparer.Ordinal);
 
-        /// <param name="isStatic">Whether stamps may be zero: a stationary frame has its pose at all times.</param>
+        /// <param name="isStatic">Whether stamps may be zero, because the pose of a stationary frame is valid at all times.</param>
         /// <returns>Null if the message is rejected.</returns>
         public TransformsMessage Read(ref JsonUtf8Reader json, bool isStatic)
         {

@@ -2,7 +2,7 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Messages that wait for the next frame, with their arrival times. Drops the oldest when full. Thread-safe.</summary>
+    /// <summary>Queue of messages for the next frame, with their arrival times. Drops the oldest when full. Thread-safe.</summary>
     sealed class Arrivals<T>
     {
         readonly ConcurrentQueue<(T Message, HeadsetTime At)> _queue = new ConcurrentQueue<(T, HeadsetTime)>();
@@ -15,7 +15,7 @@ namespace Nowpose.Session.Cell
         public bool Add(T message, HeadsetTime at, out T dropped) => Add(message, at, out dropped, out _);
 
         /// <param name="dropped">The oldest message, if the queue was full.</param>
-        /// <param name="droppedAt">Its arrival.</param>
+        /// <param name="droppedAt">Arrival time of the dropped message.</param>
         /// <returns>Whether a message was dropped.</returns>
         public bool Add(T message, HeadsetTime at, out T dropped, out HeadsetTime droppedAt)
         {

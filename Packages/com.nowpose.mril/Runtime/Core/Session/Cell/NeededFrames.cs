@@ -6,7 +6,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Predicts only frames that are shown, and those above them. Of all others, it keeps the newest pose.</summary>
+    /// <summary>Adds to a frame tree only the frames that are shown and their ancestors. Keeps the newest pose of every other frame.</summary>
     /// <remarks>A ROS system publishes the links of its robots on /tf too, and each predicted frame needs memory and time.</remarks>
     sealed class NeededFrames
     {
@@ -17,7 +17,7 @@ namespace Nowpose.Session.Cell
 
         public NeededFrames(FrameTree tree) => _tree = tree;
 
-        /// <summary>Shows a frame from now on, whether a pose of it has been received or not.</summary>
+        /// <summary>Shows a frame from now on, even if no pose of the frame has been received yet.</summary>
         public void Need(string name)
         {
             if (!_needed.Add(name) || !_others.TryGetValue(name, out var kept)) return;

@@ -20,15 +20,15 @@ namespace Nowpose.Session.Cell
         public HeadsetTime Arrival { get; }
     }
 
-    /// <summary>The newest value of each signal, of messages for which a queue has no place. Thread-safe.</summary>
-    /// <remarks>A source may publish a value once only, so the newest one must not be lost.</remarks>
+    /// <summary>Keeps the newest value of each signal from messages that did not fit into a queue. Thread-safe.</summary>
+    /// <remarks>A source may publish a value only once, so the newest value must not be lost.</remarks>
     sealed class NewestSignals
     {
         readonly object _gate = new object();
         readonly Dictionary<string, ArrivedSignal> _values = new Dictionary<string, ArrivedSignal>(StringComparer.Ordinal);
 
-        /// <summary>Keeps a value if its stamp is not older than that of the kept one.</summary>
-        /// <returns>Why a value was dropped, this one or the kept one; <see cref="DropReason.None"/> if none was.</returns>
+        /// <summary>Keeps a value unless the kept value of the same signal has a later stamp.</summary>
+        /// <returns>Reason why the given or the kept value was dropped; <see cref="DropReason.None"/> if neither value was dropped.</returns>
         public DropReason Keep(in ArrivedSignal arrived)
         {
             lock (_gate)

@@ -6,16 +6,16 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Receives a pose of a frame with the reason why it was dropped; <see cref="DropReason.None"/> if it was used.</summary>
+    /// <summary>Receives a pose of a frame and the reason why it was dropped; <see cref="DropReason.None"/> if it was used.</summary>
     delegate void PoseJudged(in FrameTransform pose, bool isStationary, HeadsetTime arrival, DropReason reason);
 
-    /// <summary>Frames of a session's cell: received, predicted to the display time, and judged like the pose of a robot.</summary>
+    /// <summary>Receives the frames of a session's cell, predicts them to the display time, and determines their states.</summary>
     sealed class SessionFrames
     {
-        /// <summary>Maximum number of messages of tracked frames that wait for the next display frame with a known control time.</summary>
+        /// <summary>Queue capacity for tracked frames, in messages. Messages wait for a display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
-        /// <summary>The same maximum for stationary frames, whose poses are sent only once: one message per frame.</summary>
+        /// <summary>Queue capacity for stationary frames, in messages: one per frame, because each pose is sent only once.</summary>
         const int StationaryQueueLength = ProtocolLimits.Frames;
 
         readonly Arrivals<TransformsMessage> _tracked = new Arrivals<TransformsMessage>(QueueLength);
@@ -39,37 +39,37 @@ namespace Nowpose.Session.Cell
         /// <remarks>A handler must be fast, must not throw, and must not call the session.</remarks>
         public event PoseJudged Judged;
 
-        /// <summary>Adds a robot, whose links can be parents, and whose root link may be a frame of the cell.</summary>
+        /// <summary>Adds a robot. Its links can be parents of frames, and its root link may be a frame of the cell.</summary>
         public void Add(SessionRobot robot)
         {
             Tree.Add(robot);
             _needed.Need(robot.Root);
         }
 
-        /// <summary>Returns whether a frame of the cell has the name of the robot's root link, so that it places the robot's base.</summary>
+        /// <summary>Returns whether a frame of the cell has the name of the robot's root link. Such a frame places the robot's base.</summary>
         public bool HasBaseOf(SessionRobot robot) => Find(robot.Root) != null;
 
-        /// <summary>Predicts a frame from now on, whether a pose of it has been received or not.</summary>
+        /// <summary>Predicts a frame from now on, even if no pose of the frame has been received yet.</summary>
         public void Need(string name) => _needed.Need(name);
 
-        /// <summary>Places a stationary frame by hand, until a source publishes it, and shows it from now on.</summary>
-        /// <param name="pose">Pose in the frame world.</param>
-        /// <returns>Why it cannot be placed; <see cref="DropReason.None"/> if it is.</returns>
+        /// <summary>Places a stationary frame manually until a source publishes it, and shows it from now on.</summary>
+        /// <param name="pose">Pose in the world frame.</param>
+        /// <returns>Reason why the frame cannot be placed; <see cref="DropReason.None"/> if it is placed.</returns>
         public DropReason Place(string name, in RigidTransform pose)
         {
             _needed.Need(name);
             return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
         }
 
-        /// <summary>Returns a frame; null if no pose of it has been received since <see cref="Need"/>.</summary>
+        /// <summary>Returns a frame; null if no pose of the frame has been received since <see cref="Need"/>.</summary>
         public CellFrame Find(string name)
         {
             var index = Tree.IndexOf(name);
             return index < 0 ? null : Tree[index];
         }
 
-        /// <summary>Returns whether a frame is shown where it is at the display time, as a state of a robot's pose.</summary>
-        /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown one.</param>
+        /// <summary>Returns the state of a frame's displayed pose. The states have the same meaning as for a robot's pose.</summary>
+        /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown frame.</param>
         public PoseState StateOf(CellFrame frame)
         {
             if (frame == null || frame.State == FrameState.Missing || frame.State == FrameState.Orphan) return PoseState.Incomplete;
@@ -95,7 +95,7 @@ namespace Nowpose.Session.Cell
             while (moment.Clock.IsKnown && _tracked.TryTake(out var message, out var arrival)) Take(message, arrival, moment.Clock);
         }
 
-        /// <summary>Computes all poses; call it after the robots have computed theirs.</summary>
+        /// <summary>Computes the poses of all frames. Call it after the robots have computed their poses.</summary>
         public void Show(in DisplayMoment moment) => Tree.Evaluate(moment.DisplayTime);
 
         /// <summary>Discards the poses of tracked frames, because their times are no longer valid.</summary>

@@ -5,7 +5,7 @@ using Nowpose.Signals;
 namespace Nowpose.Session.Cell
 {
     /// <summary>
-    /// Grippers of a session that take objects by their reach: each follows a signal, whose values of 0.5 and more mean closed.
+    /// Grippers of a session that grip objects within their reach. Each gripper follows a signal; a value of 0.5 or more means closed.
     /// </summary>
     sealed class SessionGrips
     {
@@ -19,7 +19,7 @@ namespace Nowpose.Session.Cell
             signals.Table.Restarted += Restart;
         }
 
-        /// <summary>Makes a gripper follow a signal from now on. On the thread of <see cref="CompensationSession.Tick"/>.</summary>
+        /// <summary>Makes a gripper follow a signal from now on. Call it on the thread of <see cref="CompensationSession.Tick"/>.</summary>
         public void Add(ReachGrip grip, string signal)
         {
             _signals.Need();
@@ -28,21 +28,21 @@ namespace Nowpose.Session.Cell
             if (known >= 0 && _signals.Table[known].IsKnown) Change(grip, _signals.Table[known]);
         }
 
-        /// <summary>Removes a gripper. An object that it holds returns to the control of its own source.</summary>
+        /// <summary>Removes a gripper. An object that it holds follows its own source again.</summary>
         public void Remove(ReachGrip grip)
         {
             _grips.RemoveAll(each => each.Grip == grip);
             grip.Leave();
         }
 
-        /// <summary>Decides what the grippers hold; call it after the signals are shown, and before the frames are.</summary>
+        /// <summary>Decides what the grippers hold. Call it after the signals are evaluated and before the frames are evaluated.</summary>
         public void Decide(in DisplayMoment moment)
         {
-            if (!(moment.DisplayTime is ControlTime light)) return;
-            foreach (var (grip, _) in _grips) grip.Decide(light);
+            if (!(moment.DisplayTime is ControlTime displayTime)) return;
+            foreach (var (grip, _) in _grips) grip.Decide(displayTime);
         }
 
-        /// <summary>Decides pending changes with the data at hand; call this before the samples are discarded.</summary>
+        /// <summary>Decides pending changes with the available samples. Call it before the samples are discarded.</summary>
         public void Settle()
         {
             foreach (var (grip, _) in _grips) grip.Settle();
@@ -54,7 +54,7 @@ namespace Nowpose.Session.Cell
                 if (name == signal.Name) Change(grip, signal);
         }
 
-        // After a restart of its source, the signal has new stamps.
+        // A restart of the signal's source invalidates the earlier stamps.
         void Restart(SignalTrack signal)
         {
             foreach (var (grip, name) in _grips)

@@ -7,13 +7,13 @@ using Nowpose.Signals;
 
 namespace Nowpose.Session.Cell
 {
-    /// <summary>Receives a value of a signal with the reason why it was dropped; <see cref="DropReason.None"/> if it was used.</summary>
+    /// <summary>Receives a value of a signal and the reason why it was dropped; <see cref="DropReason.None"/> if it was used.</summary>
     delegate void SignalJudged(in SignalValue value, ControlTime stamp, HeadsetTime arrival, DropReason reason);
 
-    /// <summary>Signals of a session's cell: read at the display time, with their state.</summary>
+    /// <summary>Signals of a session's cell, with their values at the display time and their faults.</summary>
     sealed class SessionSignals
     {
-        /// <summary>Maximum number of messages that wait for the next frame with a known control time.</summary>
+        /// <summary>Queue capacity in messages. Messages wait for a display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
         readonly Arrivals<SignalsMessage> _arrivals = new Arrivals<SignalsMessage>(QueueLength);
@@ -21,7 +21,7 @@ namespace Nowpose.Session.Cell
         readonly List<ArrivedSignal> _kept = new List<ArrivedSignal>();
         readonly Subscriptions _subscriptions;
         readonly DropCounters _drops;
-        // Replaced as a whole by the receiving thread.
+        // The receiving thread replaces the whole dictionary, so readers need no lock.
         volatile Dictionary<string, string> _ended = new Dictionary<string, string>(StringComparer.Ordinal);
 
         public SessionSignals(Subscriptions subscriptions, DropCounters drops)
@@ -37,7 +37,7 @@ namespace Nowpose.Session.Cell
         public event SignalJudged Judged;
 
         /// <summary>
-        /// Receives signals from now on. A session without signals does not subscribe, because a ROS system may not have the type.
+        /// Subscribes to signals. Called only when a signal is used, because a ROS system may not have the message type.
         /// </summary>
         public void Need()
         {
@@ -46,8 +46,8 @@ namespace Nowpose.Session.Cell
         }
 
         /// <summary>
-        /// Queues a message for the next frame with a known control time. When the queue is full, the newest value of each signal is kept.
-        /// Thread-safe.
+        /// Queues a message for the next frame with a known control time. When the queue is full, removes the oldest message but keeps the
+        /// newest value of each of its signals. Thread-safe.
         /// </summary>
         public void Add(SignalsMessage message, HeadsetTime arrival)
         {
@@ -56,7 +56,7 @@ namespace Nowpose.Session.Cell
             oldest.Release();
         }
 
-        /// <summary>Receives the signals whose source has ended. Thread-safe.</summary>
+        /// <summary>Stores which signals have lost their source, and why. Thread-safe.</summary>
         public void Take(JointStatusMessage message)
         {
             var ended = new Dictionary<string, string>(StringComparer.Ordinal);
@@ -65,7 +65,7 @@ namespace Nowpose.Session.Cell
             _ended = ended;
         }
 
-        /// <summary>Returns why a signal's value is not current, in one line; null if it is.</summary>
+        /// <summary>Returns the reason why a signal's value is not current, in one line; null if the value is current.</summary>
         /// <param name="isConnected">Whether messages can arrive.</param>
         public string FaultOf(string signal, bool isConnected)
         {
@@ -75,10 +75,10 @@ namespace Nowpose.Session.Cell
             return index < 0 || !Table[index].IsKnown ? "no value received" : null;
         }
 
-        /// <summary>Processes the queued messages, and shows the changes that the display time has reached.</summary>
+        /// <summary>Processes the queued messages, and shows each change whose stamp the display time has reached.</summary>
         public void Show(in DisplayMoment moment)
         {
-            if (!(moment.DisplayTime is ControlTime light)) return;
+            if (!(moment.DisplayTime is ControlTime displayTime)) return;
             _overflow.Take(_kept);
             foreach (var kept in _kept) Take(kept, moment.Clock);
             _kept.Clear();
@@ -87,7 +87,7 @@ namespace Nowpose.Session.Cell
                 for (var i = 0; i < message.Count; i++) Take(new ArrivedSignal(message[i], message.Stamp, arrival), moment.Clock);
                 message.Release();
             }
-            Table.Evaluate(light);
+            Table.Evaluate(displayTime);
         }
 
         void Take(in ArrivedSignal signal, in ClockModel clock)

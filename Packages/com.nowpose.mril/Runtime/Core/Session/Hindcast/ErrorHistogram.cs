@@ -16,7 +16,7 @@ namespace Nowpose.Session.Hindcast
 
         readonly int[] _counts = new int[Steps];
 
-        // Range of the steps in use: errors of one quantity fill a small part of all.
+        // Range of the steps in use. The errors of one quantity use only a few of all steps.
         int _first = Steps, _end;
 
         public void Add(double squared)
@@ -39,7 +39,7 @@ namespace Nowpose.Session.Hindcast
             (_first, _end) = (Steps, 0);
         }
 
-        /// <summary>Returns the value below which the given fraction lies; 0 when the histogram is empty.</summary>
+        /// <summary>Returns the value below which the given fraction of the errors lies; 0 when the histogram is empty.</summary>
         public double At(double fraction)
         {
             long total = 0;

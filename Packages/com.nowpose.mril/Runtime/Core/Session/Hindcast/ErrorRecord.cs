@@ -6,7 +6,7 @@ namespace Nowpose.Session.Hindcast
         readonly ErrorWindow _window = new ErrorWindow();
         readonly ErrorRun _run = new ErrorRun();
 
-        /// <param name="isOfRun">False for a frame that was shown before the start of the run.</param>
+        /// <param name="isOfRun">False for a frame that was shown before the run started.</param>
         public void Add(ControlTime at, in ErrorSample sample, bool isOfRun)
         {
             _window.Add(at, sample);

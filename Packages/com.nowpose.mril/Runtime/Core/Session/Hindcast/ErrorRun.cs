@@ -3,12 +3,15 @@ using System;
 namespace Nowpose.Session.Hindcast
 {
     /// <summary>Errors of one quantity over a run of any length. Allocates nothing after construction.</summary>
-    /// <remarks>When the maximum number of batches is reached, neighbours are merged: batches grow with the run, their number does not.</remarks>
+    /// <remarks>
+    /// When the maximum number of batches is reached, adjacent batches are merged, so that the batches become larger and their number stays
+    /// limited.
+    /// </remarks>
     sealed class ErrorRun
     {
         const int MaxBatches = 32;
 
-        /// <summary>About one second of frames.</summary>
+        /// <summary>Initial number of frames in a batch: about one second.</summary>
         const int FramesPerFirstBatch = 64;
 
         readonly ErrorSums[] _batches = new ErrorSums[MaxBatches];
@@ -27,7 +30,7 @@ namespace Nowpose.Session.Hindcast
             _held.Add(sample.HeldSquared);
         }
 
-        /// <returns>Null without any sample.</returns>
+        /// <returns>Null if there is no sample.</returns>
         public DisplayedError? Read() => _sums.Count == 0 ? (DisplayedError?)null : Of(_sums, _displayed, _held, _batches.AsSpan(0, _count));
 
         public void Reset()

@@ -1,6 +1,6 @@
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Sums over frames for root mean squares.</summary>
+    /// <summary>Sums over frames, from which root mean squares are computed.</summary>
     struct ErrorSums
     {
         public int Count;

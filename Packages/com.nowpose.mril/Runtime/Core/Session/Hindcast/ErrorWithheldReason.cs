@@ -1,8 +1,9 @@
 using Nowpose.Latency;
+using Nowpose.Messages;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Reason why a session withholds the errors that it measures: its frames may appear at other times than their display times.</summary>
+    /// <summary>Reason why a session withholds the errors that it measures. Its frames may appear at other times than their display times.</summary>
     enum ErrorWithheldReason
     {
         /// <summary>The errors are not withheld.</summary>
@@ -14,17 +15,17 @@ namespace Nowpose.Session.Hindcast
         /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>
         BeyondMeasured,
 
-        /// <summary>The limit was found with another source of the render time, so that nothing detects late frames.</summary>
+        /// <summary>The limit was found with another source of the render time, so late frames cannot be detected.</summary>
         OtherSource,
 
-        /// <summary>A limit is known, but the render time is not measured, so that nothing detects late frames.</summary>
+        /// <summary>A limit is known, but the render time is not measured, so late frames cannot be detected.</summary>
         NoRenderTime,
     }
 
-    /// <summary>Determines the reason, and describes it.</summary>
+    /// <summary>Determines why errors are withheld, and describes the reason.</summary>
     static class WithheldErrors
     {
-        /// <param name="isPredicted">Whether the runtime predicts the display times. They then do not depend on the profile.</param>
+        /// <param name="isPredicted">Whether the runtime predicts the display times. Predicted display times do not depend on the profile.</param>
         public static ErrorWithheldReason ReasonOf(ConstantLatencyMonitor renderTimes, bool isPredicted)
         {
             if (renderTimes.State == RangeState.Outside) return ErrorWithheldReason.OutsideRange;
@@ -37,15 +38,15 @@ namespace Nowpose.Session.Hindcast
             }
         }
 
-        /// <summary>Returns the reason as text; null for none.</summary>
+        /// <summary>Returns the reason as text; null for <see cref="ErrorWithheldReason.None"/>.</summary>
         public static string WordsOf(ErrorWithheldReason reason)
         {
             switch (reason)
             {
                 case ErrorWithheldReason.OutsideRange: return "outside range";
                 case ErrorWithheldReason.BeyondMeasured: return "beyond measured range";
-                case ErrorWithheldReason.OtherSource: return "limit of another source";
-                case ErrorWithheldReason.NoRenderTime: return "render time not measured";
+                case ErrorWithheldReason.OtherSource: return StateNames.OtherSourceLimit;
+                case ErrorWithheldReason.NoRenderTime: return StateNames.RenderTimeNotMeasured;
                 default: return null;
             }
         }

@@ -10,8 +10,8 @@ namespace Nowpose.Session.Hindcast
     /// </summary>
     /// <remarks>
     /// The true pose at a display time is the forward kinematics of the joints on the curves through their surrounding samples. It is
-    /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as
-    /// those of the clock or of L_visu. Allocates nothing after construction; single-threaded.
+    /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as errors
+    /// of the clock or of L_visu. Allocates nothing after construction; single-threaded.
     /// </remarks>
     sealed class HindcastMonitor
     {
@@ -31,7 +31,7 @@ namespace Nowpose.Session.Hindcast
         bool _hasRunBegun;
         ErrorWithheldReason _withheldOfRun;
 
-        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>
+        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer interval is unknown.</param>
         public HindcastMonitor(RobotModel robot, TimeSpan maximumGap)
         {
             _robot = robot;
@@ -48,22 +48,24 @@ namespace Nowpose.Session.Hindcast
             for (var i = 0; i < _ofJoint.Length; i++) _ofJoint[i] = new ErrorRecord();
         }
 
-        /// <summary>Reports a scored frame: its display time, its state, and the error of its tool in m. Raised within <see cref="Add"/>.</summary>
+        /// <summary>Raised within <see cref="Add"/> for each scored frame, with its display time, its state, and its tool error in m.</summary>
         public event Action<ControlTime, PoseState, ErrorSample> ToolJudged;
 
-        /// <summary>Number of joints between base and tool with samples of their own.</summary>
+        /// <summary>Number of joints between base and tool that have their own samples.</summary>
         public int JointCount => _joints.Length;
 
         /// <summary>Errors of the tool over the newest ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>
         public DisplayedError? Tool => IsKnown ? _tool.Now(_now.Value) : null;
 
-        /// <summary>Errors of the tool since <see cref="RestartRun"/>, m; null while unknown, and if <see cref="WithheldOfRun"/> has a reason.</summary>
+        /// <summary>
+        /// Errors of the tool since <see cref="RestartRun"/>, m; null while unknown, and if <see cref="WithheldOfRun"/> has a reason.
+        /// </summary>
         public DisplayedError? ToolOfRun => WithheldOfRun == ErrorWithheldReason.None ? _tool.OfRun : null;
 
-        /// <summary>Why the current errors are withheld.</summary>
+        /// <summary>Reason why the current errors are withheld.</summary>
         public ErrorWithheldReason Withheld { get; private set; }
 
-        /// <summary>Why the errors of the run are withheld: the reason of its first frame that cannot be judged.</summary>
+        /// <summary>Reason why the errors of the run are withheld, which is the reason of the first frame that cannot be scored.</summary>
         public ErrorWithheldReason WithheldOfRun => _hasRunBegun ? _withheldOfRun : Withheld;
 
         bool IsKnown => _now.HasValue && Withheld == ErrorWithheldReason.None;
@@ -79,7 +81,7 @@ namespace Nowpose.Session.Hindcast
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
             Withheld = frame.ErrorWithheld;
             if (_now == null || frame.State == PoseState.Incomplete) return;
-            // The first frames of a session have no render time: its source is not yet found.
+            // The first frames of a session have no render time, because its source is not found yet.
             _hasRunBegun |= Withheld != ErrorWithheldReason.OtherSource && Withheld != ErrorWithheldReason.NoRenderTime;
             if (_hasRunBegun && _withheldOfRun == ErrorWithheldReason.None) _withheldOfRun = Withheld;
             if (Withheld != ErrorWithheldReason.None) return;
@@ -94,7 +96,9 @@ namespace Nowpose.Session.Hindcast
         }
 
         /// <summary>Adds received samples, which determine the true positions of earlier frames.</summary>
-        /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
+        /// <param name="joints">
+        /// Index among the robot's moving joints for each joint of the message; negative for a joint that the robot does not have.
+        /// </param>
         public void Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {
             for (var i = 0; i < joints.Length; i++)
@@ -107,13 +111,13 @@ namespace Nowpose.Session.Hindcast
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
         }
 
-        /// <summary>Resets a joint whose source went back in time: further samples are on another time line.</summary>
+        /// <summary>Resets a joint whose stamps went back; its next samples belong to another time line.</summary>
         /// <param name="joint">Index among the robot's moving joints.</param>
         public void Restart(int joint)
         {
             if (_placeOfJoint[joint] < 0) return;
             _tracks[_placeOfJoint[joint]] = default;
-            // The waiting frames would get the true position of this joint twice or never.
+            // The waiting frames would receive the true position of this joint twice or not at all.
             _frames.Clear();
         }
 

@@ -2,15 +2,15 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Relative reduction of the hold's error, with its uncertainty.</summary>
+    /// <summary>Estimates the fraction by which the compensation reduces the error of the hold, and the uncertainty of this fraction.</summary>
     /// <remarks>
-    /// Errors of neighbouring frames are similar, so frames are not independent. Batches of about one second nearly are: the jackknife
-    /// omits one batch at a time and evaluates the change of the reduction. It is suitable for a ratio of sums, to which batches at
-    /// rest contribute nothing.
+    /// The errors of neighbouring frames are similar, so frames are not independent. Batches of about one second are nearly independent.
+    /// The jackknife omits one batch at a time and evaluates the change of the reduction. It is suitable for a ratio of sums, to which
+    /// batches at rest contribute nothing.
     /// </remarks>
     static class ReductionEstimate
     {
-        /// <summary>Minimum RMS of the hold's error, 0.1 mm or 0.1 mrad; a smaller one occurs only at rest and cannot be reduced.</summary>
+        /// <summary>Minimum RMS of the hold's error, 0.1 mm or 0.1 mrad. A smaller error occurs only at rest and cannot be reduced.</summary>
         const double MinHoldRms = 1e-4;
 
         const int MinBatches = 4;
@@ -40,9 +40,9 @@ namespace Nowpose.Session.Hindcast
         static double Reduction(double displayed, double held) => 1 - Math.Sqrt(displayed / held);
 
         /// <summary>
-        /// Returns the 97.5 % quantile of Student's distribution. MathNet's would search it iteratively, on the thread of the frames.
+        /// Returns the 97.5 % quantile of Student's distribution. MathNet's function would search for it iteratively on the frame's thread.
         /// </summary>
-        /// <remarks>The series in 1/ν of Abramowitz &amp; Stegun 26.7.5 up to 1/ν⁴: 0.12 % too small at ν = 3, less above.</remarks>
+        /// <remarks>Uses the series in 1/ν of Abramowitz &amp; Stegun 26.7.5 up to 1/ν⁴: 0.12 % too small at ν = 3, less above.</remarks>
         /// <param name="freedom">Degrees of freedom ν, 3 or more.</param>
         internal static double Student95(int freedom)
         {

@@ -39,7 +39,7 @@ namespace Nowpose.Session.Hindcast
         }
 
         /// <summary>Sets the true position of a joint for the frames within a span.</summary>
-        /// <param name="isKnown">False when the interval between the samples is too long to determine the motion.</param>
+        /// <param name="isKnown">False if the interval between the samples is too long to determine the motion.</param>
         public void SetTruth(int joint, in TruthSpan span, bool isKnown)
         {
             for (var i = 0; i < _count; i++)
@@ -54,8 +54,8 @@ namespace Nowpose.Session.Hindcast
             }
         }
 
-        /// <summary>Removes and returns the oldest frame, if the true positions of all joints are set.</summary>
-        /// <param name="joints">Result; its length is the number of joints.</param>
+        /// <summary>Removes and returns the oldest frame whose motion is known, if the true positions of all its joints are set.</summary>
+        /// <param name="joints">Receives the values of the joints; its length is the number of joints.</param>
         public bool TryTakeFirst(out Frame frame, Span<JointValues> joints)
         {
             while (_count > 0 && _frames[_first].Missing == 0)

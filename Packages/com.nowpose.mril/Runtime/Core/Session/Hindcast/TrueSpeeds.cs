@@ -3,10 +3,10 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>True speeds of the joints and the tool between two scored frames; 0 for the first frame after a pause.</summary>
+    /// <summary>True speeds of the joints and the tool between consecutive scored frames; 0 for the first frame after a pause.</summary>
     sealed class TrueSpeeds
     {
-        /// <summary>Maximum interval between frames; the mean speed over a longer one is not the current speed.</summary>
+        /// <summary>Maximum interval between frames. The mean speed over a longer interval is not the current speed.</summary>
         static readonly TimeSpan MaxPause = new TimeSpan(TimeSpan.TicksPerSecond / 5);
 
         readonly double[] _positions;
@@ -16,7 +16,7 @@ namespace Nowpose.Session.Hindcast
 
         public TrueSpeeds(int jointCount) => _positions = new double[jointCount];
 
-        /// <summary>Starts a frame. Call the methods below next for each joint and for the tool.</summary>
+        /// <summary>Starts a frame. Then call <see cref="OfJoint"/> for each joint and <see cref="OfTool"/> once.</summary>
         public void Next(ControlTime at)
         {
             var passed = _at.HasValue ? at - _at.Value : TimeSpan.Zero;

@@ -2,19 +2,19 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>The newest samples of a joint. Each new sample completes the curve of the interval before the last.</summary>
+    /// <summary>Newest samples of a joint. Each new sample completes the curve between the two samples before it.</summary>
     struct TruthTrack
     {
         TruthSample _first, _second, _third;
 
-        /// <summary>End of the intervals that are already complete; null before the first sample.</summary>
+        /// <summary>End of the last complete interval; null before the first sample.</summary>
         public ControlTime? CompleteUntil => _second.IsKnown ? _second.At : _third.IsKnown ? _third.At : (ControlTime?)null;
 
-        /// <summary>Adds a sample. A sample that is not newer than the last one is ignored, as its interval is already complete.</summary>
-        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>
+        /// <summary>Adds a sample. A sample that is not newer than the last one is ignored, because its interval is already complete.</summary>
+        /// <param name="maximumGap">Maximum interval between samples. The motion within a longer interval is unknown.</param>
         /// <param name="span">The completed span.</param>
-        /// <param name="isKnown">False when only the ends of the span are known.</param>
-        /// <returns>False when no span was completed.</returns>
+        /// <param name="isKnown">False if the span is too long, so that only its ends are known.</param>
+        /// <returns>Whether a span was completed.</returns>
         public bool Add(in TruthSample sample, TimeSpan maximumGap, out TruthSpan span, out bool isKnown)
         {
             span = default;

@@ -5,10 +5,10 @@ using Nowpose.Motion;
 
 namespace Nowpose.Simulation.Work
 {
-    /// <summary>A belt that moves workpieces from the place where they are put down to the one where they are taken.</summary>
+    /// <summary>A belt that moves workpieces from the place where they are put down to the place where they are taken.</summary>
     /// <remarks>
-    /// It moves once per cycle of the robot by one station, from rest to rest. On a ring around the world's origin, angle, radius and height
-    /// change evenly along the way, and workpieces turn with the belt; a straight belt changes position and rotation evenly.
+    /// The belt moves by one station per cycle of the robot, from rest to rest. On a ring around the world's origin, angle, radius and height
+    /// change linearly along the belt, and workpieces turn with it. On a straight belt, position and rotation change linearly.
     /// </remarks>
     sealed class Belt
     {
@@ -24,9 +24,11 @@ namespace Nowpose.Simulation.Work
 
         /// <param name="from">Pose of a workpiece that was put down.</param>
         /// <param name="to">Pose of a workpiece that is taken.</param>
-        /// <param name="stations">Number of steps from one to the other.</param>
+        /// <param name="stations">Number of steps from one pose to the other.</param>
         /// <param name="maxSeconds">Maximum duration of a step, s; the belt becomes faster if necessary.</param>
-        /// <param name="isRing">Whether the belt runs around the world's origin, the longer way, because the robot swings the shorter one.</param>
+        /// <param name="isRing">
+        /// Whether the belt runs around the world's origin. It takes the longer way round, because the robot swings along the shorter way.
+        /// </param>
         public Belt(in RigidTransform from, in RigidTransform to, int stations, double maxSeconds, bool isRing)
         {
             _isRing = isRing;
@@ -34,7 +36,7 @@ namespace Nowpose.Simulation.Work
             _stations = stations;
             _way = new Vector3D(to.X - from.X, to.Y - from.Y, to.Z - from.Z);
             _startAngle = Math.Atan2(from.Y, from.X);
-            _angle = isRing ? OtherWay(Math.Atan2(to.Y, to.X) - _startAngle) : 0;
+            _angle = isRing ? LongerWay(Math.Atan2(to.Y, to.X) - _startAngle) : 0;
             _startRadius = RadiusOf(from);
             _radius = RadiusOf(to) - _startRadius;
             _turn = (UnitQuaternion.Of(from).Inverse * UnitQuaternion.Exp(new Vector3D(0, 0, -_angle)) * UnitQuaternion.Of(to)).Log();
@@ -48,7 +50,7 @@ namespace Nowpose.Simulation.Work
         public double StepAt(double seconds) => StepSeconds == 0 ? 1 : _step.PositionAt(seconds);
 
         /// <summary>Returns the pose of a workpiece in the world.</summary>
-        /// <param name="station">Way on the belt in stations, 0 where it was put down.</param>
+        /// <param name="station">Position on the belt in stations; 0 where workpieces are put down.</param>
         public RigidTransform At(double station)
         {
             var share = station / _stations;
@@ -62,7 +64,7 @@ namespace Nowpose.Simulation.Work
             return rotation.At(x, y, _from.Z + share * _way.Z);
         }
 
-        static double OtherWay(double angle)
+        static double LongerWay(double angle)
         {
             angle = Math.IEEERemainder(angle, 2 * Math.PI);
             return angle > 0 ? angle - 2 * Math.PI : angle + 2 * Math.PI;
@@ -70,7 +72,7 @@ namespace Nowpose.Simulation.Work
 
         static double RadiusOf(in RigidTransform pose) => Math.Sqrt(pose.X * pose.X + pose.Y * pose.Y);
 
-        // The profile of the share of a step. If time is scaled by 1/f, velocity, acceleration and jerk are multiplied by f, f² and f³.
+        // Returns the profile for a distance of 1, one step. If time is scaled by 1/f, velocity, acceleration and jerk are multiplied by f, f², f³.
         static SevenPhaseProfile StepOf(double metres, double maxSeconds)
         {
             if (!(metres > 1e-6)) return default;

@@ -9,15 +9,15 @@ namespace Nowpose.Simulation.Work
 {
     /// <summary>
     /// The work of robots that pick and place: a conveyor brings workpieces, each gripper takes one per cycle and puts it on a fixture, from
-    /// which the conveyor brings it to the next robot. A function of time; immutable, so any thread may use it.
+    /// which the conveyor brings it to the next robot. A function of time; immutable and thread-safe.
     /// </summary>
-    /// <remarks>All robots are of the same kind and move at the same time. Poses of the world are those in the first robot's base frame.</remarks>
+    /// <remarks>All robots are of the same kind and move at the same time. The world frame is the first robot's base frame.</remarks>
     sealed class CellWork
     {
-        /// <summary>Stationary frame of the conveyor: in the first robot's axis, at the height where workpieces are taken.</summary>
+        /// <summary>Stationary frame of the conveyor: on the axis of the first robot, at the height where workpieces are taken.</summary>
         public const string Conveyor = "conveyor";
 
-        /// <summary>Signal: whether the belt moves.</summary>
+        /// <summary>Name of the signal that is 1 while the belt moves.</summary>
         public const string BeltRunning = "belt_running";
 
         /// <summary>Maximum number of robots.</summary>
@@ -26,16 +26,16 @@ namespace Nowpose.Simulation.Work
         /// <summary>Edge length of a workpiece, a cube whose frame is in its centre, m.</summary>
         public const double Size = 0.03;
 
-        /// <summary>Number of steps of the belt between two robots, and of workpieces per robot.</summary>
+        /// <summary>Number of belt steps between two robots, and number of workpieces per robot.</summary>
         const int Steps = 3;
 
-        /// <summary>Distance of two robots, as a multiple of the distance at which they grip.</summary>
+        /// <summary>Distance between two robots, as a multiple of the distance at which they grip.</summary>
         const double RobotDistance = 3.2;
 
-        /// <summary>Share of the time between putting down and taking that the belt waits, so that the gripper is away.</summary>
+        /// <summary>Fraction of the time between putting down and taking in which the belt waits, so that the gripper can leave.</summary>
         const double WaitShare = 0.25;
 
-        /// <summary>Share of that time in which the step must be complete.</summary>
+        /// <summary>Maximum duration of a belt step, as a fraction of the time between putting down and taking.</summary>
         const double StepShare = 0.65;
 
         readonly IGrippingMotion _motion;
@@ -59,10 +59,10 @@ namespace Nowpose.Simulation.Work
             Signals = _robots.Select(each => each.GripperClosed).Append(BeltRunning).Concat(_robots.Select(each => each.PartPresent)).ToArray();
         }
 
-        /// <summary>Frames of the workpieces.</summary>
+        /// <summary>Names of the workpieces' frames.</summary>
         public IReadOnlyList<string> Names { get; }
 
-        /// <summary>The signals, in the order of <see cref="SignalsAt"/>.</summary>
+        /// <summary>Names of the signals, in the order of <see cref="SignalsAt"/>.</summary>
         public IReadOnlyList<string> Signals { get; }
 
         public IReadOnlyList<WorkRobot> Robots => _robots;
@@ -88,7 +88,7 @@ namespace Nowpose.Simulation.Work
             return passed < _held ? robot.Base * robot.ToolAt(seconds) * robot.InTool : OnBelt(robot, passed);
         }
 
-        /// <summary>Returns points on the upper side of the belt behind a robot, in the world.</summary>
+        /// <summary>Returns points on the upper side of the belt from a robot to the next robot, in the world.</summary>
         public IEnumerable<RigidTransform> BeltBehind(int robot)
         {
             const int points = 48;
@@ -100,7 +100,7 @@ namespace Nowpose.Simulation.Work
         }
 
         /// <summary>Gets the values of all signals.</summary>
-        /// <param name="values">One per element of <see cref="Signals"/>, 0 or 1.</param>
+        /// <param name="values">Receives one value per element of <see cref="Signals"/>, 0 or 1.</param>
         public void SignalsAt(double seconds, Span<double> values)
         {
             values.Clear();
@@ -108,14 +108,14 @@ namespace Nowpose.Simulation.Work
             {
                 var robot = RobotOf(i, seconds, out var passed);
                 if (passed < _held) values[robot] = 1;
-                // At the end of the belt, it waits for the next robot.
+                // At the end of the belt, the workpiece waits for the next robot.
                 if (StationAt(_robots[robot], passed) >= Steps) values[_robots.Length + 1 + (robot + 1) % _robots.Length] = 1;
                 var inStep = passed % _motion.CycleSeconds - _held - _wait;
                 if (inStep >= 0 && inStep < _robots[robot].Belt.StepSeconds) values[_robots.Length] = 1;
             }
         }
 
-        // Each workpiece comes to a robot in every third cycle, and then to the next robot. Before the first time, it is where earlier cycles
+        // Each workpiece comes to a robot in every third cycle, and then to the next robot. Before its first cycle, it is where earlier cycles
         // would have brought it.
         int RobotOf(int workpiece, double seconds, out double sinceTaken)
         {

@@ -5,7 +5,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Simulation.Work
 {
-    /// <summary>Sends the objects and signals of a cell to a session; they arrive in order. One thread.</summary>
+    /// <summary>Sends the objects and signals of a cell to a session. Messages arrive in order. Not thread-safe.</summary>
     sealed class VirtualWork
     {
         readonly VirtualClock _clock;
@@ -27,7 +27,7 @@ namespace Nowpose.Simulation.Work
             _random = new Random(seed + 2);
         }
 
-        /// <summary>Simulates the messages until now; none is sent before <paramref name="from"/>.</summary>
+        /// <summary>Simulates the messages until now. No message is sent before <paramref name="from"/>.</summary>
         public void Run(HeadsetTime from, HeadsetTime now, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_lastTaken < from) _lastTaken = from;
@@ -42,7 +42,7 @@ namespace Nowpose.Simulation.Work
             }
         }
 
-        // Changes of signals are never lost: a stream repeats them.
+        // Changes of signals are never lost, because a stream retransmits lost packets.
         void Take(HeadsetTime at, in VirtualCellSettings settings)
         {
             var spread = settings.LatencyMax - settings.LatencyMin;

@@ -6,7 +6,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Simulation.Work
 {
-    /// <summary>Messages of a cell's objects and signals, as its control system publishes them. One thread.</summary>
+    /// <summary>Messages of a cell's objects and signals, as its control system publishes them. Not thread-safe.</summary>
     /// <remarks>Signals are evaluated in each control cycle; a message has the stamp of the cycle in which a signal changed.</remarks>
     sealed class WorkMessages
     {
@@ -46,7 +46,7 @@ namespace Nowpose.Simulation.Work
             return new TransformsMessage(transforms);
         }
 
-        /// <summary>Returns the changes of signals since the last call; the first time, all values.</summary>
+        /// <summary>Returns the changes of signals since the last call; all values on the first call.</summary>
         /// <inheritdoc cref="FramesAt"/>
         public IEnumerable<SignalsMessage> ChangesUntil(ControlTime stamp, double seconds)
         {

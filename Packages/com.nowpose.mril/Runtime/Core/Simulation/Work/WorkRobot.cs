@@ -12,8 +12,8 @@ namespace Nowpose.Simulation.Work
         readonly RobotModel _robot;
 
         /// <param name="index">Index among the robots.</param>
-        /// <param name="count">Number of robots. A single robot has no namespace and stands at the origin; a second one faces the first.</param>
-        /// <param name="distance">Distance of two robots, as a multiple of the distance at which they grip.</param>
+        /// <param name="count">Number of robots. A single robot has no namespace and stands at the origin; a second robot faces the first.</param>
+        /// <param name="distance">Distance between two robots, as a multiple of the distance at which they grip.</param>
         public WorkRobot(RobotModel robot, IGrippingMotion motion, int index, int count, double distance)
         {
             _robot = robot;
@@ -37,19 +37,19 @@ namespace Nowpose.Simulation.Work
 
         public string Namespace { get; }
 
-        /// <summary>Frame of the tool's link, with the namespace.</summary>
+        /// <summary>Frame name of the tool's link, with the robot's namespace.</summary>
         public string Tool { get; }
 
-        /// <summary>Frame of the root link, with the namespace.</summary>
+        /// <summary>Frame name of the root link, with the robot's namespace.</summary>
         public string Root { get; }
 
-        /// <summary>Stationary frame of the fixture: the middle of its upper side.</summary>
+        /// <summary>Name of the stationary frame of the fixture, whose origin is the middle of the fixture's upper side.</summary>
         public string Fixture { get; }
 
-        /// <summary>Signal: whether the gripper is closed.</summary>
+        /// <summary>Name of the signal that is 1 while the gripper is closed.</summary>
         public string GripperClosed { get; }
 
-        /// <summary>Signal: whether a workpiece waits to be taken by this robot.</summary>
+        /// <summary>Name of the signal that is 1 while a workpiece waits for this robot.</summary>
         public string PartPresent { get; }
 
         /// <summary>Pose of the root link in the world.</summary>

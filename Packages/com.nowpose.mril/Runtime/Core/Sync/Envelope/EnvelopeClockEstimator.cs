@@ -8,39 +8,43 @@ namespace Nowpose.Sync.Envelope
     /// bounds. It needs no outlier rejection, and its accuracy increases with the number of exchanges.
     /// </summary>
     /// <remarks>
-    /// The paper's offsets of Eq. (5) average a request with its reply and are wrong when either is late; here each of the two counts
-    /// separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
+    /// An offset of Eq. (5) in the paper averages a request with its reply and is wrong if either of them is late. This estimator uses
+    /// requests and replies separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
     /// </remarks>
     sealed class EnvelopeClockEstimator : IClockEstimator
     {
-        /// <summary>Maximum number of exchanges and their maximum age, s: three minutes at five per second. Older ones add no accuracy.</summary>
+        /// <summary>
+        /// Maximum number of exchanges and their maximum age, s: three minutes at five per second. Older exchanges add no accuracy.
+        /// </summary>
         const int History = 900;
         const double HistorySeconds = 180;
 
         /// <summary>
-        /// Number of exchanges in the newest block and maximum number in a block; each block has one more than the next newer one. Short
-        /// blocks follow the current skew in a quiet network, long ones contain a packet with a short delay in a busy one.
+        /// Number of exchanges in the newest block, and maximum number in a block; each block has one exchange more than the next newer block.
+        /// Short blocks follow the current skew in a quiet network; long blocks contain a packet with a short delay in a busy network.
         /// </summary>
         const int NewestBlock = 6, MaxBlock = 30;
 
-        /// <summary>Minimum ratio of the number of exchanges to the block length: late blocks are recognised only among several.</summary>
+        /// <summary>Minimum ratio of the number of exchanges to the block length. A late block is recognised only among several blocks.</summary>
         const int MinBlocks = 10;
 
-        /// <summary>Maximum hidden scatter, as a multiple of the mean excess over the minimum round-trip time, and exchanges needed for it.</summary>
+        /// <summary>
+        /// Maximum hidden scatter, as a multiple of the mean excess over the minimum round-trip time, and exchanges needed to apply it.
+        /// </summary>
         const int ScatterShare = 2, MinForScatter = 5;
 
         /// <summary>Initial standard deviation of the skew, dimensionless, and its increase per second after a restart, 1/s.</summary>
         const double SkewPrior = 50e-6, SkewWander = 0.05e-6;
 
         /// <summary>
-        /// Age of the skew that extrapolates the line, s. The slope at the very end is the least certain part of the curve, and a time
-        /// without exchanges lasts for seconds or minutes.
+        /// Age of the slope that is used as the skew for extrapolation, s. The slope at the end of the curve is the least certain, and an
+        /// extrapolation may last for seconds or minutes.
         /// </summary>
         const double SkewAge = 20;
 
         /// <summary>
         /// Time constant with which the steady skew follows the estimate, s. When a path changes, the curve bends from the old bounds to
-        /// the new ones; its slope then shows neither the skew of the clocks nor how accurately it is known.
+        /// the new ones. Its slope then indicates neither the skew of the clocks nor the accuracy of the skew.
         /// </summary>
         const double SkewTimeConstant = 60;
 
@@ -110,11 +114,11 @@ namespace Nowpose.Sync.Envelope
             }
 
             var newest = _history[0];
-            // Half of each because their sum may overflow.
+            // Halves each bound first, because their sum may overflow.
             var middle = newest.Lower / 2 + newest.Upper / 2;
             var scatter = Collect(newest.Received, middle);
             var running = ClockTicks.Seconds(newest.Received - _start);
-            // A skew beyond the range of the prior would leave residuals that make the data appear poor.
+            // A skew outside the proven range would leave large residuals, as if the data were inaccurate.
             var proven = ProvenSkew.Of(_history, exchange.Resolution);
             var unsampled = ClockTicks.Seconds(_unsampledPart.Of(_history, exchange.Resolution));
             _fit.Solve(
@@ -125,7 +129,7 @@ namespace Nowpose.Sync.Envelope
             PathChangeError = ClockTicks.Span(_unrecognised.Error(_up, _down));
         }
 
-        // Returns the maximum difference of bounds that are equally good.
+        // Collects the bounds of both sides. Returns the maximum difference between bounds that are equally accurate.
         TimeSpan Collect(HeadsetTime reference, long referenceOffset)
         {
             _below.Clear();
@@ -171,11 +175,12 @@ namespace Nowpose.Sync.Envelope
             var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
             var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
             var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
-            // Half of the elapsed time at first.
+            // The time constant is at most half of the elapsed time.
             var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewTimeConstant, running / 2)));
             _steadySkew += (skew - _steadySkew) * share;
             _steadyBend += (_curve.Bend - _steadyBend) * share;
-            // Maximum slope error if the offset is off by half the part at one end and by minus half at the other; a third as standard error.
+            // Slope error if the offset is wrong by half of the unsampled part at one end and by minus half at the other. A third is the
+            // standard error.
             var hidden = unsampled / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(ClockLine.MaxSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
             _steadySkewError += (skewError - _steadySkewError) * share;

@@ -3,22 +3,22 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Fits one curve with two heights to the two sides of the corridor; the offset is half-way between them. A prior determines
-    /// slope and bend where the data do not.
+    /// Fits one curve with one height for each side of the corridor. The offset is half-way between the two heights. A prior determines
+    /// slope and bend if the data do not.
     /// </summary>
     sealed class EnvelopeFit
     {
         /// <summary>
         /// Standard deviation of the bend, 1/s: a skew that changes by 1 ppm in 100 s. Quartz clocks in a room change less. This value
-        /// lets the fit follow changes in a quiet network that would be noise in a busy one.
+        /// lets the fit follow changes in a quiet network that would be noise in a busy network.
         /// </summary>
         const double BendPrior = 5e-9;
 
         const int Iterations = 3;
 
         /// <summary>
-        /// Factor on the standard errors from the weights, because delays are not normally distributed and clock rates vary. On four
-        /// simulated networks, 95 % of the errors were within 1.8 to 3.8 of these standard errors instead of 2.
+        /// Factor by which the standard errors from the weights are increased, because delays are not normally distributed and clock rates
+        /// vary. On four simulated networks, 95 % of the errors were within 1.8 to 3.8 of the increased standard errors, instead of 2.
         /// </summary>
         const double ErrorFactor = 2;
 
@@ -37,16 +37,16 @@ namespace Nowpose.Sync.Envelope
 
         public OffsetCurve Curve { get; private set; }
 
-        /// <summary>Seconds above the reference offset at the reference time.</summary>
+        /// <summary>Offset at the reference time minus the reference offset, s.</summary>
         public double Offset => (_heightBelow.At(Curve) + _heightAbove.At(Curve)) / 2;
 
         /// <summary>Standard error of <see cref="Offset"/>, s.</summary>
         public double OffsetError { get; private set; }
 
-        /// <summary>Standard error of the slope, dimensionless. It uses the data only and includes the shift that the prior causes.</summary>
+        /// <summary>Standard error of the slope, dimensionless. Uses only the data, and includes the shift that the prior causes.</summary>
         public double SlopeError { get; private set; }
 
-        /// <param name="scatter">Maximum difference of bounds that are equally good, plus the control clock's resolution, s.</param>
+        /// <param name="scatter">Maximum difference between bounds that are equally accurate, plus the control clock's resolution, s.</param>
         /// <param name="unsampled">Value of <see cref="UnsampledPart"/>, s.</param>
         /// <param name="start">Initial curve of the iteration.</param>
         /// <param name="slopePrior">Expected slope, dimensionless.</param>
@@ -70,7 +70,7 @@ namespace Nowpose.Sync.Envelope
             EstimateErrors(slopePrior, slopeWeight, bendWeight);
         }
 
-        // Sums relative to the weighted means of the side, which eliminates the unknown heights.
+        // Computes sums relative to the weighted means of the side, which eliminates the unknown heights.
         Height Gather(EnvelopeSide side)
         {
             double weights = 0, x = 0, z = 0, y = 0;
@@ -109,9 +109,9 @@ namespace Nowpose.Sync.Envelope
             OffsetError = ErrorFactor * Math.Sqrt(variance);
             // A single exchange contains no information about the slope.
             var known = Math.Max(_xx - _xz * _xz / zz, MinShare * slopeWeight);
-            // Distance to the slope that the data alone would give.
-            var pull = slopeWeight / known * Math.Abs(Curve.Slope - slopePrior);
-            SlopeError = ErrorFactor * Math.Sqrt(1 / known) + pull;
+            // Distance to the slope that the data alone would give, because the prior shifts the slope.
+            var priorShift = slopeWeight / known * Math.Abs(Curve.Slope - slopePrior);
+            SlopeError = ErrorFactor * Math.Sqrt(1 / known) + priorShift;
         }
 
         /// <summary>Weighted means of one side.</summary>

@@ -9,30 +9,35 @@ namespace Nowpose.Sync.Envelope
     /// <remarks>
     /// A packet can only be late, so the error of a bound has a known sign. The weight of a bound is 1/(s² + e² + a²): e is its
     /// distance behind the upper quartile of the blocks, s is the typical distance, and a is the possible effect of changing clock
-    /// rates since then.
+    /// rates since the time of the bound.
     /// </remarks>
     sealed class EnvelopeSide
     {
         /// <summary>Quantile of the blocks from which e is measured, and quantile of e that gives the scale s.</summary>
-        const double PunctualShare = 0.75, ScaleShare = 0.4;
+        const double QuartileShare = 0.75, ScaleShare = 0.4;
 
-        /// <summary>Minimum scale, s: without it, a few equal time stamps would dominate all others.</summary>
+        /// <summary>Minimum scale, s: without it, a few equal time stamps would outweigh all other bounds.</summary>
         const double MinScale = 3e-6;
 
-        /// <summary>Contribution to the scale when bounds miss a part of a coarse clock's step, relative to that part; 0.5 is too small.</summary>
+        /// <summary>
+        /// Contribution to the scale if the exchanges miss a part of a coarse clock's step, as a fraction of that part. Half of this value is
+        /// too small.
+        /// </summary>
         const double UnsampledShare = 0.1;
 
-        /// <summary>a = this · age², 1/s: a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
+        /// <summary>Factor k in a = k·age², 1/s: allows for a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
         const double AgeGrowth = 2e-8;
 
-        /// <summary>Minimum number of blocks with full weight at any age, so that the scale cannot shrink until too few determine it.</summary>
+        /// <summary>
+        /// Minimum number of blocks with full weight at any age. Otherwise the scale could shrink until too few blocks determine it.
+        /// </summary>
         const int BlocksAtLeast = 8;
 
         /// <summary>
-        /// The scatter of the round trips, divided by the number of blocks to this power, is a minimum of the scale: few bounds may
-        /// agree by chance, and a line through three late packets can be steep.
+        /// Exponent of the number of blocks by which the scatter of the round trips is divided. The quotient is added to the scale, because few
+        /// bounds may agree by chance, and a line through three late packets can be steep.
         /// </summary>
-        const double YouthPower = 1.5;
+        const double CountPower = 1.5;
 
         readonly int _sign;
         readonly double[] _x, _y, _behind, _recency, _weights;
@@ -54,13 +59,13 @@ namespace Nowpose.Sync.Envelope
 
         public int Count { get; private set; }
 
-        /// <summary>Seconds since the reference time.</summary>
+        /// <summary>Returns the time of a block's bound, s since the reference time.</summary>
         public double X(int block) => _x[block];
 
-        /// <summary>Seconds above the reference offset.</summary>
+        /// <summary>Returns a block's bound, s above the reference offset.</summary>
         public double Y(int block) => _y[block];
 
-        /// <summary>Weight of the block, 1/s².</summary>
+        /// <summary>Returns the weight of a block, 1/s².</summary>
         public double Weight(int block) => _weights[block];
 
         public void Clear()
@@ -87,8 +92,8 @@ namespace Nowpose.Sync.Envelope
             _y[last] = y;
         }
 
-        /// <summary>Computes the weights of the blocks relative to a curve, which does not include the heights of the sides.</summary>
-        /// <param name="scatter">As in <see cref="EnvelopeFit.Solve"/>, s.</param>
+        /// <summary>Computes the weights of the blocks from the distances of their bounds to a curve, whose height has no effect.</summary>
+        /// <param name="scatter">See <see cref="EnvelopeFit.Solve"/>, s.</param>
         /// <param name="unsampled">Value of <see cref="UnsampledPart"/>, s.</param>
         public void Weigh(OffsetCurve curve, double scatter, double unsampled)
         {
@@ -98,17 +103,17 @@ namespace Nowpose.Sync.Envelope
                 _behind[i] = _sign * (_y[i] - curve.At(_x[i]));
                 _recency[i] = double.IsInfinity(_scale) ? 1 : 1 / (1 + Square(growth * _x[i] * _x[i] / _scale));
             }
-            var punctual = _quantile.Of(_behind, _recency, Count, PunctualShare);
-            for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, punctual - _behind[i]);
+            var quartile = _quantile.Of(_behind, _recency, Count, QuartileShare);
+            for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, quartile - _behind[i]);
             _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + MinScale + UnsampledShare * unsampled
-                + scatter / Math.Pow(Count, YouthPower);
+                + scatter / Math.Pow(Count, CountPower);
 
             growth = Growth();
             for (var i = 0; i < Count; i++)
                 _weights[i] = 1 / (_scale * _scale + _behind[i] * _behind[i] + Square(growth * _x[i] * _x[i]));
         }
 
-        /// <summary>Returns the weight of the blocks that start at a time or later, relative to the weight of all blocks.</summary>
+        /// <summary>Returns the weight of the blocks at or after a time, relative to the weight of all blocks.</summary>
         /// <param name="x">Seconds since the reference time.</param>
         public double WeightShareSince(double x)
         {

@@ -7,43 +7,43 @@ namespace Nowpose.Sync.Envelope
     /// the bounds of that direction comparable across the change.
     /// </summary>
     /// <remarks>
-    /// A longer minimum delay makes all bounds of its direction late. Uncorrected, these bounds would move the offset by half the
-    /// change and, while they replace the older ones, would look like a change of the skew. The clock rates do not change, so the
-    /// excess over the earlier minimum delay is added to each bound, and the offset and the skew are unchanged.
-    /// A delay that is shorter than all earlier ones replaces the reference, and the offset moves by half the difference.
-    /// In both cases the error is half the difference of the changes of the two directions. Until a change is recognised, the fit may follow it
-    /// by 1.2 times this amount. A change too small to separate from a wrong skew moves the offset by half of it, and widens the error if the
-    /// other direction shows that the path has changed.
-    /// Allocates nothing after construction.
+    /// A longer minimum delay makes all bounds of its direction late. Uncorrected, these bounds would move the offset by half the change
+    /// and, while they replace the older bounds, would look like a change of the skew. The clock rates do not change, so the excess over
+    /// the earlier minimum delay is added to each bound, and the offset and the skew are unchanged. A delay that is shorter than all
+    /// earlier delays replaces the reference, and the offset moves by half the difference. In both cases the error is half the difference
+    /// of the changes of the two directions. Until a change is recognised, the fit may follow it by 1.2 times this amount. A change too
+    /// small to separate from a wrong skew moves the offset by half of it, and widens the error if the other direction shows that the path
+    /// has changed. Allocates nothing after construction.
     /// </remarks>
     sealed class MinDelay
     {
-        /// <summary>Minimum change, s. The fit absorbs smaller ones with a negligible error of half the change.</summary>
+        /// <summary>Minimum change, s. The fit absorbs smaller changes, with a negligible error of half the change.</summary>
         const double MinChange = 0.2e-3;
 
-        /// <summary>Maximum exchanges before the change that define the earlier level: 40 s at five per second.</summary>
+        /// <summary>Maximum number of exchanges before the change that define the earlier level: 40 s at five per second.</summary>
         const int MaxEarlier = 200;
 
         const int MinEarlier = 60;
 
         /// <summary>
-        /// Minimum duration of a window, and of one whose delays scatter more than before. A queue in a busy network makes all packets
-        /// late as well, but by unequal amounts and for less than the longer duration.
+        /// Minimum duration of a window, and of a window whose delays scatter more than before. A queue in a busy network also makes all
+        /// packets late, but by unequal amounts and for less than the second duration.
         /// </summary>
         static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(6), MinDurationScattered = TimeSpan.FromSeconds(30);
 
-        /// <summary>Minimum duration of a window after a change of the other direction. Exchanges are then frequent.</summary>
+        /// <summary>Minimum duration of a window after a change of the other direction, when exchanges are frequent.</summary>
         static readonly TimeSpan MinDurationExpected = TimeSpan.FromSeconds(3);
 
         /// <summary>
-        /// Maximum relative increase of the median lateness of a window over that of the earlier exchanges, times the square root of the
-        /// window's length. Above it, the delays scatter more. About two standard errors of the median of exponential delays.
+        /// Maximum relative increase of the median lateness of a window over the median lateness of the earlier exchanges, times the square
+        /// root of the window's length. A larger increase means that the delays scatter more. About two standard errors of the median of
+        /// exponential delays.
         /// </summary>
         const double MaxScatterGrowth = 3;
 
         /// <summary>
         /// Lengths, in exchanges, of the windows in which every bound must be late; extended to the minimum duration. A direction with
-        /// little scatter shows a change in the first window, a noisy one needs the last.
+        /// little scatter shows a change in the first window; a noisy direction needs the last window.
         /// </summary>
         static readonly int[] Windows = { 30, 60, 105, 150, 210, 300, MaxWindow };
 
@@ -54,31 +54,31 @@ namespace Nowpose.Sync.Envelope
         public const int MaxCount = MaxWindow + MaxEarlier;
 
         /// <summary>
-        /// The oldest part of a window, one in this number, does not count for the size of a change: it may precede the change.
+        /// Divisor of a window's length. The oldest part of this length is not used for the size of a change, because it may precede the change.
         /// </summary>
         const int BoundaryShare = 6;
 
-        /// <summary>Negative logarithm of the probability that all of a window is late by chance, for independent delays.</summary>
+        /// <summary>Negative logarithm of the probability that all bounds of a window are late by chance, for independent delays.</summary>
         const double Significance = 20;
 
-        /// <summary>The same after a change of the other direction, which makes a change of this one likely.</summary>
+        /// <summary>Significance after a change of the other direction, which makes a change of this direction likely.</summary>
         const double ExpectedSignificance = 7;
 
         /// <summary>Significance for a part of a change that may be hidden; such a part only widens the error.</summary>
         const double HiddenSignificance = 3;
 
         /// <summary>
-        /// Number of exchanges that are searched for a shorter delay, and number of exchanges that must show it. A clock step is detected within
-        /// <see cref="StepWindow"/> exchanges, see <see cref="OffsetShiftWatch"/>.
+        /// Number of exchanges that are searched for a shorter delay, and number of exchanges that must show it. A clock step is detected
+        /// within <see cref="StepWindow"/> exchanges, see <see cref="OffsetShiftWatch"/>.
         /// </summary>
         const int ShorterWindow = 32, ShorterCount = 3, StepWindow = 16;
 
-        /// <summary>Minimum decrease of a delay, in median latenesses divided by the number of earlier exchanges.</summary>
+        /// <summary>Minimum decrease of a delay, in units of the median lateness divided by the number of earlier exchanges.</summary>
         const double LatenessShare = 15;
 
         /// <summary>
-        /// Shift of the bounds before a change that is attributed to the skew, in standard errors of the skew. Smaller for a longer delay,
-        /// because the round-trip times show it as well.
+        /// Shift of the bounds that is attributed to a wrong skew, in standard errors of the skew. The value is smaller for a longer delay,
+        /// because the round-trip times also show it.
         /// </summary>
         const double SkewErrorsLonger = 1, SkewErrorsShorter = 1.5;
 
@@ -90,14 +90,14 @@ namespace Nowpose.Sync.Envelope
         double _excess, _excessError, _referenceError, _hiddenError;
         int _count, _sinceChange, _sinceHidden, _sinceShorter, _looks;
 
-        /// <param name="sign">1 for the bounds below the offset, from requests; −1 for those above it, from replies.</param>
+        /// <param name="sign">1 for the bounds below the offset, from requests; −1 for the bounds above it, from replies.</param>
         public MinDelay(int sign, BoundsHistory history)
         {
             _sign = sign;
             _history = history;
         }
 
-        /// <summary>Current minimum delay minus the smallest known one, s; zero or more.</summary>
+        /// <summary>Current minimum delay minus the smallest known minimum delay, s; zero or more.</summary>
         public double Excess => _excess;
 
         /// <summary>Uncertainty of the corrections, s.</summary>
@@ -106,7 +106,7 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Number of measured bounds.</summary>
         public int Count => _count;
 
-        /// <summary>Returns the largest measured value of a range; larger values are tighter bounds. Only differences of values have a meaning.</summary>
+        /// <summary>Returns the largest tightness of the measured bounds in a range. Only differences between values have a meaning.</summary>
         /// <param name="from">Age of the newest bound of the range.</param>
         /// <param name="to">Age after the oldest bound of the range.</param>
         public double Tightest(int from, int to)
@@ -123,7 +123,7 @@ namespace Nowpose.Sync.Envelope
             _sinceChange = _sinceShorter = _looks = 0;
         }
 
-        /// <summary>Measures the bounds of the history relative to a curve. The newest one is already corrected by <see cref="Excess"/>.</summary>
+        /// <summary>Measures the bounds of the history relative to a curve. The newest bound is already corrected by <see cref="Excess"/>.</summary>
         /// <param name="curve">Shape of the offset; its height has no effect.</param>
         public void Measure(OffsetCurve curve)
         {
@@ -134,8 +134,8 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Searches the measured bounds for a change.</summary>
         /// <param name="other">The other direction, measured relative to the same curve.</param>
         /// <param name="skewError">Standard error of the curve's slope.</param>
-        /// <param name="resolution">Resolution of the control clock, s: movement of bounds without any change.</param>
-        /// <returns>Number of exchanges since the change that was detected; 0 if none was.</returns>
+        /// <param name="resolution">Resolution of the control clock, s. Bounds move by this amount even if the path does not change.</param>
+        /// <returns>Number of exchanges since the detected change; 0 if no change was detected.</returns>
         public int Update(MinDelay other, double skewError, double resolution)
         {
             _sinceChange++;
@@ -147,7 +147,7 @@ namespace Nowpose.Sync.Envelope
             return FindShorter(_count, skewError, resolution) ? _sinceShorter : 0;
         }
 
-        // Lateness of the tightest bound of a window; negative when it is tighter than the earlier ones.
+        // Returns the lateness of the tightest bound of a window; negative if it is tighter than the earlier bounds.
         double Lateness(int window, int earlier) => Tightest(window, earlier) - Tightest(0, window);
 
         double Tightness(int age, OffsetCurve curve)
@@ -158,18 +158,18 @@ namespace Nowpose.Sync.Envelope
             return _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
         }
 
-        // A bound with too large a correction would be tighter than the data prove.
+        // Reduces the excess if the newest bound is tighter than the data prove, because its correction is then too large.
         void ReduceExcess(int count)
         {
-            var broken = Math.Min(_excess, _tightness[0] - Tightest(1, count));
-            if (broken <= 0) return;
-            // A smaller remainder is the lateness of single exchanges.
-            if (_excess - broken < MinChange / 2) broken = _excess;
+            var violation = Math.Min(_excess, _tightness[0] - Tightest(1, count));
+            if (violation <= 0) return;
+            // A remaining excess below half the minimum change is only the lateness of single exchanges.
+            if (_excess - violation < MinChange / 2) violation = _excess;
             // A small violation means that the excess was overestimated, a large one that the path changed again with this exchange.
-            var isEstimate = broken < 3 * _excessError;
-            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -broken);
-            _excessError *= 1 - broken / _excess;
-            _excess -= broken;
+            var isEstimate = violation < 3 * _excessError;
+            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
+            _excessError *= 1 - violation / _excess;
+            _excess -= violation;
             if (!isEstimate) _sinceChange = 1;
         }
 
@@ -180,7 +180,7 @@ namespace Nowpose.Sync.Envelope
             var minDuration = isExpected ? MinDurationExpected : MinDuration;
             var minChange = isExpected ? MinChange / 2 : MinChange;
             var significance = isExpected ? ExpectedSignificance : Significance;
-            // Tightest bound of the window, and the length of the window that it includes.
+            // Tightest bound of the window, and length of the window for which it was determined.
             var (newest, measured) = (double.NegativeInfinity, 0);
             foreach (var length in Windows)
             {
@@ -213,7 +213,8 @@ namespace Nowpose.Sync.Envelope
             return false;
         }
 
-        // The other direction may have changed by less than the effect of a wrong skew. The offset then moves by half of that change.
+        // Called if the other direction has changed. This direction may have changed, too, but by less than the effect of a wrong skew. The offset
+        // then moves by half of that change.
         void AddHiddenError(int window, int earlier)
         {
             var late = Math.Abs(Lateness(window, earlier));
@@ -222,7 +223,7 @@ namespace Nowpose.Sync.Envelope
             _sinceHidden = 0;
         }
 
-        // After few exchanges the new minimum delay is less certain than the earlier one; a tighter bound shows a larger change.
+        // Enlarges the change if a tighter bound shows a shorter minimum delay, which is uncertain after few exchanges.
         void RefineReference(int count)
         {
             if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
@@ -233,8 +234,8 @@ namespace Nowpose.Sync.Envelope
             _referenceError += more / 2;
         }
 
-        // Until a change is confirmed, a bound tighter than the earlier ones is relaxed to their level. The result is then a change of
-        // the offset and not of the skew.
+        // Until a change is confirmed, relaxes a bound that is tighter than the earlier bounds to the level of the earlier bounds. The
+        // change then affects the offset and not the skew.
         bool FindShorter(int count, double skewError, double resolution)
         {
             var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
@@ -245,13 +246,13 @@ namespace Nowpose.Sync.Envelope
             _shorter[_looks++ % ShorterWindow] = 0;
             for (var age = 1; age < Math.Min(_looks, ShorterWindow); age++)
                 if (Withheld(age) > 0) (times, first) = (times + 1, age);
-            // After one bound beyond the margin, any amount counts as confirmation.
+            // After one bound beyond the margin, any tighter bound counts as a confirmation.
             var margin = times > 0 ? 0 : Margin(earlier, MinChange, SkewErrorsShorter * skewError, resolution);
             if (shorter <= margin) return false;
             if (times == 0 && shorter <= LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow)) return false;
             _shorter[(_looks - 1) % ShorterWindow] = shorter;
             Shift(0, 1, -shorter);
-            // Before that, the change may be a clock step.
+            // With fewer or more recent exchanges, the change may still be a clock step.
             if (times + 1 < ShorterCount || first < StepWindow - 1) return false;
             for (var age = 0; age <= first; age++) Shift(age, age + 1, Withheld(age));
             _sinceShorter = first + 1;
@@ -265,7 +266,7 @@ namespace Nowpose.Sync.Envelope
             return true;
         }
 
-        // Amount by which a bound was relaxed.
+        // Returns the amount by which a bound was relaxed.
         double Withheld(int age) => _shorter[(_looks - 1 - age) % ShorterWindow];
 
         TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;
@@ -273,7 +274,7 @@ namespace Nowpose.Sync.Envelope
         double Margin(int earlier, double minChange, double skewError, double resolution) =>
             minChange + resolution + skewError * ClockTicks.Seconds(Duration(earlier));
 
-        // Quantile of the lateness relative to the reference.
+        // Returns a quantile of the lateness relative to the reference.
         double Quantile(int from, int to, double reference, double share)
         {
             for (var i = from; i < to; i++) _lateness[i - from] = reference - _tightness[i];

@@ -1,7 +1,7 @@
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Bounds of the offset from one exchange, in ticks of 100 ns. They are valid for any network, as no packet arrives before it
+    /// Bounds of the offset from one exchange, in ticks of 100 ns. They are valid for any network, because no packet arrives before it
     /// was sent: <see cref="Lower"/> = t1 − t2 ≤ Φ(t1), and <see cref="Upper"/> = t4 − t3 ≥ Φ(t4).
     /// </summary>
     readonly struct OffsetBounds

@@ -13,7 +13,7 @@ namespace Nowpose.Sync.Envelope
         readonly int _row;
         double _sumBelow, _sumAbove, _rowBelow, _rowAbove, _slackestBelow, _slackestAbove;
 
-        /// <param name="row">Number of consecutive exchanges in a group, of which the tightest bounds are used.</param>
+        /// <param name="row">Number of consecutive exchanges in a group. Only the tightest bounds of a group are used.</param>
         public OffsetCorridor(int row)
         {
             _row = row;
@@ -29,13 +29,13 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Smallest upper bound minus the line.</summary>
         public double Upper { get; private set; }
 
-        /// <summary>Mean lateness of the packets relative to the one with the shortest delay, in the worse direction.</summary>
+        /// <summary>Mean lateness of the packets relative to the packet with the shortest delay; the larger value of the two directions.</summary>
         public double Lateness => Math.Max(Lower - _sumBelow / Count, _sumAbove / Count - Upper);
 
-        /// <summary>Maximum lateness of the best request of a group relative to the best of all requests.</summary>
+        /// <summary>Maximum lateness of a group's best request relative to the best of all requests.</summary>
         public double RowBelow => Lower - _slackestBelow;
 
-        /// <summary>Maximum lateness of the best reply of a group relative to the best of all replies.</summary>
+        /// <summary>Maximum lateness of a group's best reply relative to the best of all replies.</summary>
         public double RowAbove => _slackestAbove - Upper;
 
         public void Clear()

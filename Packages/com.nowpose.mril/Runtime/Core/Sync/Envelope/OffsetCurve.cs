@@ -16,7 +16,7 @@ namespace Nowpose.Sync.Envelope
         public double Bend { get; }
 
         /// <param name="x">Seconds since the reference time, zero or negative.</param>
-        /// <returns>Seconds above the height at the reference time.</returns>
+        /// <returns>Offset minus its value at the reference time, s.</returns>
         public double At(double x) => (Slope + Bend * x) * x;
     }
 }

@@ -3,21 +3,21 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Detects that the estimate has moved away from the extrapolation of an earlier estimate by more than its error, which indicates
-    /// a change of the path too small or too slow to be recognised. One of the two estimates is wrong by about that amount, so the
-    /// estimated error increases by it until the estimate restarts. Allocates nothing after construction.
+    /// Detects that the estimate has moved away from the extrapolation of an earlier estimate by more than the error of the estimate, which
+    /// indicates a change of the path that is too small or too slow to be recognised. One of the two estimates is wrong by about that
+    /// amount, so the estimated error increases by the same amount until the estimate restarts. Allocates nothing after construction.
     /// </summary>
     sealed class OffsetMemory
     {
-        /// <summary>Interval between stored estimates, and age of the one that the current estimate is compared with, s.</summary>
+        /// <summary>Interval between stored estimates, and age of the estimate with which the current one is compared, s.</summary>
         const double Interval = 10, Age = 30;
 
         const int Capacity = (int)(Age / Interval) + 1;
 
-        /// <summary>Minimum time since the first exchange, s, after which estimates are stored: the skew of earlier ones is too uncertain.</summary>
+        /// <summary>Minimum time since the first exchange for storing an estimate, s. The skew of an earlier estimate is too uncertain.</summary>
         const double MinRunning = 60;
 
-        /// <summary>Minimum movement in standard errors: a smaller value would increase the error of undisturbed paths.</summary>
+        /// <summary>Minimum movement in standard errors. A smaller value would increase the error even if the path does not change.</summary>
         const double MinStandardErrors = 2;
 
         /// <summary>Change of the skew within the comparison interval that is not counted as a movement, dimensionless.</summary>
@@ -37,8 +37,8 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>
-        /// Reports that a change of the path was recognised and corrected. It explains the recent movement of the estimate; any remaining
-        /// movement shows in the comparison with the oldest estimate.
+        /// Reports that a change of the path was recognised and corrected. It explains the recent movement of the estimate; the comparison with
+        /// the oldest estimate still shows any remaining movement.
         /// </summary>
         public void Explain()
         {

@@ -7,10 +7,10 @@ namespace Nowpose.Sync.Envelope
     /// the scatter of the delays. Allocates nothing after construction.
     /// </summary>
     /// <remarks>
-    /// The tightest bounds of the newest exchanges are compared with those of all earlier ones, for every time at which the path may have
-    /// changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little effect. The
-    /// offset follows a longer path in proportion to the weight of the exchanges since the change. A path that has become shorter shows
-    /// that the offset was wrong by half of the change.
+    /// The tightest bounds of the newest exchanges are compared with the tightest bounds of all earlier exchanges, for every time at which
+    /// the path may have changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little
+    /// effect. The offset follows a longer path in proportion to the weight of the exchanges since the change. A path that has become
+    /// shorter shows that the offset was wrong by half of the change.
     /// </remarks>
     sealed class UnrecognisedChange
     {
@@ -20,13 +20,15 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Minimum number of blocks before a change.</summary>
         const int MinEarlier = 2;
 
-        /// <summary>Lateness that is attributed to the scatter, relative to the mean: 1.4 standard deviations above it for exponential delays.</summary>
+        /// <summary>
+        /// Lateness that is attributed to scatter, relative to the mean: 1.4 standard deviations above the mean for exponential delays.
+        /// </summary>
         const double UsualFactor = 2;
 
         /// <summary>
-        /// Minimum lateness of a longer path, relative to the mean, and minimum number of blocks that show it, for an error that remains after
-        /// the last exchange before the change has left the history. With exponential delays, chance exceeds it with a probability of 5·10⁻⁴ in
-        /// each window.
+        /// Minimum lateness of a longer path, relative to the mean, and minimum number of blocks that show it, for an error that is kept after
+        /// the last exchange before the change has left the history. With exponential delays, scatter alone exceeds this limit with a
+        /// probability of 5·10⁻⁴ in each window.
         /// </summary>
         const double RememberedFactor = 5;
         const int MinRemembered = 10;
@@ -60,7 +62,8 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>Gets the maximum error over all possible times of a change, s.</summary>
-        /// <param name="up">Delays of the requests, measured up to the newest exchange; likewise <paramref name="down"/>.</param>
+        /// <param name="up">Delays of the requests, measured up to the newest exchange.</param>
+        /// <param name="down">Delays of the replies, measured up to the newest exchange.</param>
         public double Error(MinDelay up, MinDelay down)
         {
             var blocks = up.Count / Block;
@@ -72,7 +75,7 @@ namespace Nowpose.Sync.Envelope
             for (var newest = 1; newest <= blocks - MinEarlier; newest++)
             {
                 var late = _late[newest - 1];
-                // The best of more packets is less late.
+                // The tightest bound of more packets is less late.
                 var longer = late - UsualFactor * _usual / newest;
                 var shorter = -late - UsualFactor * _usual / (blocks - newest);
                 if (newest >= MinRemembered && late > RememberedFactor * _usual / newest) Remember(late / 2, SentAt(newest * Block));
@@ -89,7 +92,7 @@ namespace Nowpose.Sync.Envelope
 
         HeadsetTime SentAt(int exchanges) => _history[Math.Min(exchanges, _history.Count) - 1].Sent;
 
-        // Lateness of the newest blocks relative to all earlier ones, and the usual lateness of a single block.
+        // Adds the lateness of the newest blocks relative to all earlier blocks, and the usual lateness of a single block.
         void AddLateness(MinDelay delay, int blocks)
         {
             var newest = double.NegativeInfinity;
@@ -110,8 +113,9 @@ namespace Nowpose.Sync.Envelope
             if (blocks > 0) _usual += earlier - sum / blocks;
         }
 
-        // Part of a change by which the offset has moved if these newest exchanges follow it. A line fitted to two sides, one of which has a
-        // step before the part f of its points, ends f/2 + 3f(1 − f)/2 of the step away from the line without the step.
+        // Returns the fraction of a change by which the offset has moved, if exactly the given number of newest exchanges is after the
+        // change. If the newest fraction f of one side's points is shifted by a step, a line fitted to both sides moves at its end by f/2 +
+        // 3f(1 − f)/2 of the step.
         double Followed(int newest)
         {
             var since = ClockTicks.Seconds(SentAt(newest) - _history[0].Received);

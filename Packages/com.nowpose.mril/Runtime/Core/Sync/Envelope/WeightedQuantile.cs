@@ -14,7 +14,7 @@ namespace Nowpose.Sync.Envelope
             _weights = new double[most];
         }
 
-        /// <summary>Returns the smallest of the values that, together with the values below it, has the given share of the total weight.</summary>
+        /// <summary>Returns the smallest value that, together with all smaller values, has at least the given share of the total weight.</summary>
         /// <param name="share">0 to 1.</param>
         /// <param name="count">At least 1.</param>
         public double Of(double[] values, double[] weights, int count, double share)

@@ -38,11 +38,11 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.Throws<InputException>(() => new BaseMarker("", Anywhere));
             Assert.Throws<InputException>(() => new BaseMarker(null, Anywhere));
             Assert.Throws<InputException>(() => new BaseMarker(new string('x', 5000), Anywhere));
-            Assert.Throws<InputException>(() => new BaseMarker("cell 7", default), "no rotation at all");
+            Assert.Throws<InputException>(() => new BaseMarker("cell 7", default), "default is not a valid rotation");
         }
 
         [Test]
-        public void Constructor_LongPayloadWithLineBreaks_IsNamedInOneLine()
+        public void Constructor_LongPayloadWithLineBreak_IsShortenedToOneLineInTheMessage()
         {
             var fault = Assert.Throws<InputException>(() => new BaseMarker("first\nsecond, and a lot more of it", Anywhere, 9));
 

@@ -6,10 +6,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>Accuracy of a lock over many seeds: noise of 2 mm and 0.5° (root mean square distance and angle), 10 % outliers, 30 Hz.</summary>
+    /// <summary>
+    /// Tests the accuracy of a lock over many seeds, with noise of 2 mm and 0.5° (RMS of distance and angle), 10 % outliers and 30 sightings
+    /// per second.
+    /// </summary>
     /// <remarks>
-    /// The bounds apply to the root mean square over the seeds. 1.85 s hold 50 good sightings; the error of their mean is 2 mm / √50 =
-    /// 0.28 mm and 0.07°, and no estimator does better. One in eight single locks is wrong by more than 0.1°.
+    /// The limits apply to the RMS error over the seeds. In 1.85 s there are 50 good sightings. The error of their mean is 2 mm / √50 =
+    /// 0.28 mm and 0.07°; no estimator can be more accurate. One lock in eight is wrong by more than 0.1°.
     /// </remarks>
     [Category("Study")]
     public class BaseTrackerAccuracyTests
@@ -20,7 +23,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(false, 0.3, 0.65, 0.5, 0.1, TestName = "Lock_OneMarkerBesideTheBase_IsFastAndAccurate")]
         [TestCase(true, 0.0, 0.93, 0.3, 0.1, TestName = "Lock_ThreeMarkersAroundTheBase_IsFastAndAccurate")]
         [TestCase(true, 0.3, 0.88, 0.5, 0.1, TestName = "Lock_ThreeMarkersBesideTheBase_IsFastAndAccurate")]
-        public void Lock_NoisyMarkers_IsFastAndAccurate(bool isThree, double offset, double share, double typicalMm, double typicalDegrees)
+        public void Lock_NoisyMarkers_IsFastAndAccurate(bool isThree, double offset, double minShare, double maxRmsMm, double maxRmsDegrees)
         {
             var good = 0;
             double slowest = 0, squares = 0, turns = 0;
@@ -29,7 +32,7 @@ namespace Nowpose.Tests.Core.Anchoring
                 var cell = isThree ? SimulatedMarkers.Three(seed, offset) : SimulatedMarkers.One(seed, offset);
                 cell.Noisy();
 
-                var took = cell.RunUntilLocked(5) ?? throw new AssertionException("seed " + seed + " never locks");
+                var took = cell.RunUntilLocked(5) ?? throw new AssertionException("seed " + seed + " did not lock");
 
                 slowest = Math.Max(slowest, took);
                 var (metres, degrees) = cell.ErrorAt();
@@ -41,24 +44,24 @@ namespace Nowpose.Tests.Core.Anchoring
                 "{0:0.0} % within 0.5 mm and 0.1°, rms {1:0.00} mm {2:0.000}°, slowest {3:0.00} s",
                 100.0 * good / Seeds, 1000 * Math.Sqrt(squares), Math.Sqrt(turns), slowest);
             Assert.That(slowest, Is.LessThan(2), "seconds");
-            Assert.That(1000 * Math.Sqrt(squares), Is.LessThan(typicalMm), "mm, rms");
-            Assert.That(Math.Sqrt(turns), Is.LessThan(typicalDegrees), "degrees, rms");
-            Assert.That(good / (double)Seeds, Is.GreaterThan(share));
+            Assert.That(1000 * Math.Sqrt(squares), Is.LessThan(maxRmsMm), "mm, rms");
+            Assert.That(Math.Sqrt(turns), Is.LessThan(maxRmsDegrees), "degrees, rms");
+            Assert.That(good / (double)Seeds, Is.GreaterThan(minShare));
         }
 
-        // Systematic errors do not average out with time: a print glued on askew, and a camera that sees it from one side. Noise alone
-        // averages out with one marker too. Then the angles of three markers are worth as much as their positions, and the gain is at most 2.
-        [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsAThirdOfThatOfOne")]
-        [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsAThirdOfThatOfOne")]
-        [TestCase(0.1, 2.2, TestName = "Lock_ThreePrintsRotatedByATenthOfADegree_FlangeErrorIsBelowThatOfOne")]
-        [TestCase(0, 1.7, TestName = "Lock_ThreeExactPrints_FlangeErrorIsBelowThatOfOne")]
-        public void Lock_ThreeMarkers_FlangeErrorIsBelowThatOfOne(double printDegrees, double atLeast)
+        // A systematic error, such as a rotated print, does not average out with time, so three markers help most. Noise averages out with one
+        // marker, too. Without systematic errors, the gain is at most 2, because the angles of three markers are as useful as their positions.
+        [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsAThirdOfThatOfOneMarker")]
+        [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsAThirdOfThatOfOneMarker")]
+        [TestCase(0.1, 2.2, TestName = "Lock_ThreePrintsRotatedByATenthOfADegree_FlangeErrorIsBelowThatOfOneMarker")]
+        [TestCase(0, 1.7, TestName = "Lock_ThreeExactPrints_FlangeErrorIsBelowThatOfOneMarker")]
+        public void Lock_ThreeMarkers_FlangeErrorIsBelowThatOfOneMarker(double printDegrees, double minRatio)
         {
             var one = FlangeError(seed => SimulatedMarkers.One(seed, 0), printDegrees);
             var three = FlangeError(seed => SimulatedMarkers.Three(seed), printDegrees);
 
             TestContext.WriteLine("one {0:0.00} mm, three {1:0.00} mm, ratio {2:0.0}", 1000 * one, 1000 * three, one / three);
-            Assert.That(one, Is.GreaterThan(atLeast * three));
+            Assert.That(one, Is.GreaterThan(minRatio * three));
         }
 
         static double FlangeError(Func<int, SimulatedMarkers> make, double printDegrees)

@@ -5,7 +5,7 @@ using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>The first lock of a base by the markers in view.</summary>
+    /// <summary>Tests the first lock of a base by the markers in view.</summary>
     public class BaseTrackerTests
     {
         [Test]
@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Anchoring
                 var (metres, degrees) = cell.ErrorAt();
                 Assert.That(metres, Is.LessThan(1e-9));
                 Assert.That(degrees, Is.LessThan(1e-6));
-                Assert.That(cell.Tracker.Shown.Value.DistanceTo(cell.Base), Is.LessThan(1e-9), "the first is shown at once");
+                Assert.That(cell.Tracker.Shown.Value.DistanceTo(cell.Base), Is.LessThan(1e-9), "the first lock is shown without easing");
             }
         }
 
@@ -34,13 +34,13 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SeenRarely_LocksAfterEnoughSightings()
+        public void Tick_MarkerSeenRarely_LocksAfterEnoughSightings()
         {
             var cell = SimulatedMarkers.One(1, 0);
             cell.Noisy();
             cell.OutlierShare = 0;
             var reported = cell.Now;
-            // The sighting is renewed twice a second, as by devices that read codes.
+            // The sighting changes only twice a second, as on devices that read codes.
             cell.Change = sighting =>
             {
                 if (sighting.LastSeen - reported >= Lengths.Seconds(0.5)) reported = sighting.LastSeen;
@@ -89,12 +89,12 @@ namespace Nowpose.Tests.Core.Anchoring
 
             var took = cell.RunUntilLocked(5);
 
-            Assert.That(took, Is.InRange(1.8, 2.5), "seconds since it is in view again");
+            Assert.That(took, Is.InRange(1.8, 2.5), "seconds since the marker is in view again");
             Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.003));
         }
 
         [Test]
-        public void Tick_ShortSightings_DoNotAddUpToALock()
+        public void Tick_MarkerInViewOnlyBriefly_DoesNotLock()
         {
             var cell = SimulatedMarkers.One(1, 0.3);
             cell.Noisy();
@@ -127,7 +127,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_ClockGoesBack_CountsTheMarkerAgain()
+        public void Tick_ClockGoesBack_StillCountsSightings()
         {
             var tracker = new BaseTracker(new AnchoringSettings());
             tracker.Use("", new[] { new BaseMarker("a", RigidTransform.Identity) });
@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Anchoring
             var twice = Assert.Throws<InputException>(() => tracker.Use("", new[] { marker, marker }));
             Assert.That(twice.Message, Is.EqualTo("marker 'a' is given twice; each marker of a base needs its own payload"));
             Assert.Throws<InputException>(() => tracker.Use("", new BaseMarker[40]));
-            Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Placed), "nothing was taken");
+            Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Placed), "no marker was accepted");
         }
     }
 }

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>Tests of the messages about the base that the wearer sees.</summary>
+    /// <summary>Tests the messages about the base that the wearer sees.</summary>
     public class BaseWordsTests
     {
         SimulatedMarkers _cell;
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Anchoring
         public void Words_FromFirstSightingToLock_StateProgress()
         {
             _cell.IsInView = payload => payload != "b";
-            Assert.That(Words(1), Is.EqualTo("2 of 3 markers in view: keep looking"));
+            Assert.That(Words(1), Is.EqualTo("2 of 3 markers in view: keep looking at them"));
             Assert.That(Words(1), Is.EqualTo("locked by 2 markers"));
         }
 
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 3, 0, 1.5, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is too far away: go within 2.5 m"));
             Report(RigidTransform.FromXyzRpy(-0.3, -0.4, -0.5, 0, 0, 0));
-            Assert.That(Words(), Is.EqualTo("marker 'a' is seen too obliquely: go in front of it"));
+            Assert.That(Words(), Is.EqualTo("marker 'a' is seen too obliquely: stand in front of it"));
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is behind you: look at it"));
             Report(ageSeconds: 1);
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.IsInView = payload => payload == "a";
             (_cell.NoiseMetres, _cell.OutlierShare) = (0.04, 0);
 
-            Assert.That(Words(3), Does.Match("^marker 'a' scatters by (3|4)\\d mm, 0\\.\\d°: move closer and keep still$"));
+            Assert.That(Words(3), Does.Match("^the poses of marker 'a' scatter by (3|4)\\d mm, 0\\.\\d°: move closer and keep still$"));
         }
 
         [Test]
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866, 0.25, 0, 0, 0, 2);
 
-            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from its expected place: put it back, or lock again$"));
+            Assert.That(Words(3), Does.Match("^marker 'b', (99|100|101) mm, 0\\.\\d° from its expected position: put it back, or lock again$"));
             _cell.Tracker.Relock();
             Assert.That(Words(3), Does.Match("^locked by 2 markers, moved by 0\\.\\d mm, 0\\.\\d\\d°; "
                 + "marker 'b' is (99|100|101) mm, 0\\.\\d° from where the other markers place it$"));
@@ -94,11 +94,11 @@ namespace Nowpose.Tests.Core.Anchoring
             Words(3);
             _cell.Base = RigidTransform.FromXyzRpy(0, 0, 0.03, 0, 0, 0) * _cell.Base;
 
-            Assert.That(Words(1.5), Does.StartWith("3 markers, the worst marker '"));
+            Assert.That(Words(1.5), Does.StartWith("3 markers have moved, the worst is marker '"));
         }
 
         [Test]
-        public void Words_ContradictingMarkers_NameBoth()
+        public void Words_ContradictingMarkers_NameBothMarkers()
         {
             _cell.IsInView = payload => payload != "c";
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);

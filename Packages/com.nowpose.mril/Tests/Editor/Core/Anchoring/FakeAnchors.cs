@@ -4,16 +4,16 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A device with spatial anchors that moves or loses them when a test requests it.</summary>
+    /// <summary>Simulates a device with spatial anchors. A test can move the anchors or change their state.</summary>
     sealed class FakeAnchors : ISpatialAnchors
     {
-        /// <summary>The anchors stored in an earlier run.</summary>
+        /// <summary>Poses of the stored anchors by name, including those of an earlier run.</summary>
         public Dictionary<string, RigidTransform> Kept { get; } = new Dictionary<string, RigidTransform>();
 
         public List<Anchor> Held { get; } = new List<Anchor>();
         public bool IsReady { get; set; } = true;
 
-        /// <summary>The state of an anchor directly after its creation.</summary>
+        /// <summary>State of an anchor directly after its creation.</summary>
         public SpatialAnchorState StateAtFirst { get; set; } = SpatialAnchorState.Tracking;
 
         public ISpatialAnchor Hold(in RigidTransform pose) => Add(new Anchor(this) { Pose = pose, State = StateAtFirst });

@@ -3,10 +3,11 @@ using System.Linq;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A lock held by a spatial anchor: handed over, corrected, lost, and found again in another run.</summary>
+    /// <summary>Tests a lock that a spatial anchor holds: it is handed over, corrected, lost, and restored in another run.</summary>
     public class HeldBaseTests
     {
         FakeAnchors _anchors;
@@ -50,11 +51,11 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_DeviceCorrectsItsMap_EasesOverAndReportsTheChange()
+        public void Tick_DeviceCorrectsItsMap_EasesToTheNewPoseAndReportsTheChange()
         {
             Lock();
             _cell.Run(1);
-            // The headset sees everything else in the corrected map as well.
+            // The markers move with the corrected map.
             _cell.Base = Shift(0.05, 0.02) * _cell.Base;
             _anchors.Held[0].Pose = _cell.Base;
             RigidTransform last = Tracker.Shown.Value, before = last;
@@ -76,12 +77,12 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_AnchorLost_KeepsTheBaseAndReportsIt()
+        public void Tick_AnchorLost_KeepsTheBaseAndReportsTheLoss()
         {
             Lock();
             var before = Tracker.Base.Value;
             _anchors.Held[0].State = SpatialAnchorState.Lost;
-            // In another map all poses are shifted.
+            // In another map, all poses are shifted.
             _cell.Base = Shift(2) * _cell.Base;
 
             _cell.Run(3);
@@ -95,7 +96,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_AnchorAtTheOriginOrNowhere_DoesNotMoveTheBase()
+        public void Tick_AnchorPoseInvalid_DoesNotMoveTheBase()
         {
             Lock();
             var before = Tracker.Base.Value;
@@ -110,7 +111,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_AnchorTooFarAway_IsReportedAndNotFollowedUntilItReturnsOrTheNextLock()
+        public void Tick_AnchorJumpsTooFar_IsReportedAndNotFollowed()
         {
             Lock();
             var before = Tracker.Base.Value;
@@ -121,7 +122,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0));
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
             Assert.That(
-                Tracker.Words, Is.EqualTo("the headset has the place 0.3 m elsewhere, which is not followed: look around, or lock again"));
+                Tracker.Words, Is.EqualTo(BaseStatusMessages.Elsewhere("0.3", hasMarkers: true)));
             _anchors.Held[0].Pose = Shift(0.29) * before;
             _cell.Base = _anchors.Held[0].Pose.Value;
             _cell.Run(2);
@@ -138,7 +139,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_DeviceCannotHold_StaysLockedAndStatesTheReason()
+        public void Tick_AnchorFails_StaysLockedAndStatesTheReason()
         {
             _anchors.StateAtFirst = SpatialAnchorState.Failed;
             Lock();
@@ -183,7 +184,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Base.Value.DistanceTo(_cell.Base), Is.EqualTo(0.05).Within(1e-9));
             Tracker.Relock();
             Lock();
-            Assert.That(_anchors.Kept["cell"].DistanceTo(_cell.Base), Is.LessThan(1e-6), "kept for the next run");
+            Assert.That(_anchors.Kept["cell"].DistanceTo(_cell.Base), Is.LessThan(1e-6), "the new pose is stored for the next run");
         }
 
         [Test]
@@ -199,8 +200,8 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.Run(0.1);
 
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
-            Assert.That(Tracker.Base.Value.X, Is.EqualTo(0.004), "it stays where it was");
-            Assert.That(_anchors.Held, Has.Count.EqualTo(1), "the device goes on holding it");
+            Assert.That(Tracker.Base.Value.X, Is.EqualTo(0.004), "the base stays in place");
+            Assert.That(_anchors.Held, Has.Count.EqualTo(1), "the device keeps the anchor");
         }
 
         [Test]
@@ -227,11 +228,11 @@ namespace Nowpose.Tests.Core.Anchoring
             _anchors.IsReady = true;
             _cell.Run(1);
 
-            Assert.That(Tracker.Base, Is.Null, "it stands where it was put");
+            Assert.That(Tracker.Base, Is.Null, "the base stays where the user placed it");
         }
 
         [Test]
-        public void Place_Held_ReleasesTheAnchorAndIsNotRestored()
+        public void Place_BaseHeldByAnAnchor_ReleasesTheAnchorAndDoesNotRestoreIt()
         {
             Lock();
 

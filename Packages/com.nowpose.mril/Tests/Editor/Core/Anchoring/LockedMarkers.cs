@@ -5,7 +5,7 @@ namespace Nowpose.Tests.Core.Anchoring
     /// <summary>Simulated markers whose base is locked.</summary>
     static class LockedMarkers
     {
-        /// <summary>Runs until the base is locked by all markers in view, and one second more.</summary>
+        /// <summary>Runs until all markers in view have locked the base, then for one more second.</summary>
         public static SimulatedMarkers Locked(SimulatedMarkers cell)
         {
             Assert.That(cell.RunUntilLocked(3), Is.Not.Null);

@@ -6,7 +6,7 @@ using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A locked base reports a marker that moved, does not follow it, and ignores invalid sightings.</summary>
+    /// <summary>Checks that a locked base reports a moved marker without following it, and that it ignores invalid sightings.</summary>
     public class MovedMarkerTests
     {
         const double Degree = Math.PI / 180;
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_OriginOrNoPose_DoesNotMoveALockedBase()
+        public void Tick_PoseAtTheOriginOrInvalid_DoesNotMoveALockedBase()
         {
             var poses = new[]
             {
@@ -58,7 +58,8 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0, 1, 0, 1)]
         [TestCase(0, 3, 0, 3)]
         [TestCase(0.3, 20, 0.3, 20)]
-        public void Tick_MarkerMoved_IsDetectedWithinASecondAndNotFollowed(double metres, double degrees, double saidMetres, double saidDegrees)
+        public void Tick_MarkerMoved_IsDetectedWithinASecondAndNotFollowed(
+            double metres, double degrees, double reportedMetres, double reportedDegrees)
         {
             for (var seed = 1; seed <= 20; seed++)
             {
@@ -72,9 +73,9 @@ namespace Nowpose.Tests.Core.Anchoring
                 var marker = cell.Tracker.Markers[0];
                 Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved), "seed " + seed);
                 Assert.That(marker.HasMoved, Is.True);
-                Assert.That(marker.DeviationMetres, Is.EqualTo(saidMetres).Within(0.0025), "seed " + seed);
-                Assert.That(marker.DeviationRadians / Degree, Is.EqualTo(saidDegrees).Within(0.6), "seed " + seed);
-                Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0), "not followed");
+                Assert.That(marker.DeviationMetres, Is.EqualTo(reportedMetres).Within(0.0025), "seed " + seed);
+                Assert.That(marker.DeviationRadians / Degree, Is.EqualTo(reportedDegrees).Within(0.6), "seed " + seed);
+                Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0), "the base does not follow");
             }
         }
 
@@ -102,7 +103,7 @@ namespace Nowpose.Tests.Core.Anchoring
             }
 
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved));
-            Assert.That(cell.Seconds - start, Is.InRange(4.5, 7), "1 mm a second, 5 mm allowed");
+            Assert.That(cell.Seconds - start, Is.InRange(4.5, 7), "the marker moves 1 mm per second; the tolerance is 5 mm");
         }
 
         [Test]
@@ -112,7 +113,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.IsInView = payload => payload == "a";
             cell.Run(1);
             var markers = new[] { cell.Tracker.Markers[0].Marker, cell.Tracker.Markers[1].Marker, cell.Tracker.Markers[2].Marker };
-            // A marker that was not used for the lock.
+            // Marker d was not used for the lock.
             cell.Tracker.Use("cell", new[] { markers[0], markers[1], markers[2], new BaseMarker("d", RigidTransform.Identity) });
             var sightings = new[]
             {
@@ -135,7 +136,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SecondPrintOfTheSameCode_StillMonitorsTheFirst()
+        public void Tick_SecondPrintOfTheSameCode_StillMonitorsTheFirstPrint()
         {
             var cell = NoisyOne();
             var others = new MarkerSighting[1];
@@ -155,7 +156,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_OldAndNewSightingOfOneCode_IgnoresTheOldOnce()
+        public void Tick_OldAndNewSightingOfOneCode_CountsTheOldSightingOnce()
         {
             var cell = NoisyOne();
             var old = new[] { new MarkerSighting("0", "a", cell.Base, 0, cell.Now - Lengths.Seconds(1), MarkerTracking.Tracking) };
@@ -179,7 +180,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_OneOfThreeMoved_NamesThatMarker()
+        public void Tick_OneOfThreeMarkersMoved_NamesTheMarker()
         {
             var cell = SimulatedMarkers.Three(3);
             cell.Noisy();

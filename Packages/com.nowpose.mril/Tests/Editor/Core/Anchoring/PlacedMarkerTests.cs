@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A marker that a user places at a chosen position.</summary>
+    /// <summary>Tests a marker that a user places by hand.</summary>
     public class PlacedMarkerTests
     {
         static readonly RigidTransform Place = RigidTransform.FromXyzRpy(1, 2, 0.5, 0, 0.1, 2);
@@ -49,13 +49,13 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Tick(elsewhere, Now);
 
-            Assert.That(_tracker.Shown.Value.DistanceTo(elsewhere), Is.EqualTo(0), "at once: a hand must see what it does");
+            Assert.That(_tracker.Shown.Value.DistanceTo(elsewhere), Is.EqualTo(0), "the base follows the hand without easing");
             Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Searching));
         }
 
         [TestCase(null)]
         [TestCase("a")]
-        public void Tick_MarkerReleased_LocksAndTheDeviceHoldsTheAnchor(string payload)
+        public void Tick_MarkerReleased_LocksTheBaseWithAnAnchor(string payload)
         {
             if (payload != null) _tracker.Use("cell", new[] { new BaseMarker("a", InBase) });
             var put = Move(20, payload);
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Locked));
             Assert.That(_tracker.Shown.Value.DistanceTo(expected), Is.LessThan(1e-9));
             Assert.That(_anchors.Held, Has.Count.EqualTo(1));
-            Assert.That(_tracker.KeptAs, Is.EqualTo(payload == null ? null : "cell"), "without a cell's name nothing is kept");
+            Assert.That(_tracker.KeptAs, Is.EqualTo(payload == null ? null : "cell"), "without a cell name, no anchor is stored");
         }
 
         [Test]
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Locked));
             Assert.That(_tracker.Base.Value.DistanceTo(Place), Is.LessThan(1e-9));
             _tracker.Relock();
-            Assert.That(cell.RunUntilLocked(3), Is.Not.Null, "until they are asked");
+            Assert.That(cell.RunUntilLocked(3), Is.Not.Null, "the codes are used when a new lock is requested");
             Assert.That(_tracker.Base.Value.DistanceTo(cell.Base), Is.LessThan(1e-9));
         }
 
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Tick(Place, put);
 
             Assert.That(_tracker.IsBeingPlaced, Is.False);
-            Assert.That(cell.RunUntilLocked(4), Is.Not.Null, "the search goes on");
+            Assert.That(cell.RunUntilLocked(4), Is.Not.Null, "the search continues");
             Assert.That(_tracker.Base.Value.DistanceTo(cell.Base), Is.LessThan(1e-9));
         }
 

@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(60)]
-        public void Of_EqualPoses_ReturnsThatPose(int count)
+        public void Of_EqualPoses_ReturnsThePose(int count)
         {
             for (var i = 0; i < count; i++) Add(True);
 
@@ -68,16 +68,16 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(mean.SpreadMetres, Is.EqualTo(0.002 * Math.Sqrt(3)).Within(0.0003));
             Assert.That(mean.SpreadRadians, Is.EqualTo(0.5 * Degree * Math.Sqrt(3)).Within(0.08 * Degree));
-            Assert.That(mean.Outliers, Is.LessThan(8), "noise is none");
+            Assert.That(mean.Outliers, Is.LessThan(8), "noisy poses are not outliers");
             Assert.That(mean.Pose.DistanceTo(True), Is.LessThan(3 * mean.ErrorMetres));
             Assert.That(mean.Pose.AngleTo(True), Is.LessThan(3 * mean.ErrorRadians));
             Assert.That(mean.ErrorMetres, Is.EqualTo(mean.SpreadMetres / Math.Sqrt(mean.Inliers)).Within(1e-9));
         }
 
-        // Flipped about the line of sight, mirrored at the print, elsewhere, at the origin: typical outliers of single tracker frames.
+        // Typical outliers of single tracker frames: turned by 90°, at the origin, or shifted by 50 mm.
         [TestCase(0.1)]
         [TestCase(0.3)]
-        public void Of_ConsistentOutliers_ExcludesThem(double share)
+        public void Of_ConsistentOutliers_ExcludesTheOutliers(double share)
         {
             for (var i = 0; i < 100; i++)
             {
@@ -96,13 +96,13 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_FewerThanAll_UsesTheNewest()
+        public void Of_PartOfTheWindow_UsesTheNewestPoses()
         {
             for (var i = 0; i < 300; i++) Add(RigidTransform.Identity);
             for (var i = 0; i < 10; i++) Add(True);
 
             Assert.That(PoseMean.Of(_window, 10, new PoseMeanSpace()).Pose.DistanceTo(True), Is.LessThan(1e-12));
-            Assert.That(_window.Count, Is.EqualTo(PoseWindow.Capacity), "it forgets the oldest");
+            Assert.That(_window.Count, Is.EqualTo(PoseWindow.Capacity), "the window drops the oldest poses");
         }
     }
 }

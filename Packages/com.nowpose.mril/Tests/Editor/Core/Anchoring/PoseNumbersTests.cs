@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             var half = PoseNumbers.Between(RigidTransform.Identity, RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, Math.PI), 0.5);
 
-            Assert.That(Math.Abs(half.R22), Is.EqualTo(1).Within(1e-9), "upright all the way");
+            Assert.That(Math.Abs(half.R22), Is.EqualTo(1).Within(1e-9), "the z axis stays upright");
         }
     }
 }

@@ -6,7 +6,7 @@ using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A locked base that is locked again, placed by hand, or given other markers.</summary>
+    /// <summary>Tests a locked base that is locked again, placed by hand, or assigned other markers.</summary>
     public class RelockTests
     {
         [Test]
@@ -27,26 +27,26 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Shifted["a"] = RigidTransform.FromXyzRpy(0.36, 0, 0, 0, 0, 0.4);
             (cell.IsInView, cell.Change) = (_ => true, s => s);
             cell.Run(1);
-            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved), "it is watched");
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved), "the marker is monitored again");
         }
 
         [Test]
-        public void Place_ByHand_NextLockEasesFromThere()
+        public void Place_ByHand_NextLockEasesFromThePlacedPose()
         {
             var cell = NoisyOne();
             var nudged = RigidTransform.FromXyzRpy(0.05, 0, 0, 0, 0, 0) * cell.Tracker.Base.Value;
             cell.Tracker.Place(nudged);
-            Assert.That(cell.Tracker.Shown, Is.Null, "it stands where it was put");
+            Assert.That(cell.Tracker.Shown, Is.Null, "the base stays where the user placed it");
             cell.Tracker.Relock();
 
             Assert.That(cell.RunUntilLocked(3), Is.Not.Null);
 
             Assert.That(cell.Tracker.Lock.ChangeMetres, Is.EqualTo(0.05).Within(0.002));
-            Assert.That(cell.Tracker.Shown.Value.DistanceTo(nudged), Is.LessThan(0.01), "it does not jump");
+            Assert.That(cell.Tracker.Shown.Value.DistanceTo(nudged), Is.LessThan(0.01), "the base does not jump");
         }
 
         [Test]
-        public void Relock_BaseMoved_EasesOverAndReportsTheChange()
+        public void Relock_BaseMoved_EasesToTheNewPoseAndReportsTheChange()
         {
             var cell = NoisyOne();
             cell.Base = RigidTransform.FromXyzRpy(0.1, 0, 0, 0, 0, 0) * cell.Base;
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Anchoring
             RigidTransform before = cell.Tracker.Shown.Value, last = before;
             double fastest = 0;
 
-            cell.Run(1.8, () => Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0), "it stays until it is known"));
+            cell.Run(1.8, () => Assert.That(cell.Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0), "the base stays until the new lock"));
             cell.Run(2, () =>
             {
                 fastest = Math.Max(fastest, cell.Tracker.Shown.Value.DistanceTo(last));
@@ -65,7 +65,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
             Assert.That(cell.Tracker.Lock.ChangeMetres, Is.EqualTo(0.1).Within(0.003));
-            Assert.That(fastest, Is.LessThan(0.1 * 0.1), "in one frame");
+            Assert.That(fastest, Is.LessThan(0.1 * 0.1), "motion per frame");
             Assert.That(cell.Tracker.Shown.Value.DistanceTo(cell.Base), Is.LessThan(0.003));
         }
 
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Placed));
             Assert.That(cell.Tracker.Base, Is.Null);
             cell.Tracker.Relock();
-            Assert.That(cell.RunUntilLocked(3), Is.Not.Null, "until the markers are asked again");
+            Assert.That(cell.RunUntilLocked(3), Is.Not.Null, "a new lock uses the markers again");
         }
     }
 }

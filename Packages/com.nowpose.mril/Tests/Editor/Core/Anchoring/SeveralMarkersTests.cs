@@ -6,11 +6,11 @@ using static Nowpose.Tests.Core.Anchoring.LockedMarkers;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>Several markers agree on one base, or the tracker names those that do not.</summary>
+    /// <summary>Tests locks by several markers, and the report of markers that contradict each other.</summary>
     public class SeveralMarkersTests
     {
         [Test]
-        public void Tick_ContradictingMarkerRemoved_LocksWithTheOther()
+        public void Tick_ContradictingMarkerRemoved_LocksWithTheOtherMarker()
         {
             var cell = new SimulatedMarkers(1);
             cell.Use(("a", RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0)), ("b", RigidTransform.FromXyzRpy(-0.2, 0, 0, 0, 0, 0)));
@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_TwoMarkersDisagree_DoesNotLockAndNamesBoth()
+        public void Tick_TwoMarkersDisagree_DoesNotLockAndNamesBothMarkers()
         {
             var cell = new SimulatedMarkers(1);
             cell.Use(("a", RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0)), ("b", RigidTransform.FromXyzRpy(-0.2, 0, 0, 0, 0, 0)));
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Anchoring
         [TestCase(0.04, 0, 0)]
         [TestCase(0, 0, 0.03)]
         [TestCase(0, 0.1, 0)]
-        public void Tick_OneOfThreeMarkersMisplaced_LocksWithTheOthersAndNamesIt(double x, double y, double z)
+        public void Tick_OneOfThreeMarkersMisplaced_LocksWithTheOthersAndNamesTheMarker(double x, double y, double z)
         {
             for (var seed = 1; seed <= 10; seed++)
             {
@@ -59,7 +59,8 @@ namespace Nowpose.Tests.Core.Anchoring
                 Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2));
                 Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.002), "seed " + seed);
                 cell.Run(3);
-                Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked), "what is known to be wrong does not move");
+                Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked),
+                    "a marker that is known to be misplaced is not reported as moved");
             }
         }
 
@@ -77,7 +78,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Run(4);
 
             Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(3));
-            Assert.That(cell.Tracker.Lock.ChangeMetres, Is.InRange(1e-6, 0.01), "and says by how much");
+            Assert.That(cell.Tracker.Lock.ChangeMetres, Is.InRange(1e-6, 0.01), "the change is reported");
         }
 
         [Test]
@@ -97,7 +98,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_SameCodeInTwoPlaces_IgnoresBoth()
+        public void Tick_SameCodeInTwoPlaces_IgnoresBothSightings()
         {
             var cell = SimulatedMarkers.One(1, 0);
             var other = false;

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Anchoring
         static readonly HeadsetTime Now = HeadsetTime.FromSeconds(50);
         static readonly BaseMarker Marker = new BaseMarker("a", RigidTransform.Identity, 0.1);
 
-        // The marker lies half a metre ahead of the head and one metre below it, face up: seen at 26.6° from its normal.
+        // The marker lies face up, half a metre ahead of the head and one metre below it. It is seen at 26.6° from its normal.
         static readonly RigidTransform Head = RigidTransform.FromXyzRpy(0, 0, 2, 0, 60 * Degree, 0);
         static readonly RigidTransform Pose = RigidTransform.FromXyzRpy(0.5, 0, 1, 0, 0, 1);
 
@@ -27,9 +27,9 @@ namespace Nowpose.Tests.Core.Anchoring
         public void Judge_CurrentSightingAtAShortDistance_IsAccepted()
         {
             Assert.That(Judge(), Is.EqualTo(SightingFault.None));
-            Assert.That(Judge(size: 0), Is.EqualTo(SightingFault.None), "a size that is not known");
+            Assert.That(Judge(size: 0), Is.EqualTo(SightingFault.None), "the device does not report a size");
             Assert.That(Judge(size: 0.105), Is.EqualTo(SightingFault.None));
-            Assert.That(Judge(age: -0.01), Is.EqualTo(SightingFault.None), "two clocks");
+            Assert.That(Judge(age: -0.01), Is.EqualTo(SightingFault.None), "slightly in the future");
         }
 
         [Test]

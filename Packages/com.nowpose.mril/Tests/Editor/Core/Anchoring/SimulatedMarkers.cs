@@ -5,7 +5,9 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>A robot's base with markers, and a device that sees them at 30 Hz with noise and outliers. Frames run at 60 Hz.</summary>
+    /// <summary>
+    /// Simulates a robot base with markers, and a device that reports the markers at 30 Hz with noise and outliers. Frames run at 60 Hz.
+    /// </summary>
     sealed class SimulatedMarkers
     {
         const double FrameSeconds = 1 / 60.0;
@@ -30,13 +32,13 @@ namespace Nowpose.Tests.Core.Anchoring
         /// <summary>The true pose of the base.</summary>
         public RigidTransform Base { get; set; }
 
-        /// <summary>Root mean square of the position noise in m; <see cref="NoiseDegrees"/> is that of the angle noise.</summary>
+        /// <summary>RMS of the position noise in m. <see cref="NoiseDegrees"/> is the RMS of the angle noise.</summary>
         public double NoiseMetres { get; set; }
 
         public double NoiseDegrees { get; set; }
         public double OutlierShare { get; set; }
 
-        /// <summary>Constant angle error of each marker's print; root mean square, in degrees.</summary>
+        /// <summary>RMS of the constant angle error of the markers' prints, in degrees.</summary>
         public double PrintDegrees { get; set; }
 
         public FakeAnchors Anchors { get; set; }
@@ -44,13 +46,13 @@ namespace Nowpose.Tests.Core.Anchoring
         public double Seconds => _frame * FrameSeconds;
         public HeadsetTime Now => HeadsetTime.FromSeconds(100 + Seconds);
 
-        /// <summary>Selects the codes in view; by default all.</summary>
+        /// <summary>Selects the codes that are in view. By default, all codes are in view.</summary>
         public Func<string, bool> IsInView { get; set; } = _ => true;
 
-        /// <summary>Changes a sighting before it is reported; by default it is unchanged.</summary>
+        /// <summary>Function that changes a sighting before the device reports it. By default, sightings are not changed.</summary>
         public Func<MarkerSighting, MarkerSighting> Change { get; set; } = sighting => sighting;
 
-        /// <summary>True poses in the base frame of markers that are not where they were measured.</summary>
+        /// <summary>True poses, in the base frame, of markers that are not at their measured place.</summary>
         public Dictionary<string, RigidTransform> Shifted { get; } = new Dictionary<string, RigidTransform>();
 
         /// <summary>Creates a base with a single marker.</summary>
@@ -61,7 +63,10 @@ namespace Nowpose.Tests.Core.Anchoring
             return cell;
         }
 
-        /// <summary>Three markers at the corners of a triangle with edges of 0.3 m, centred on a point of the base frame.</summary>
+        /// <summary>
+        /// Creates a base with three markers at the corners of a triangle with edges of 0.3 m. The centre of the triangle is on the x axis of
+        /// the base.
+        /// </summary>
         public static SimulatedMarkers Three(int seed, double offsetMetres = 0, AnchoringSettings settings = null)
         {
             var cell = new SimulatedMarkers(seed, settings);
@@ -90,7 +95,7 @@ namespace Nowpose.Tests.Core.Anchoring
             for (var end = Seconds + seconds - 1e-9; Seconds < end; seen?.Invoke()) Frame();
         }
 
-        /// <returns>Seconds until the lock; null if there was none.</returns>
+        /// <returns>Seconds until the lock; null if the base was not locked.</returns>
         public double? RunUntilLocked(double atMost)
         {
             var start = Seconds;
@@ -116,7 +121,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Tracker.Tick(Now, _sightings, Head, Anchors);
         }
 
-        /// <summary>Error of the locked base: distance at a point of its x axis, and angle.</summary>
+        /// <summary>Returns the error of the locked base: the distance at a point on its x axis, and the angle.</summary>
         public (double Metres, double Degrees) ErrorAt(double reachMetres = 0)
         {
             var reach = RigidTransform.FromXyzRpy(reachMetres, 0, 0, 0, 0, 0);

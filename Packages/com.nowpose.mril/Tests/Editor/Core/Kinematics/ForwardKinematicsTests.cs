@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Kinematics
     {
         const double Tolerance = 1e-9;
 
-        // Universal Robots' published parameters: d1, a2, a3, d4, d5, d6 in metres.
+        // Denavit-Hartenberg parameters that Universal Robots publishes: d1, a2, a3, d4, d5, d6 in metres.
         static readonly Dictionary<string, double[]> DenavitHartenbergOf = new Dictionary<string, double[]>
         {
             ["ur5"] = new[] { 0.089159, -0.425, -0.39225, 0.10915, 0.09465, 0.0823 },

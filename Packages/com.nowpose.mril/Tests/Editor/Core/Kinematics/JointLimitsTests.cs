@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(-2, -1)]
         [TestCase(0.5, 0.5)]
         [TestCase(7, 3)]
-        public void Clamp_Position_StaysWithin(double position, double expected)
+        public void Clamp_Position_ReturnsTheNearestAllowedPosition(double position, double expected)
         {
             Assert.That(new JointLimits(-1, 3, 1, 1).Clamp(position), Is.EqualTo(expected));
         }
@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void None_AnyPosition_IsKept()
+        public void None_AnyPosition_IsAllowed()
         {
             Assert.That(JointLimits.None.Clamp(-1e300), Is.EqualTo(-1e300));
             Assert.That(JointLimits.None.Contains(1e300), Is.True);

@@ -34,16 +34,16 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(Upper + 0.021, true)]
         [TestCase(-Upper - 0.019, false)]
         [TestCase(-Upper - 0.021, true)]
-        public void Found_AngleBeyondALimit_HasATolerance(double position, bool isFound) =>
+        public void Found_AngleBeyondALimit_ContainsTheJointAboveTheTolerance(double position, bool isFound) =>
             Assert.That(Fed(Shoulder, position, position, position).Found, Has.Count.EqualTo(isFound ? 1 : 0));
 
         [TestCase(UpperMetres + 0.0019, false)]
         [TestCase(UpperMetres + 0.0021, true)]
-        public void Found_LengthBeyondALimit_HasATolerance(double position, bool isFound) =>
+        public void Found_LengthBeyondALimit_ContainsTheJointAboveTheTolerance(double position, bool isFound) =>
             Assert.That(Fed(Grip, position, position, position).Found, Has.Count.EqualTo(isFound ? 1 : 0));
 
         [Test]
-        public void Found_TwoOutliersInARow_IsEmptyAndThreeAreNot()
+        public void Found_OutliersInARow_ContainsTheJointAfterThree()
         {
             Assert.That(Fed(Shoulder, 9, 9, 1, 9, 9, 1, 9, 9).Found, Is.Empty);
             Assert.That(Fed(Shoulder, 9, 9, 9).Found.Single().Joint.Name, Is.EqualTo("shoulder"));
@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
             Assert.That(before, Is.Not.Null);
             Assert.That(watch.Present, Is.Null);
-            Assert.That(watch.Found, Has.Count.EqualTo(1), "once found it was found");
+            Assert.That(watch.Found, Has.Count.EqualTo(1), "the finding is kept");
         }
 
         [Test]

@@ -34,11 +34,11 @@ namespace Nowpose.Tests.Core.Kinematics
             Assert.That(model.IndexOfLink("nothing"), Is.EqualTo(-1));
         }
 
-        [TestCase("", "hand", TestName = "ToolLink_NoName_IsTheLeafWithMostMovingJoints")]
+        [TestCase("", "hand", TestName = "ToolLink_NoKnownName_IsTheLeafWithMostMovingJoints")]
         [TestCase("flange", "flange", TestName = "ToolLink_Flange_IsTheFlange")]
         [TestCase("flange tool0", "tool0", TestName = "ToolLink_FlangeAndTool0_IsTool0")]
         [TestCase("flange tool0 tool_centre_point", "tool_centre_point", TestName = "ToolLink_All_IsTheToolCentrePoint")]
-        public void ToolLink_Frames_IsTheExpectedOne(string frames, string expected)
+        public void ToolLink_AdditionalFrames_IsTheExpectedLink(string frames, string expected)
         {
             var extra = string.Concat(frames.Split(new[] { ' ' }, System.StringSplitOptions.RemoveEmptyEntries)
                 .Select(name => UrdfFiles.Links(name) + UrdfFiles.Joint("to_" + name, "base", name, "fixed")));
@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void CompleteMimics_MimicGiven_KeepsItAndCompletesItsMimics()
+        public void CompleteMimics_MimicPositionGiven_KeepsItAndCompletesTheJointsThatFollowIt()
         {
             var model = UrdfFiles.Robot("odd_axes");
             var positions = new double[model.MovingJoints.Count];

@@ -19,7 +19,8 @@ namespace Nowpose.Tests.Core.Kinematics
             Assert.That(Numbers(pose), Is.EqualTo(new[] { unityX, unityY, unityZ, 0, 0, 0, 1 }));
         }
 
-        // Unity's rotations are clockwise seen from the tip of the axis: a left turn (+yaw about up) is negative about Unity's y.
+        // In Unity, a positive rotation is clockwise when seen from the tip of the axis. A left turn (+yaw about the up axis) is therefore
+        // negative about Unity's y axis.
         [TestCase(0, 0, Math.PI / 2, 0, -1, 0, TestName = "ToUnity_YawLeft_IsMinusY")]
         [TestCase(0, Math.PI / 2, 0, 1, 0, 0, TestName = "ToUnity_PitchDown_IsPlusX")]
         [TestCase(Math.PI / 2, 0, 0, 0, 0, -1, TestName = "ToUnity_RollRight_IsMinusZ")]
@@ -56,7 +57,7 @@ namespace Nowpose.Tests.Core.Kinematics
             }
         }
 
-        // For half turns the quaternion's real part vanishes, so each of the other three components must serve as the divisor.
+        // The real part of the quaternion of a half turn is zero. Each of the other three components must then serve as the divisor.
         [TestCase(Math.PI, 0, 0)]
         [TestCase(0, Math.PI, 0)]
         [TestCase(0, 0, Math.PI)]
@@ -110,7 +111,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
         static double[] Numbers(UnityPose p) => new[] { p.X, p.Y, p.Z, p.RotationX, p.RotationY, p.RotationZ, p.RotationW };
 
-        // Unity's composition: position = a.position + a.rotation * b.position, rotation = a.rotation * b.rotation.
+        // Returns the product as Unity computes it: position = a.position + a.rotation * b.position, rotation = a.rotation * b.rotation.
         static double[] Product(UnityPose a, UnityPose b)
         {
             var turned = Multiply(Multiply(Rotation(a), new[] { b.X, b.Y, b.Z, 0 }), Conjugate(Rotation(a)));

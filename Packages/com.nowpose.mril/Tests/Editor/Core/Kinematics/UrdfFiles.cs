@@ -4,7 +4,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Kinematics
 {
-    /// <summary>The package's robots and the tests' own files, located relative to this source file.</summary>
+    /// <summary>Reads the robots of the package and the URDF files of the tests. The paths are relative to this source file.</summary>
     static class UrdfFiles
     {
         public static RobotModel Robot(string name) => UrdfReader.Read(Text(name + ".urdf"), name + ".urdf");

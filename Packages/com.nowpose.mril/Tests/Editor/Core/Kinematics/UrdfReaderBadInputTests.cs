@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Kinematics
 {
-    /// <summary>Invalid input is refused, with one line that names the place and the error.</summary>
+    /// <summary>Checks that invalid URDF text is refused with a message of one line that states the place and the error.</summary>
     public class UrdfReaderBadInputTests
     {
         const string Links = "<link name='a'/><link name='b'/><link name='c'/>\n";
@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>", "link 'a' <cylinder>: length must be")]
         [TestCase("<link name='a'><visual><geometry><mesh/></geometry></visual></link>", "link 'a' <mesh>: its attribute filename is missing")]
         [TestCase("<material name='m'>\n<color rgba='1 0'/></material><link name='a'/>", "r.urdf:3: material 'm' <color>: rgba has 2 numbers")]
-        public void Read_InvalidLinks_NamesThem(string body, string message) => Refuses("<robot name='r'>\n" + body + "</robot>", message);
+        public void Read_InvalidLink_NamesTheElement(string body, string message) => Refuses("<robot name='r'>\n" + body + "</robot>", message);
 
         [TestCase("<joint type='fixed'>" + Ends + "</joint>", "r.urdf:3: joint: its attribute name is missing")]
         [TestCase("<joint name='j'>" + Ends + "</joint>", "r.urdf:3: joint 'j': its attribute type is missing")]
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Kinematics
             "<joint name='j' type='fixed'>\n<parent link='a'/>\n<child link='z'/></joint>", "r.urdf:5: joint 'j' <child>: unknown link 'z'")]
         [TestCase("<joint name='j' type='fixed'>\n<parent link='z'/><child link='a'/></joint>", "r.urdf:4: joint 'j' <parent>: unknown link 'z'")]
         [TestCase("<joint name='j' type='fixed'>" + Ends + "</joint>\n<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>", "r.urdf:4: joint 'j': another joint has the same name")]
-        public void Read_InvalidJoint_NamesIt(string joints, string message) => RefusesJoints(joints, message);
+        public void Read_InvalidJoint_NamesTheJoint(string joints, string message) => RefusesJoints(joints, message);
 
         [TestCase("<axis xyz='0 0 0'/>", "<axis>: xyz is not a direction")]
         [TestCase("<axis xyz='0 1'/>", "<axis>: xyz has 2 numbers; it needs 3")]
@@ -65,7 +65,7 @@ namespace Nowpose.Tests.Core.Kinematics
             + "<joint name='k' type='fixed'><parent link='b'/><child link='c'/></joint>", "r.urdf:4: joint 'j' " + message);
 
         [Test]
-        public void Read_MimicsInALoop_NamesOneOfThem() => RefusesJoints(
+        public void Read_MimicCycle_NamesAJointOfTheCycle() => RefusesJoints(
             Joint("i", "a", "b", "<mimic joint='j'/>") + "\n" + Joint("j", "b", "c", "<mimic joint='k'/>") + "\n"
             + "<link name='d'/>" + Joint("k", "c", "d", "<mimic joint='j'/>"),
             "r.urdf:4: joint 'j' <mimic>: the chain of mimicked joints through 'k' leads back to this joint");
@@ -76,15 +76,15 @@ namespace Nowpose.Tests.Core.Kinematics
             "r.urdf:4: joint 'j': link 'c' is already the child of joint 'i'; a link has one parent");
 
         [Test]
-        public void Read_CycleOfAllLinks_NamesOne() => RefusesJoints(
+        public void Read_CycleOfAllLinks_NamesTheCycle() => RefusesJoints(
             Joint("i", "a", "b") + Joint("j", "b", "c") + Joint("k", "c", "a"), "is above itself: the joints form a cycle");
 
         [Test]
-        public void Read_CycleBesideARoot_NamesOneInTheCycle() => RefusesJoints(
+        public void Read_CycleBesideARoot_NamesALinkOfTheCycle() => RefusesJoints(
             Joint("j", "b", "c") + "\n" + Joint("k", "c", "b"), "r.urdf:4: joint 'k': link 'b' is above itself: the joints form a cycle");
 
         [Test]
-        public void Read_LinkJoinedToItself_IsACycle() => RefusesJoints(
+        public void Read_LinkJoinedToItself_IsRefusedAsACycle() => RefusesJoints(
             Joint("i", "a", "b") + Joint("j", "c", "c"), "joint 'j': link 'c' is above itself");
 
         [Test]
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Kinematics
         static string Joint(string name, string parent, string child, string inside = "") =>
             UrdfFiles.Joint(name, parent, child, "revolute", inside);
 
-        // Line 2 holds three links; the joints begin on line 3.
+        // Line 2 contains three links; the joints begin on line 3.
         static void RefusesJoints(string joints, string message) => Refuses("<robot name='r'>\n" + Links + joints + "</robot>", message);
 
         static void Refuses(string text, string message)

@@ -16,13 +16,13 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("revolute", JointKind.Revolute)]
         [TestCase("continuous", JointKind.Continuous)]
         [TestCase("prismatic", JointKind.Prismatic)]
-        public void Read_KnownType_HasThatKind(string type, JointKind kind)
+        public void Read_KnownType_ReturnsItsKind(string type, JointKind kind)
         {
             Assert.That(Joint(type, "").Kind, Is.EqualTo(kind));
         }
 
         [Test]
-        public void Read_NoAxis_IsX()
+        public void Read_AxisMissing_ReturnsTheXAxis()
         {
             Assert.That(Joint("revolute", "").Axis, Is.EqualTo((1.0, 0.0, 0.0)));
         }
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<limit lower='-1' upper='.5' velocity='2'/>", -1, 0.5, 2)]
         [TestCase("<limit upper='1e-3'/>", 0, 1e-3, double.PositiveInfinity)]
         [TestCase("<limit lower='-1' upper='1' velocity='0'/>", -1, 1, double.PositiveInfinity)]
-        public void Read_Limit_IsAsWritten(string limit, double lower, double upper, double velocity)
+        public void Read_Limit_ReturnsItsValuesOrTheDefaults(string limit, double lower, double upper, double velocity)
         {
             var limits = Joint("revolute", limit).Limits;
 
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Read_LimitOfContinuousJoint_HasOnlyTheSpeed()
+        public void Read_LimitOfContinuousJoint_HasOnlyVelocityAndEffort()
         {
             var limits = Joint("continuous", "<limit lower='0' upper='0' velocity='3' effort='4'/>").Limits;
 

@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
         [TestCase(0, 0.016)]
         [TestCase(0.0115, 0.039)]
-        public void Fingers_LeftOneDriven_MoveSymmetrically(double finger, double expectedDistance)
+        public void Fingers_LeftFingerDriven_MoveSymmetrically(double finger, double expectedDistance)
         {
             Assert.That(Opening(finger), Is.EqualTo(expectedDistance).Within(1e-9));
         }

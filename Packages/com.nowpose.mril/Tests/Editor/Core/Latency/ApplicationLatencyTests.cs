@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Latency
         static readonly ControlTime Taken = ControlTime.FromSeconds(1.7e9);
 
         [Test]
-        public void Add_LaterArrival_IsArrivalMinusSample()
+        public void Add_ArrivalAfterTheStamp_LatencyIsTheDifference()
         {
             var latency = new ApplicationLatency();
 
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_ArrivalBeforeTheSample_IsCountedAndKeptNegative()
+        public void Add_ArrivalBeforeTheStamp_IsCountedAndStaysNegative()
         {
             var latency = new ApplicationLatency();
 

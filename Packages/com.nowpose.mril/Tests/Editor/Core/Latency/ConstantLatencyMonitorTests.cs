@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Latency
             for (var i = 0; i < frames; i++) monitor.Add(TimeSpan.FromTicks((long)(renderMs * TimeSpan.TicksPerMillisecond)), source);
         }
 
-        // Changes of state per minute: of the monitor, and of a rule that follows each single frame.
+        // Returns the changes of state per minute of the monitor and, for comparison, of a rule that judges each frame alone.
         static (double Monitor, double SingleFrame) FlipsPerMinute(double renderMs, int seed, double minutes)
         {
             var monitor = Monitor();
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency
             return (flips / minutes, singleFlips / minutes);
         }
 
-        // Frames until the state is outside, at most 60, for 1000 seeds, in ascending order.
+        // Returns the number of frames until the state is outside, at most 60, for 1000 seeds in ascending order.
         static int[] FramesToLeave(double renderMs) => Enumerable.Range(1, 1000).Select(seed =>
         {
             var monitor = Monitor();
@@ -62,16 +62,16 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(frames.Last(), Is.InRange(2, 10));
         }
 
-        // Single frames scatter by 3 %, so some frames of this load are below the limit. Each of them delays the detection by a frame.
+        // The render times scatter by 3 %, so some frames of this load are below the limit. Each such frame delays the detection by a frame.
         [TestCase(1.06, 0.99, 12)]
         [TestCase(1.05, 0.95, 16)]
         [TestCase(1.02, 0.4, 40)]
-        public void Add_LoadJustAboveTheLimit_IsUsuallyDetectedWithinTenFrames(double ofLimit, double within10, int most)
+        public void Add_LoadJustAboveTheLimit_IsUsuallyDetectedWithinTenFrames(double ofLimit, double within10, int maxFrames)
         {
             var frames = FramesToLeave(ofLimit * Limit);
 
             Assert.That(frames.Count(each => each <= 10) / (double)frames.Length, Is.GreaterThanOrEqualTo(within10));
-            Assert.That(frames.Last(), Is.LessThanOrEqualTo(most));
+            Assert.That(frames.Last(), Is.LessThanOrEqualTo(maxFrames));
         }
 
         [Test]
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Latency
             var alarms = Seeds.Select(seed => FlipsPerMinute(0.9 * Limit, seed, 3)).ToArray();
 
             Assert.That(alarms.Average(a => a.Monitor), Is.LessThanOrEqualTo(0.1));
-            Assert.That(alarms.Average(a => a.SingleFrame), Is.GreaterThan(30), "slow frames are there to be overlooked");
+            Assert.That(alarms.Average(a => a.SingleFrame), Is.GreaterThan(30), "single frames exceed the limit");
         }
 
         [Test]
@@ -117,8 +117,8 @@ namespace Nowpose.Tests.Core.Latency
                 if (isLonger != (monitor.State == RangeState.Outside)) wrong++;
             }
 
-            Assert.That(longer, Is.EqualTo(frames / 2).Within(frames / 20), "the effect");
-            Assert.That(wrong, Is.LessThan(0.15 * frames), "38 of 300 frames to come back, 8 to go, and the single slow ones");
+            Assert.That(longer, Is.EqualTo(frames / 2).Within(frames / 20), "half of the frames have a longer latency");
+            Assert.That(wrong, Is.LessThan(0.15 * frames), "38 of 300 frames until inside, 8 until outside, and single slow frames");
         }
 
         [Test]
@@ -137,7 +137,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(9.3, 37, true, TestName = "Add_ClearlyInsideForThirtyFrames_IsInsideAgain")]
         [TestCase(9.3, 36, false, TestName = "Add_ClearlyInsideForTwentyNineFrames_IsStillOutside")]
-        [TestCase(9.5, 2000, false, TestName = "Add_JustInsideForLong_IsStillOutside")]
+        [TestCase(9.5, 2000, false, TestName = "Add_JustInsideForALongTime_IsStillOutside")]
         public void Add_AfterTheLoadFell_HasTheExpectedState(double renderMs, int frames, bool isInside)
         {
             var monitor = Monitor(10);
@@ -145,7 +145,7 @@ namespace Nowpose.Tests.Core.Latency
 
             Add(monitor, renderMs, frames);
 
-            Assert.That(monitor.State, Is.EqualTo(isInside ? RangeState.Inside : RangeState.Outside), "7 frames until the median falls");
+            Assert.That(monitor.State, Is.EqualTo(isInside ? RangeState.Inside : RangeState.Outside), "the median falls after 7 frames");
         }
 
         [Test]
@@ -165,7 +165,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_SourceDiffersFromTheLimits_IsUnknownWithTheReason()
+        public void Add_SourceDiffersFromThatOfTheLimit_IsUnknownWithTheReason()
         {
             var monitor = Monitor();
             Add(monitor, 20, 100);
@@ -179,7 +179,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_ReturnToTheLimitsSource_DiscardsEarlierFrames()
+        public void Add_SourceOfTheLimitReturns_DiscardsEarlierFrames()
         {
             var monitor = Monitor();
             Add(monitor, 20, 100);

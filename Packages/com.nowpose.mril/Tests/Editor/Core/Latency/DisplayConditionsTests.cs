@@ -45,9 +45,9 @@ namespace Nowpose.Tests.Core.Latency
                 + "(Project Settings, Player)"));
         }
 
-        // L_visu of another device or another refresh rate does not apply to this one. The other conditions change it by a few ms.
+        // The L_visu of another device or refresh rate does not apply to this device. The other conditions change L_visu by a few ms.
         [Test]
-        public void IsRefusal_OtherDeviceOrRate_IsTrueOtherwiseFalse()
+        public void IsRefusal_Mismatches_IsTrueOnlyForDeviceAndRate()
         {
             var mismatches = Calibrated().MismatchesWith(Calibrated("Quest 3", 72, "Vulkan", reprojection: ReprojectionMode.None));
 

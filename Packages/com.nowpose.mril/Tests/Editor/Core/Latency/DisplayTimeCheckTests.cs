@@ -21,7 +21,8 @@ namespace Nowpose.Tests.Core.Latency
             _start = 0;
         }
 
-        // Predictions scatter with a standard deviation of 1 ms. Returns the number of frames until the check changed, or all.
+        // Adds frames whose differences scatter with a standard deviation of 1 ms. Stops when the state of the check changes, and returns the
+        // number of frames that it added.
         int Frames(int count, double differenceMs, double outlierChance = 0)
         {
             var before = _check.IsInconsistent;
@@ -38,7 +39,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(6)]
         [TestCase(-6)]
         [TestCase(20)]
-        public void Add_LastingDifference_IsImplausibleWithinTwoSeconds(double differenceMs)
+        public void Add_LastingDifference_IsInconsistentWithinTwoSeconds(double differenceMs)
         {
             var frames = Frames(600, differenceMs);
 
@@ -50,7 +51,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(4)]
         [TestCase(-4)]
         [TestCase(0)]
-        public void Add_SmallDifference_StaysPlausibleForAMinute(double differenceMs)
+        public void Add_SmallDifference_StaysConsistentForAMinute(double differenceMs)
         {
             Frames(3600, differenceMs, outlierChance: 0.05);
 
@@ -58,7 +59,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_BurstOfHalfASecond_StaysPlausible()
+        public void Add_BurstOf750Ms_StaysConsistent()
         {
             Frames(300, 0);
             Frames(45, 30);
@@ -68,7 +69,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_ImplausibleThenNearTheThreshold_StaysImplausibleUntilItAgrees()
+        public void Add_InconsistentThenNearTheThreshold_StaysInconsistentUntilAgreement()
         {
             Frames(300, 8);
             Frames(600, 4.6);
@@ -85,7 +86,8 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(10, false)]
         public void Add_GapAfterFewDeviatingFrames_CountsOnlyIfShort(double gapSeconds, bool isInconsistent)
         {
-            // The median changes with the 31st bad frame: half a second before the gap and half a second after it are not enough.
+            // The median exceeds the threshold from the 31st deviating frame on, half a second before the gap. The frames after the gap last less
+            // than half a second, so the deviation reaches the required second only if the gap counts.
             Frames(60, 0);
             Frames(60, 20);
             _start += gapSeconds;
@@ -96,7 +98,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_OneAgreeingFrameAfterAGap_StaysImplausible()
+        public void Add_OneAgreeingFrameAfterAGap_StaysInconsistent()
         {
             Frames(300, 8);
             Frames(40, 0);
@@ -108,7 +110,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Reset_Implausible_ClearsTheState()
+        public void Reset_Inconsistent_ClearsTheState()
         {
             Frames(300, 8);
 

@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(2, 1, true)]
         [TestCase(1, 2, false)]
-        public void Add_MixedAnswers_AreImplausibleIfMostAre(int bad, int good, bool isFound)
+        public void Add_MixedAnswers_AreImplausibleIfMostAnswersAre(int bad, int good, bool isFound)
         {
             for (var i = 0; i < 120; i++)
             {

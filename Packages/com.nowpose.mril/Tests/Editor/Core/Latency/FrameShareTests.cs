@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_ScatteringSteps_ExceedTheShareByAtMostTheScatter()
+        public void Frames_StepsOfVaryingLength_ExceedTheShareByAtMostTheVariation()
         {
             var random = new Random(4);
 
@@ -61,19 +61,19 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_StepLongerThanTheShare_HasItsOwnFrame()
+        public void Frames_StepLongerThanTheShare_RunsInAFrameOfItsOwn()
         {
             var frames = Work(new FrameShare(ShareMs, 2), step => step % 2 == 0 ? 0.5 : 5, 2, 100);
 
             foreach (var frame in frames)
             {
-                Assert.That(frame.Steps, Is.GreaterThanOrEqualTo(1), "work goes on");
+                Assert.That(frame.Steps, Is.GreaterThanOrEqualTo(1), "each frame runs at least one step");
                 Assert.That(frame.Ms, Is.LessThanOrEqualTo(5));
             }
         }
 
         [Test]
-        public void Frames_OneSlowStep_SharesFramesAgainLater()
+        public void Frames_OneSlowStep_LaterFramesUseTheWholeShareAgain()
         {
             var frames = Work(new FrameShare(ShareMs, 1), step => step == 0 ? 30 : 0.1, 1, 200);
 

@@ -23,18 +23,18 @@ namespace Nowpose.Tests.Core.Latency
             _changes = new List<RenderTimeSourceKind>();
         }
 
-        // `giving` lists the sources, of four, that report a time in each frame; source i reports (1 + i) ms.
-        void Frames(int count, string giving)
+        // `reporting` lists the indices of the sources that report a time in each frame. Source i of the four sources reports (1 + i) ms.
+        void Frames(int count, string reporting)
         {
             for (var frame = 0; frame < count; frame++)
             {
-                foreach (var way in giving) _choice.Report(way - '0', Lengths.Ms(1 + way - '0'));
+                foreach (var index in reporting) _choice.Report(index - '0', Lengths.Ms(1 + index - '0'));
                 if (_choice.EndFrame()) _changes.Add(_choice.Source);
             }
         }
 
         [Test]
-        public void EndFrame_AllSourcesReport_UsesTheBestFromItsThirtiethTime()
+        public void EndFrame_AllSourcesReport_UsesTheBestSourceAfter30Times()
         {
             Frames(29, "0123");
             var early = _choice.Source;
@@ -51,26 +51,26 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase("23", 3, Completion)]
         [TestCase("3", 4, Cpu)]
         [TestCase("", 0, Nothing)]
-        public void EndFrame_SomeSourcesReport_UsesTheBestOfThem(string giving, int expectedMs, RenderTimeSourceKind expected)
+        public void EndFrame_SomeSourcesReport_UsesTheBestReportingSource(string reporting, int expectedMs, RenderTimeSourceKind expected)
         {
-            Frames(100, giving);
+            Frames(100, reporting);
 
             Assert.That(_choice.Source, Is.EqualTo(expected));
             Assert.That(_choice.RenderTime?.TotalMilliseconds, Is.EqualTo(expectedMs == 0 ? (double?)null : expectedMs));
         }
 
         [Test]
-        public void EndFrame_BetterSourceStartsAFewFramesLater_WaitsForIt()
+        public void EndFrame_BetterSourceStartsAFewFramesLater_WaitsForTheBetterSource()
         {
             Frames(5, "3");
 
             Frames(100, "23");
 
-            Assert.That(_changes, Is.EqualTo(new[] { Completion }), "and never the processor's time");
+            Assert.That(_changes, Is.EqualTo(new[] { Completion }), "the CPU time is never used");
         }
 
         [Test]
-        public void EndFrame_BetterSourceReportsOnce_UsesTheOtherAfterThirtyFrames()
+        public void EndFrame_BetterSourceReportsOnce_UsesTheOtherSourceAfter30Frames()
         {
             Frames(20, "3");
             Frames(1, "03");
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_BetterSourceAppears_IsUsedAfterThirtyTimes()
+        public void EndFrame_BetterSourceAppears_IsUsedAfter30Times()
         {
             Frames(100, "3");
             Frames(29, "13");
@@ -92,12 +92,12 @@ namespace Nowpose.Tests.Core.Latency
 
             Frames(1, "13");
 
-            Assert.That(before, Is.EqualTo(Cpu), "used on while the better one proves itself");
+            Assert.That(before, Is.EqualTo(Cpu), "the old source stays in use until the better source has reported 30 times");
             Assert.That(_changes, Is.EqualTo(new[] { Cpu, Engine }));
         }
 
         [Test]
-        public void EndFrame_UsedSourceStops_IsReplacedAfterThirtyFrames()
+        public void EndFrame_UsedSourceStops_IsReplacedAfter30Frames()
         {
             Frames(100, "03");
             Frames(29, "3");
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Latency
             Frames(1, "3");
 
             Assert.That(before, Is.EqualTo(Gpu));
-            Assert.That(time, Is.Null, "no time stands for one that was not measured");
+            Assert.That(time, Is.Null, "an old time does not replace a missing measurement");
             Assert.That(_choice.Source, Is.EqualTo(Cpu));
             Assert.That(_choice.RenderTime, Is.EqualTo(TimeSpan.FromMilliseconds(4)));
         }
@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_SourceReportsOccasionally_DoesNotFlap()
+        public void EndFrame_BetterSourceReportsIrregularly_ChangesTheSourceOnce()
         {
             for (var i = 0; i < 200; i++)
             {
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_HeadsetsGpuTimeStops_ChangesToTheEngines()
+        public void EndFrame_GpuTimeOfTheHeadsetStops_UsesThatOfTheEngine()
         {
             Frames(100, "01");
 

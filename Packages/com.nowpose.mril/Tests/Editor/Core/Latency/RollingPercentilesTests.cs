@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Latency
     public class RollingPercentilesTests
     {
         [Test]
-        public void At_RandomLengths_EqualsSortingTheWindow()
+        public void At_RandomLengths_EqualsTheQuantileOfTheWindow()
         {
             const int window = 50;
             var random = new Random(1);
@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Latency
             var all = new List<double>();
             for (var i = 0; i < 500; i++)
             {
-                // Few distinct values, so that equal values leave the window and stay in it.
+                // With few distinct values, a value often leaves the window while an equal value stays in it.
                 var length = random.Next(-5, 20);
                 all.Add(length);
                 rolling.Add(new TimeSpan(length * 1000));

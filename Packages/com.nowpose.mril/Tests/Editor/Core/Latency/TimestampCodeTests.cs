@@ -23,7 +23,8 @@ namespace Nowpose.Tests.Core.Latency
         [Test]
         public void Draw_KnownTime_LightsTheExpectedCells()
         {
-            // 5 is 101, in Gray code 111: g2 g1 g0. Two of the bits with even index are 1, so their parity is 0. g1 is the only odd one: parity 1.
+            // 5 is 101 in binary and 111 in Gray code (g2 g1 g0). Both bits with an even index are 1, so their parity is 0. The only bit with an
+            // odd index, g1, is 1, so its parity is 1.
             const string expected = "#..#####/#.#.#.##/#.#.#.##/#.#.#.##/#.#.#.##/#.##.#.#/##..##.#/########";
 
             Assert.That(Picture(Drawn(5)), Is.EqualTo(expected));
@@ -57,7 +58,7 @@ namespace Nowpose.Tests.Core.Latency
             Assert.That(words.Count, Is.EqualTo(TimestampCode.PeriodMs));
             foreach (var word in words)
                 for (var bit = 0; bit < TimestampCode.PairCount; bit++)
-                    if (words.Contains(word ^ 1 << bit)) Assert.Fail("one wrong pair goes unnoticed in word " + word);
+                    if (words.Contains(word ^ 1 << bit)) Assert.Fail("one wrong pair is not detected in word " + word);
         }
 
         [Test]

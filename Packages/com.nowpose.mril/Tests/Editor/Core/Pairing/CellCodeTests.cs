@@ -7,11 +7,11 @@ using static Nowpose.Tests.Core.Pairing.CellCodeTexts;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>The codes of a cell, written and read.</summary>
+    /// <summary>Tests how cell codes are parsed and written.</summary>
     public class CellCodeTests
     {
         [Test]
-        public void Parse_AllFields_ReadsEach()
+        public void Parse_AllFields_ReturnsEachField()
         {
             var code = CellCode.Parse(Whole);
 
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Pairing
         {
             var pose = CellCode.Parse(Whole).Marker.ToPose().ToRowMajor16();
 
-            // A quarter turn about the base's z: the marker's x axis is the base's y axis.
+            // The marker is turned by 90° about the base's z axis, so the marker's x axis is the base's y axis.
             var expected = new[] { 0, -1, 0, 0.25, 1, 0, 0, -0.1, 0, 0, 1, 0.02, 0, 0, 0, 1 };
             for (var i = 0; i < 16; i++) Assert.That(pose[i], Is.EqualTo(expected[i]).Within(1e-12), "element " + i);
         }
@@ -41,14 +41,14 @@ namespace Nowpose.Tests.Core.Pairing
         [Test]
         public void Parse_Loopback_NeedsOnlyNameAndHost()
         {
-            var code = CellCode.Parse(Least);
+            var code = CellCode.Parse(Shortest);
 
             Assert.That(code.SyncPort, Is.EqualTo(ProtocolLimits.SyncPort));
             Assert.That(code.WebSocketPort, Is.EqualTo(ProtocolLimits.WebSocketPort));
             Assert.That(code.Pin, Is.Null);
             Assert.That(code.Marker, Is.Null);
             Assert.That(code.SizeMetres, Is.EqualTo(0));
-            Assert.That(new CellCode("a", "127.0.0.1", null).Text, Is.EqualTo(Least), "what is usual is not written");
+            Assert.That(new CellCode("a", "127.0.0.1", null).Text, Is.EqualTo(Shortest), "default values are not written");
         }
 
         [TestCase("gateway", "gateway")]
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(CellCode.Parse("nowpose:cell/1?h=127.0.0.1&n=" + encoded).Cell, Is.EqualTo(name));
 
         [Test]
-        public void HasSameGateway_ComparesHostPortsAndPin()
+        public void HasSameGateway_OtherHostPortOrPin_IsFalse()
         {
             var code = CellCode.Parse(Whole);
             var other = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void ToConnection_HasThePinAndTheToken()
+        public void ToConnection_Token_ReturnsPinnedSettingsWithTheToken()
         {
             var connection = CellCode.Parse(Whole).ToConnection("secret", "headset 7");
 

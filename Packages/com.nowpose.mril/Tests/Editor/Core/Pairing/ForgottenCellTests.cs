@@ -4,7 +4,7 @@ using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>Removing a paired cell.</summary>
+    /// <summary>Tests how a paired cell is removed.</summary>
     public class ForgottenCellTests
     {
         SimulatedPairing _pairing;
@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void Stop() => _pairing.Dispose();
 
         [Test]
-        public void Forget_UsedCell_RemovesItAndAsksAgain()
+        public void Forget_UsedCell_RemovesTheCellAndAsksAgain()
         {
             _pairing.Pair(Cell, Token);
 
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase(true)]
         [TestCase(false)]
-        public void AskToForget_UsedCell_IsForgottenOnlyWithConsent(bool isAgreed)
+        public void AskToForget_UsedCell_ForgetsOnlyWithConsent(bool isAgreed)
         {
             _pairing.Pair(Cell, Token);
 
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Pairing
 
             Assert.That(_pairing.Frame(Cell) & PairingChange.Asked, Is.EqualTo(PairingChange.Asked));
             Assert.That(_pairing.Flow.Question, Does.StartWith("Forget cell 'Press 3'?").And.Contain("code"));
-            Assert.That(_pairing.Flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until it is answered");
+            Assert.That(_pairing.Flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until the question is answered");
             if (isAgreed) _pairing.Flow.Accept();
             else _pairing.Flow.Refuse();
             Assert.That(_pairing.Flow.Question, Is.Null);
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void AskToForget_AnotherQuestionIsOpen_ReplacesItUntilAnswered()
+        public void AskToForget_OtherQuestionIsOpen_IsAskedFirst()
         {
             _pairing.Pair(Cell, Token);
             _pairing.Frame(Cell, Other);
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_InterruptedByForget_IsTriedAgain()
+        public void Token_PairingInterruptedByForget_IsSentAgain()
         {
             _pairing.Agree(Cell);
             _pairing.Frame(Token);

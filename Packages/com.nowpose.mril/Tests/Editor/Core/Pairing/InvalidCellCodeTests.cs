@@ -5,7 +5,7 @@ using static Nowpose.Tests.Core.Pairing.CellCodeTexts;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>Texts that are no codes of a cell are refused with the reason.</summary>
+    /// <summary>Checks that invalid cell codes are refused and that the message states the reason.</summary>
     public class InvalidCellCodeTests
     {
         [TestCase("2")]
@@ -28,19 +28,19 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("nowpose:token/1?t=a", "does not begin")]
         [TestCase("nowpose:cell/1?h=127.0.0.1", "n is missing")]
         [TestCase("nowpose:cell/1?n=a", "h is missing")]
-        [TestCase(Least + "&", "KEY=VALUE")]
-        [TestCase(Least + "&&s=1", "KEY=VALUE")]
-        [TestCase(Least + "&s", "KEY=VALUE")]
-        [TestCase(Least + "&sync=1", "KEY=VALUE")]
-        [TestCase(Least + "&s=", "s is empty")]
-        [TestCase(Least + "&k=1", "field k is not known")]
-        [TestCase(Least + "&N=b", "field N is not known")]
-        [TestCase(Least + "&n=b", "n occurs twice")]
-        [TestCase(Least + " ", "U+0020")]
-        [TestCase(Least + "\n", "U+000A")]
-        [TestCase(Least + "\0", "U+0000")]
-        [TestCase(Least + "\u202E", "U+202E")]
-        [TestCase(Least + "\u00A0", "U+00A0")]
+        [TestCase(Shortest + "&", "KEY=VALUE")]
+        [TestCase(Shortest + "&&s=1", "KEY=VALUE")]
+        [TestCase(Shortest + "&s", "KEY=VALUE")]
+        [TestCase(Shortest + "&sync=1", "KEY=VALUE")]
+        [TestCase(Shortest + "&s=", "s is empty")]
+        [TestCase(Shortest + "&k=1", "field k is not known")]
+        [TestCase(Shortest + "&N=b", "field N is not known")]
+        [TestCase(Shortest + "&n=b", "n occurs twice")]
+        [TestCase(Shortest + " ", "U+0020")]
+        [TestCase(Shortest + "\n", "U+000A")]
+        [TestCase(Shortest + "\0", "U+0000")]
+        [TestCase(Shortest + "\u202E", "U+202E")]
+        [TestCase(Shortest + "\u00A0", "U+00A0")]
         public void Parse_InvalidGrammar_ThrowsWithTheReason(string text, string why)
         {
             var error = Assert.Throws<InputException>(() => CellCode.Parse(text));
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("w=<b>")]
         public void Parse_PortOutOfRange_StatesTheAllowedRange(string field)
         {
-            var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + "&" + field));
+            var error = Assert.Throws<InputException>(() => CellCode.Parse(Shortest + "&" + field));
 
             Assert.That(error.Message, Does.Contain("1 to 65535").And.Not.Contain("<"));
         }
@@ -83,18 +83,18 @@ namespace Nowpose.Tests.Core.Pairing
         [TestCase("m=-0.1", "0.01")]
         public void Parse_NumberOutOfRange_StatesTheAllowedRange(string field, string why)
         {
-            var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + "&" + field));
+            var error = Assert.Throws<InputException>(() => CellCode.Parse(Shortest + "&" + field));
 
             Assert.That(error.Message, Does.Contain(why));
         }
 
         [TestCase("p=" + PinText + "A")]
-        [TestCase("p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh9")] // bits beyond the last byte
+        [TestCase("p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh9")] // contains bits beyond the last byte
         [TestCase("p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwd+h8")]
         [TestCase("p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8=")]
         public void Parse_InvalidPin_IsRefused(string field)
         {
-            var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + "&" + field));
+            var error = Assert.Throws<InputException>(() => CellCode.Parse(Shortest + "&" + field));
 
             Assert.That(error.Message, Does.Contain("32 bytes"));
         }
@@ -157,7 +157,7 @@ namespace Nowpose.Tests.Core.Pairing
         [Test]
         public void Parse_Oversized_IsRefusedWithItsLength()
         {
-            var error = Assert.Throws<InputException>(() => CellCode.Parse(Least + new string('\0', 3000)));
+            var error = Assert.Throws<InputException>(() => CellCode.Parse(Shortest + new string('\0', 3000)));
 
             Assert.That(error.Message, Is.EqualTo("cell code: 3030 characters; allowed: up to 213"));
         }
@@ -180,7 +180,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Parse_DamagedCode_IsReadOrRefusedInOneLine([Range(1, 300)] int seed)
+        public void Parse_DamagedCode_SucceedsOrThrowsWithAPrintableMessage([Range(1, 300)] int seed)
         {
             var random = new Random(seed);
             var text = Whole.ToCharArray();

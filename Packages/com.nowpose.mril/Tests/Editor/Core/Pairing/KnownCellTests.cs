@@ -5,7 +5,10 @@ using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>A paired cell is used without a question; its changes, and other paired cells, need consent.</summary>
+    /// <summary>
+    /// Tests how a paired cell is recognised. An unchanged cell is used without a question; a changed cell or a different paired cell
+    /// needs the wearer's consent.
+    /// </summary>
     public class KnownCellTests
     {
         SimulatedPairing _pairing;
@@ -26,12 +29,12 @@ namespace Nowpose.Tests.Core.Pairing
             _pairing.Frame(Cell, Token);
 
             Assert.That(_pairing.Flow.Question, Is.Null);
-            Assert.That(_pairing.Sent.Count, Is.EqualTo(1), "it has its token");
+            Assert.That(_pairing.Sent.Count, Is.EqualTo(1), "the token was sent only once");
         }
 
         [TestCase(6000, 47011, "ports 6000 and 47011 instead of 47010 and 47011")]
         [TestCase(47010, 6000, "ports 47010 and 6000 instead of 47010 and 47011")]
-        public void KnownCell_WithOtherPorts_IsAskedBeforeAnythingIsSent(int syncPort, int webSocketPort, string part)
+        public void KnownCell_PortsChanged_AsksBeforeSendingTheToken(int syncPort, int webSocketPort, string part)
         {
             _pairing.Agree(Cell);
 
@@ -45,19 +48,19 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase("10.0.0.8", false, "10.0.0.8 instead of 10.0.0.7")]
         [TestCase("10.0.0.7", true, "AAECAwQFBgcI… instead of key AAAAAAAAAAAA…")]
-        public void KnownCell_WithAnotherGateway_QuestionNamesTheChange(string host, bool isOtherPin, string part)
+        public void KnownCell_GatewayChanged_QuestionNamesTheChange(string host, bool isOtherPin, string part)
         {
             _pairing.Pair(Cell, Token);
 
             _pairing.Frame(CodeOf("Press 3", host, isOtherPin ? OtherPin : Pin));
 
             Assert.That(_pairing.Flow.Question, Does.Contain(part));
-            Assert.That(_pairing.Flow.Cells.Used.Newest.Text, Is.EqualTo(Cell), "until it is answered");
+            Assert.That(_pairing.Flow.Cells.Used.Newest.Text, Is.EqualTo(Cell), "until the question is answered");
         }
 
         [TestCase(false, OwnToken)]
         [TestCase(true, null)]
-        public void KnownCell_WithAnotherGateway_KeepsTheTokenOnlyForTheSameKey(bool isOtherPin, string token)
+        public void KnownCell_GatewayChanged_KeepsTheTokenOnlyWithTheSameKey(bool isOtherPin, string token)
         {
             _pairing.Pair(Cell, Token);
 
@@ -68,7 +71,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void KnownCell_GatewayChangedDuringPairing_IgnoresTheFormerToken()
+        public void KnownCell_GatewayChangedDuringPairing_IgnoresTheTokenOfTheOldGateway()
         {
             _pairing.Agree(Cell);
             _pairing.Frame(Token);
@@ -82,7 +85,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void KnownCell_AnotherMarker_IsAdded()
+        public void KnownCell_SecondMarkerInView_AddsItsCode()
         {
             _pairing.Pair(Cell, Token);
             var second = CodeOf("Press 3", "10.0.0.7", Pin, 0.3);
@@ -111,7 +114,7 @@ namespace Nowpose.Tests.Core.Pairing
             _pairing.Look(Other);
 
             Assert.That(_pairing.Flow.Question, Is.EqualTo("Use cell 'Press 4' instead of 'Press 3'?"));
-            Assert.That(_pairing.Flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until it is answered");
+            Assert.That(_pairing.Flow.Cells.Used.Cell, Is.EqualTo("Press 3"), "until the question is answered");
             if (isAgreed) _pairing.Flow.Accept();
             else _pairing.Flow.Refuse();
             _pairing.Look(Other);

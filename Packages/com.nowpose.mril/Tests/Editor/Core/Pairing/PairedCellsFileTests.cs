@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Load_NoFile_ReturnsNone()
+        public void Load_FileMissing_ReturnsNoCells()
         {
             Assert.That(PairedCellsFile.Load(_path, out var problem), Is.SameAs(PairedCells.None));
             Assert.That(problem, Is.Null);
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(loaded.Used.Token, Is.EqualTo("to\"ken"));
             Assert.That(loaded.Used.Codes.Count, Is.EqualTo(2));
             Assert.That(loaded.Find("b").Token, Is.Null);
-            Assert.That(Directory.GetFiles(_folder).Length, Is.EqualTo(1), "nothing temporary stays");
+            Assert.That(Directory.GetFiles(_folder).Length, Is.EqualTo(1), "no temporary file remains");
         }
 
         [TestCase("")]

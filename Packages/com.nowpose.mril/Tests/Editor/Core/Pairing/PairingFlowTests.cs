@@ -5,7 +5,7 @@ using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>The steps from two codes in view to a pairing.</summary>
+    /// <summary>Tests the pairing from the sighting of the two codes to the token.</summary>
     public class PairingFlowTests
     {
         SimulatedPairing _pairing;
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_SeenBeforeItsValidity_IsNotUsed()
+        public void Token_Expired_IsNotSent()
         {
             _pairing.Frame(Token);
             _pairing.Now += PairingLimits.CodeValidity;
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Question_NotAnswered_HasNoEffect()
+        public void Question_NotAnswered_SendsNoToken()
         {
             for (var i = 0; i < 100; i++) _pairing.Frame(Cell, Token);
 
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Refuse_Gateway_DoesNotAskAgainForItsMarkersInThisRun()
+        public void Refuse_Gateway_DoesNotAskAgainForAnyOfItsMarkers()
         {
             _pairing.Frame(Cell);
             _pairing.Flow.Refuse();
@@ -87,11 +87,11 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(_pairing.Flow.Question, Is.Null);
             Assert.That(_pairing.Sent, Is.Empty);
             _pairing.Frame(CodeOf("Press 3", "10.0.0.8", Pin));
-            Assert.That(_pairing.Flow.Question, Is.Not.Null, "another gateway is another question");
+            Assert.That(_pairing.Flow.Question, Is.Not.Null, "a question about another gateway is asked");
         }
 
         [Test]
-        public void Refuse_AnotherQuestionPending_IsAskedAfterADelay()
+        public void Refuse_OtherCellInView_AsksAboutTheOtherCellAfterADelay()
         {
             _pairing.Frame(Cell, Other);
             _pairing.Flow.Refuse();
@@ -114,7 +114,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_RefusedByTheGateway_IsReportedOnceAndTheNextIsTried()
+        public void Token_RefusedByTheGateway_IsReportedOnceAndTheNextTokenIsSent()
         {
             _pairing.Agree(Cell);
             _pairing.Frame(Token);
@@ -135,28 +135,28 @@ namespace Nowpose.Tests.Core.Pairing
             _pairing.Agree(Cell);
             _pairing.Frame(Token);
             var end = _pairing.Now + PairingLimits.CodeValidity + PairingLimits.RetryInterval;
-            var said = 0;
+            var problems = 0;
 
             while (_pairing.Now < end)
             {
                 _pairing.Answer.TrySetResult(PairingAnswer.Failed("no answer"));
-                if ((_pairing.Frame() & PairingChange.Problem) != 0) said++;
+                if ((_pairing.Frame() & PairingChange.Problem) != 0) problems++;
                 _pairing.Now += TimeSpan.FromSeconds(1);
             }
 
-            Assert.That(_pairing.Sent.Count, Is.InRange(70, 100), "every three seconds");
-            Assert.That(said, Is.EqualTo(2), "that it goes on, and that it does not");
+            Assert.That(_pairing.Sent.Count, Is.InRange(70, 100), "one attempt every three seconds");
+            Assert.That(problems, Is.EqualTo(2), "one problem for the retries and one for the end of the validity");
             Assert.That(_pairing.Flow.Problem, Is.EqualTo("no answer"));
         }
 
         [Test]
-        public void Token_RefusedLater_IsReplacedByAnotherCode()
+        public void Token_RefusedAfterPairing_IsReplacedByANewToken()
         {
             _pairing.Pair(Cell, Token);
             _pairing.Flow.IsTokenRefused = true;
 
             _pairing.Frame(Token);
-            Assert.That(_pairing.Sent.Count, Is.EqualTo(1), "that one is used up");
+            Assert.That(_pairing.Sent.Count, Is.EqualTo(1), "the first code was used before");
             _pairing.Frame(TokenOf(2, Pin));
             _pairing.Answer.SetResult(PairingAnswer.Accepted("newer"));
             _pairing.Frame();
@@ -165,7 +165,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_TriedBefore_IsReported()
+        public void Token_UsedBefore_IsReported()
         {
             _pairing.Pair(Cell, Token);
             _pairing.Flow.IsTokenRefused = true;

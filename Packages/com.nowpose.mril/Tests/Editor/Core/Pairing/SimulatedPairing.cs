@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>A pairing of a headset in virtual time, the codes of two cells, and gateways whose answers the test sets.</summary>
+    /// <summary>Simulates the pairing of a headset in virtual time, with the codes of two cells. The test sets the gateways' answers.</summary>
     sealed class SimulatedPairing : IDisposable
     {
         public const string OwnToken = "own-token";
@@ -54,7 +54,10 @@ namespace Nowpose.Tests.Core.Pairing
             return Flow.Tick(Now);
         }
 
-        /// <summary>Runs frames long enough that a question may be asked again, or that another cell counts as looked at.</summary>
+        /// <summary>
+        /// Runs frames for 1.1 s with these codes in view. After this time, the flow may ask the next question, and a different cell counts
+        /// as looked at.
+        /// </summary>
         public void Look(params string[] inView)
         {
             for (var end = Now + TimeSpan.FromTicks(TimeSpan.TicksPerSecond * 11 / 10); Now < end;) Frame(inView);

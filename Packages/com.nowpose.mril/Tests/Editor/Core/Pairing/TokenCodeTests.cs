@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Pairing
         static readonly DateTime ValidTo = new DateTime(2026, 11, 20, 15, 0, 0, DateTimeKind.Utc);
 
         [Test]
-        public void Parse_AllFields_ReadsEach()
+        public void Parse_AllFields_ReturnsEachField()
         {
             var code = TokenCode.Parse(Whole);
 
@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void ToString_AnyToken_DoesNotContainTheToken() => Assert.That(TokenCode.Parse(Whole).ToString(), Does.Not.Contain(Token));
 
         [Test]
-        public void IsFor_OtherKey_IsFalse()
+        public void IsFor_CellWithAnotherKey_IsFalse()
         {
             var code = TokenCode.Parse(Whole);
             var plain = TokenCode.Parse("nowpose:token/1?t=" + Token);

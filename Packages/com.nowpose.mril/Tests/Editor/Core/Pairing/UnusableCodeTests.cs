@@ -1,11 +1,12 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Pairing;
 using NUnit.Framework;
 using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>Codes in view that cannot be used are ignored or reported once.</summary>
+    /// <summary>Checks that codes in view that cannot be used are ignored or reported once.</summary>
     public class UnusableCodeTests
     {
         SimulatedPairing _pairing;
@@ -38,7 +39,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void Code_Malformed_IsShownForTenSeconds()
         {
             _pairing.Agree(Cell);
-            var said = _pairing.Flow.Words;
+            var words = _pairing.Flow.Words;
             _pairing.Frame("nowpose:cell/1?n=a");
             _pairing.Now += TimeSpan.FromSeconds(9);
             _pairing.Frame();
@@ -48,7 +49,7 @@ namespace Nowpose.Tests.Core.Pairing
 
             Assert.That(_pairing.Frame() & PairingChange.Words, Is.EqualTo(PairingChange.Words));
             Assert.That(_pairing.Flow.Problem, Is.Null);
-            Assert.That(_pairing.Flow.Words, Is.EqualTo(said));
+            Assert.That(_pairing.Flow.Words, Is.EqualTo(words));
         }
 
         [Test]
@@ -64,16 +65,16 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Code_TooManyMarkersOfACell_IsReportedAndDropsNone()
+        public void Code_TooManyMarkersOfACell_IsReportedAndTheOthersAreKept()
         {
             _pairing.Pair(Cell, Token);
             for (var i = 1; i < PairedCell.MaxCodes; i++) _pairing.Frame(CodeOf("Press 3", "10.0.0.7", Pin, i));
-            var said = 0;
+            var problems = 0;
 
             for (var i = 0; i < 5; i++)
-                if ((_pairing.Frame(CodeOf("Press 3", "10.0.0.7", Pin, 0.5)) & PairingChange.Problem) != 0) said++;
+                if ((_pairing.Frame(CodeOf("Press 3", "10.0.0.7", Pin, 0.5)) & PairingChange.Problem) != 0) problems++;
 
-            Assert.That(said, Is.EqualTo(1));
+            Assert.That(problems, Is.EqualTo(1));
             Assert.That(_pairing.Flow.Problem, Does.Contain("16"));
             Assert.That(_pairing.Flow.Cells.Used.Holds(CellCode.Parse(Cell)), Is.True);
         }
@@ -81,12 +82,12 @@ namespace Nowpose.Tests.Core.Pairing
         [Test]
         public void Code_Oversized_IsReportedOnceAndNotStored()
         {
-            var said = 0;
+            var problems = 0;
 
             for (var i = 0; i < 10; i++)
-                if ((_pairing.Frame("nowpose:cell/1?n=" + new string('a', 4000 + i)) & PairingChange.Problem) != 0) said++;
+                if ((_pairing.Frame("nowpose:cell/1?n=" + new string('a', 4000 + i)) & PairingChange.Problem) != 0) problems++;
 
-            Assert.That(said, Is.EqualTo(1));
+            Assert.That(problems, Is.EqualTo(1));
             Assert.That(_pairing.Flow.Problem, Does.Contain("213"));
         }
 
@@ -102,18 +103,18 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Code_TooManyInView_IsReportedOnceUntilTheyAreOutOfView()
+        public void Code_TooManyDifferentTokens_AreReportedOnceUntilTheyExpire()
         {
-            var said = 0;
+            var problems = 0;
             for (var i = 0; i < 300; i++)
             {
                 var changes = _pairing.Frame(TokenOf(1, Pin).Replace("t=AQ", "t=" + (char)('A' + i / 26) + (char)('a' + i % 26)));
-                if ((changes & PairingChange.Problem) != 0) said++;
+                if ((changes & PairingChange.Problem) != 0) problems++;
             }
-            Assert.That(said, Is.EqualTo(1));
-            Assert.That(_pairing.Flow.Problem, Does.Contain("256 different ones"));
+            Assert.That(problems, Is.EqualTo(1));
+            Assert.That(_pairing.Flow.Problem, Is.EqualTo(PairingCodeMessages.TooManyInView(256, 5)));
             _pairing.Frame(Cell);
-            Assert.That(_pairing.Flow.Question, Is.Null, "no further codes are kept");
+            Assert.That(_pairing.Flow.Question, Is.Null, "no more codes are stored");
 
             _pairing.Now += PairingLimits.CodeValidity;
             _pairing.Frame(Cell);

@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Protocol
         static readonly string Base64 = Convert.ToBase64String(new byte[32]);
 
         [Test]
-        public void Parse_WithAndWithoutPrefix_IsTheSamePin()
+        public void Parse_WithAndWithoutPrefix_ReturnsTheSamePin()
         {
             var pin = CertificatePin.Parse(" sha256/" + Base64 + "\n");
 
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA==")]
         [TestCase("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA")]
         [TestCase("AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA")]
-        public void Parse_NotThirtyTwoBytes_ThrowsWithTheAllowedLength(string text)
+        public void Parse_LengthNot32Bytes_ThrowsWithTheAllowedLength(string text)
         {
             var error = Assert.Throws<InputException>(() => CertificatePin.Parse(text));
 

@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Snapshot_SomeReasonsCounted_ContainsOnlyThose()
+        public void Snapshot_SomeReasonsCounted_ContainsOnlyTheCountedReasons()
         {
             var counters = new DropCounters();
             counters.Count(DropReason.TooDeep);

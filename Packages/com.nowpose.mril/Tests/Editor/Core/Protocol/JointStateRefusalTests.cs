@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Protocol
             Refuse(State("[\"a\"]", "[" + position + "]"), DropReason.NotFinite);
 
         [Test]
-        public void TryRead_PositionBeyondDouble_IsRefused()
+        public void TryRead_PositionBeyondTheRangeOfDouble_IsRefused()
         {
             var isRead = RosbridgeReader.TryRead(State("[\"a\"]", "[1e999]"), out _, out var reason);
 
@@ -72,10 +72,10 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_NameTwice_IsRefused() => Refuse(State("[\"a\",\"b\",\"a\"]", "[1,2,3]"), DropReason.DuplicateName);
+        public void TryRead_DuplicateName_IsRefused() => Refuse(State("[\"a\",\"b\",\"a\"]", "[1,2,3]"), DropReason.DuplicateName);
 
         [Test]
-        public void TryRead_NoJoint_IsRefused() => Refuse(State("[]", "[]"), DropReason.MissingField);
+        public void TryRead_WithoutJoints_IsRefused() => Refuse(State("[]", "[]"), DropReason.MissingField);
 
         [Test]
         public void TryRead_EmptyName_IsRefused() => Refuse(State("[\"\"]", "[1]"), DropReason.MissingField);
@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase("{\"sec\":4294967295,\"nanosec\":999999999}", 4_294_967_296_000_000_000)]
         [TestCase("{\"sec\":0,\"nanosec\":100}", 100)]
-        public void TryRead_StampAtTheEdge_IsRead(string stamp, long expectedNs)
+        public void TryRead_StampAtTheLimit_IsRead(string stamp, long expectedNs)
         {
             var state = Read(Publish("{\"header\":{\"stamp\":" + stamp + "},\"name\":[\"a\"],\"position\":[1]}")).JointState;
 

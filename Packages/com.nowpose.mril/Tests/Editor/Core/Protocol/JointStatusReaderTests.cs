@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_SinceBeforeTheEpochOfTheClock_IsRead() =>
+        public void TryRead_NegativeSinceTime_IsRead() =>
             Assert.That(Read(Message(("a3", "fault -2.500 node deleted"))).Single().Since, Is.EqualTo(ControlTime.FromSeconds(-2.5)));
 
         [Test]
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.That(ReasonOf(Message(("a1", "rest 1.000"), ("a3", value))), Is.EqualTo(DropReason.OutOfRange));
 
         [Test]
-        public void TryRead_JointTwice_IsDropped() =>
+        public void TryRead_DuplicateJoint_IsDropped() =>
             Assert.That(ReasonOf(Message(("a3", "rest 1"), ("a3", "fault 1"))), Is.EqualTo(DropReason.DuplicateName));
 
         [Test]
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_LongNameOfAJoint_IsDropped() =>
+        public void TryRead_JointNameTooLong_IsDropped() =>
             Assert.That(ReasonOf(Message((new string('a', ProtocolLimits.NameLength + 1), "fault 1"))), Is.EqualTo(DropReason.NameTooLong));
 
         [Test]

@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Protocol
             "{" + Stamp + ",\"joint_names\":[\"a\"],\"points\":[" + string.Join(",", points) + "]}", "/joint_trajectory");
 
         [Test]
-        public void TryRead_TrajectoryPointOfOtherLength_IsRefused()
+        public void TryRead_PointWithWrongLength_IsRefused()
         {
             const string Point = "{\"positions\":[1,2],\"time_from_start\":{\"sec\":0,\"nanosec\":0}}";
 
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase(",\"accelerations\":[1,2]")]
         [TestCase(",\"velocities\":[1,2]")]
-        public void TryRead_TrajectoryFieldOfOtherLength_IsRefused(string more)
+        public void TryRead_DerivativesWithWrongLength_AreRefused(string more)
         {
             Refuse(Trajectory(TrajectoryPoint(0, more)), DropReason.LengthMismatch);
         }

@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_UnclosedNestingOf10000_IsTooDeep() =>
+        public void TryRead_UnclosedNestingOf10000Levels_IsRefusedAsTooDeep() =>
             Refuse("{\"op\":" + string.Concat(Enumerable.Repeat("{\"a\":[", 10_000)), DropReason.TooDeep);
 
         [TestCase("x", 0, true)]
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Protocol
             else Refuse(text, DropReason.TooLarge);
         }
 
-        // A message of exactly this size in bytes, filled up in an unused field or in the data.
+        // Returns a message of exactly this size in bytes. The fill text is in an unused field or in the data.
         static string Sized(string character, int bytes, string topic, string field)
         {
             string Make(string fill) => field == "data"

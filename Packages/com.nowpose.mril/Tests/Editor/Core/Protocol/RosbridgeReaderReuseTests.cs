@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_SameNames_ReuseTheArray()
+        public void TryRead_SameNames_ReusesTheArray()
         {
             var arm = Read(State("[\"a\",\"b\"]", "[1,2]")).Names;
             var gripper = Read(State("[\"g\"]", "[3]")).Names;

@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_Ros1Time_IsTheSameStamp()
+        public void TryRead_Ros1Time_ReturnsTheSameStamp()
         {
             var text = State("[\"a\"]", "[1]").Replace("\"sec\"", "\"secs\"").Replace("\"nanosec\"", "\"nsecs\"");
 
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase(",\"velocity\":[]")]
         [TestCase(",\"velocity\":null")]
         [TestCase("")]
-        public void TryRead_NoVelocity_IsNull(string rest) =>
+        public void TryRead_WithoutVelocity_ReturnsNullVelocities(string rest) =>
             Assert.That(Read(State("[\"a\"]", "[1]", rest)).JointState.Velocities, Is.Null);
 
         [TestCase("[NaN]")]
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_TextLikeADate_IsUnchanged() =>
+        public void TryRead_NameLooksLikeADate_IsNotConverted() =>
             Assert.That(Read(State("[\"2024-01-01T00:00:00Z\"]", "[1]")).JointState.Names[0], Is.EqualTo("2024-01-01T00:00:00Z"));
 
         [TestCase("{\"topic\":\"/a\"}")]
@@ -90,10 +90,10 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase("{\"op\":\"status\",\"op\":\"status\",\"msg\":\"a\"}")]
         [TestCase("{\"op\":\"publish\",\"topic\":\"/joint_states\",\"msg\":{},\"msg\":{}}")]
-        public void TryRead_KnownFieldTwice_IsRefused(string text) => Refuse(text, DropReason.DuplicateField);
+        public void TryRead_DuplicateKnownField_IsRefused(string text) => Refuse(text, DropReason.DuplicateField);
 
         [Test]
-        public void TryRead_UnknownOp_KeepsItsNameAndId()
+        public void TryRead_UnknownOp_ReturnsItsNameAndId()
         {
             var isRead = RosbridgeReader.TryRead("{\"op\":\"dance\",\"id\":\"7\"}", out var message, out var reason);
 

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Protocol
 {
-    /// <summary>Texts of messages, and checks of the result of reading them.</summary>
+    /// <summary>Creates texts of rosbridge messages and checks how the reader reads them.</summary>
     static class RosbridgeTexts
     {
         public const string Stamp = "\"header\":{\"stamp\":{\"sec\":12,\"nanosec\":345678900},\"frame_id\":\"\"}";

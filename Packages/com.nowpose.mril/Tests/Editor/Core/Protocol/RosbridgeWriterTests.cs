@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void JointState_GermanCulture_StillWritesPoints()
+        public void JointState_CultureWithDecimalComma_WritesDecimalPoints()
         {
             var before = Thread.CurrentThread.CurrentCulture;
             try
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TopicMessages_ReadBack_HaveTheirOp()
+        public void TopicMessages_ReadBack_ReturnTheirOperation()
         {
             Assert.That(Read(RosbridgeWriter.Unsubscribe("/a", "1")).Op, Is.EqualTo(RosbridgeOp.Unsubscribe));
             Assert.That(Read(RosbridgeWriter.Advertise("/a", "t/T", "1")).Op, Is.EqualTo(RosbridgeOp.Advertise));
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("\"level\":255,", 3)]
         [TestCase("\"level\":-1,", 0)]
         [TestCase("\"level\":\"AA==\",\"name\":null,\"message\":7,", 0)]
-        public void Diagnostics_AnyLevel_IsReadIfItIsANumber(string level, int expected)
+        public void Diagnostics_Level_IsClampedAndDefaultsToZero(string level, int expected)
         {
             var text = "{\"op\":\"publish\",\"topic\":\"/nowpose/diagnostics\",\"msg\":{\"status\":[{" + level + "\"hardware_id\":\"h\",\"values\":[]}]}}";
 

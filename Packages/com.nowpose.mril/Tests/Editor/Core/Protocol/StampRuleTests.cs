@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase(0, false)]
         [TestCase(1.0200000, false)]
         [TestCase(1.0200001, true)]
-        public void IsInFuture_BeyondBoundPlusOneSecond_IsTrueOnlyThen(double aheadSeconds, bool expected)
+        public void IsInFuture_Stamp_IsTrueIfAheadByMoreThanBoundPlusOneSecond(double aheadSeconds, bool expected)
         {
             var stamp = Now + new TimeSpan((long)Math.Round(aheadSeconds * TimeSpan.TicksPerSecond));
 
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void IsInFuture_EpochsApart_DoesNotOverflow()
+        public void IsInFuture_ExtremeTimes_DoesNotOverflow()
         {
             var first = new ControlTime(TimeSpan.MinValue);
             var last = new ControlTime(TimeSpan.MaxValue);

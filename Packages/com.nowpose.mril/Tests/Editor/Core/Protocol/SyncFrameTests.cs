@@ -6,7 +6,7 @@ namespace Nowpose.Tests.Core.Protocol
 {
     public class SyncFrameTests
     {
-        // Written by hand, byte by byte, from the table of the protocol.
+        // These bytes were written by hand from the frame table of the protocol.
         static readonly byte[] GoldenReply =
         {
             0x53, 0x59, 0x4E, 0x43, // "SYNC"
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_GoldenReply_GivesItsFields()
+        public void TryRead_GoldenReply_ReturnsItsFields()
         {
             Assert.That(SyncFrame.TryRead(GoldenReply, out var frame, out _), Is.True);
 
@@ -94,7 +94,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Reply_BoundBeyondTheField_Saturates()
+        public void Reply_ErrorBoundAboveTheMaximum_Saturates()
         {
             var reply = SyncFrame.Reply(SyncFrame.Request(1, 2), 3, 4, true, TimeSpan.FromHours(2), 0);
 
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void Reply_BoundBetweenMicroseconds_IsNeverNarrowed()
+        public void Reply_ErrorBoundBetweenMicroseconds_IsRoundedUp()
         {
             var reply = SyncFrame.Reply(SyncFrame.Request(1, 2), 3, 4, true, new TimeSpan(11), 0);
 
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TokenReply_Accepted_IsBitZero()
+        public void TokenReply_Accepted_SetsBitZero()
         {
             Assert.That(SyncFrame.TokenReply(true).Flags & 1, Is.EqualTo(1));
             Assert.That(SyncFrame.TokenReply(true).IsAccepted, Is.True);

@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Protocol
     public class SyncTokenTests
     {
         [Test]
-        public void Write_Token_IsFrameLengthAndUtf8()
+        public void Write_Token_WritesFrameThenLengthThenUtf8()
         {
             var bytes = SyncToken.Write("aé");
 

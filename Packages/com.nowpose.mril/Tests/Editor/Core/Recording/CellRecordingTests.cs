@@ -7,7 +7,7 @@ using static Nowpose.Tests.Core.Recording.RecordableSession;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>The lines that a recording contains of objects, signals and further robots.</summary>
+    /// <summary>Tests the recorded lines of objects, signals and further robots.</summary>
     public class CellRecordingTests
     {
         [Test]
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Sample_OfAnotherRobot_HasItsNamespaceBeforeTheJoints()
+        public void Sample_OtherRobot_HasItsNamespaceBeforeTheJointNames()
         {
             var session = NewSession();
             RecordedRun run;

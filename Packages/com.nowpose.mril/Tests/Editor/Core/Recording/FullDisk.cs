@@ -2,7 +2,10 @@ using System.IO;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>A file on a disk with a limited number of free bytes. A write that does not fit fails, and so does closing the file then.</summary>
+    /// <summary>
+    /// A file on a disk with a limited number of free bytes. A write that does not fit fails; after a failed write, closing the file fails
+    /// too.
+    /// </summary>
     sealed class FullDisk : MemoryStream
     {
         readonly long _room;
@@ -25,7 +28,7 @@ namespace Nowpose.Tests.Core.Recording
             base.Dispose(disposing);
             if (IsClosed) return;
             IsClosed = true;
-            // Like a file whose buffer still holds the bytes that did not fit.
+            // Closing a real file also fails while its buffer contains bytes that did not fit.
             if (Refusals > 0) Refuse();
         }
 

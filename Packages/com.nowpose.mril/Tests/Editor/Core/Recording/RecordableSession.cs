@@ -9,7 +9,7 @@ using Nowpose.Tests.Core.Session;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>A session to record, and what it receives.</summary>
+    /// <summary>Creates a session to record, and exchanges for it.</summary>
     static class RecordableSession
     {
         public static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Recording
                 range: new ConstantLatencyRange(15.2, RenderTimeSourceKind.GpuCompletion)),
             TestRobot.Model, new SetClock());
 
-        /// <summary>Returns an exchange that ends at this time and took 4 ms.</summary>
+        /// <summary>Returns an exchange that ends at this time and took 2 ms.</summary>
         public static SyncExchange Exchange(HeadsetTime at, double resolutionMs = 0) => new SyncExchange(
             at - Lengths.Ms(2), new ControlTime(at.SinceEpoch), new ControlTime(at.SinceEpoch), at, Lengths.Ms(resolutionMs), Lengths.Ms(0.3));
 

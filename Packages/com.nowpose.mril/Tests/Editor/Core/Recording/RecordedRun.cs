@@ -10,10 +10,10 @@ using Nowpose.Session;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>A session recorded into memory, and the recorded lines.</summary>
+    /// <summary>Records a session into memory and reads the recorded lines.</summary>
     sealed class RecordedRun : IDisposable
     {
-        static readonly TimeSpan Patience = TimeSpan.FromMinutes(1);
+        static readonly TimeSpan Timeout = TimeSpan.FromMinutes(1);
 
         readonly MemoryStream _bytes = new MemoryStream();
 
@@ -22,23 +22,23 @@ namespace Nowpose.Tests.Core.Recording
 
         public SessionRecorder Recorder { get; }
 
-        /// <summary>The text of the file after the recording has ended.</summary>
+        /// <summary>Gets the text of the file, which is complete after the recording has ended.</summary>
         public string Text => Encoding.UTF8.GetString(_bytes.ToArray());
 
         public List<JObject> Lines => Text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(Read).ToList();
 
         public List<JObject> Of(string kind) => Lines.Where(l => (string)l["kind"] == kind).ToList();
 
-        /// <summary>Empties the ring buffer: a session in virtual time is faster than any disk.</summary>
+        /// <summary>Waits until the ring buffer is written. Without this, a session in virtual time fills it faster than a disk writes.</summary>
         public void Flush()
         {
-            if (!Recorder.FlushAsync().Wait(Patience)) throw new TimeoutException("the recording does not come to write");
+            if (!Recorder.FlushAsync().Wait(Timeout)) throw new TimeoutException("the recording has not written its lines within a minute");
         }
 
         public RecordedRun Close()
         {
             Recorder.Dispose();
-            if (!Recorder.Ended.Wait(Patience)) throw new TimeoutException("the recording does not end");
+            if (!Recorder.Ended.Wait(Timeout)) throw new TimeoutException("the recording has not ended within a minute");
             return this;
         }
 

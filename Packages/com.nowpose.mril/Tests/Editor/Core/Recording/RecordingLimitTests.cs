@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Messages;
 using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -13,7 +14,7 @@ using static Nowpose.Tests.Core.Recording.RecordableSession;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>Recordings that meet a limit: of the queue, of the file, of the disk or of the settings.</summary>
+    /// <summary>Tests recordings that reach a limit of the queue, the file, the disk or the settings.</summary>
     public class RecordingLimitTests
     {
         [Test]
@@ -78,10 +79,10 @@ namespace Nowpose.Tests.Core.Recording
             var run = new RecordedRun(session, maximumMegabytes: 0.02);
 
             for (var i = 0; i < 500; i++) session.Tick(Start + Lengths.Ms(16 * i));
-            Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
+            Assert.That(run.Recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "the recording ends by itself");
 
             Assert.That(run.Recorder.State, Is.EqualTo(RecordingState.Full));
-            Assert.That(run.Recorder.Problem, Does.Contain("maximum size, 0.02 MB"));
+            Assert.That(run.Recorder.Problem, Does.EndWith(RecordingMessages.MaxSize("", "0.02")["recording ".Length..]));
             Assert.That(run.Text.Length, Is.EqualTo(run.Recorder.Bytes).And.LessThanOrEqualTo(20_000).And.GreaterThan(19_000));
             Assert.That((string)run.Last["reason"], Is.EqualTo("full"));
         }
@@ -112,7 +113,7 @@ namespace Nowpose.Tests.Core.Recording
             var recorder = new SessionRecorder(simulated.Session, new RecordingSettings("disk", () => disk));
             // The lines of two seconds do not fit on the disk.
             simulated.Run(2, (_, __) => { });
-            Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "it ends by itself");
+            Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "the recording ends by itself");
             simulated.Run(6, (_, __) => { });
             var (bytes, lost) = (disk.ToArray(), recorder.LostLines);
 
@@ -122,14 +123,14 @@ namespace Nowpose.Tests.Core.Recording
 
             Assert.That(states, Is.All.EqualTo(PoseState.Current));
             Assert.That(recorder.Problem, Is.EqualTo("recording disk has stopped: No space left on device"));
-            Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "still");
+            Assert.That(recorder.State, Is.EqualTo(RecordingState.Failed), "the state does not change");
             Assert.That(disk.IsClosed);
-            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "once by writing, once by closing: no further retries");
-            Assert.That(recorder.LostLines, Is.EqualTo(lost), "no lines are queued that will never be written");
+            Assert.That(disk.Refusals, Is.LessThanOrEqualTo(2), "one failed write and one failed close, without further retries");
+            Assert.That(recorder.LostLines, Is.EqualTo(lost), "no lines are queued after the recording has ended");
             var text = System.Text.Encoding.UTF8.GetString(bytes);
             Assert.That(bytes.Length, Is.EqualTo(recorder.Bytes).And.LessThanOrEqualTo(room));
             var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
-            Assert.That(lines.Count, room < 1000 ? Is.EqualTo(0) : Is.GreaterThan(30), "what fitted is there");
+            Assert.That(lines.Count, room < 1000 ? Is.EqualTo(0) : Is.GreaterThan(30), "the lines that fitted are in the file");
         }
 
         [Test]

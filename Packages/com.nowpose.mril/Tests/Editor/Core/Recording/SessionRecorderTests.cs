@@ -17,7 +17,7 @@ using static Nowpose.Tests.Core.Recording.RecordableSession;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>The lines that a recording contains.</summary>
+    /// <summary>Tests the lines that a recording contains.</summary>
     public class SessionRecorderTests
     {
         [Test]
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(header["robot"]["joints"].Select(j => (string)j["name"]), Is.EqualTo(TestRobot.Model.MovingJoints.Select(j => j.Name)));
             Assert.That(header["robot"]["joints"].Select(j => (string)j["unit"]), Is.EqualTo(new[] { "rad", "rad", "m", "m" }));
             Assert.That((double)header["robot"]["joints"][0]["upper"], Is.EqualTo(3));
-            Assert.That(header["robot"]["joints"][1]["upper"], Is.Null, "nothing limits a continuous joint");
+            Assert.That(header["robot"]["joints"][1]["upper"], Is.Null, "a continuous joint has no limit");
             Assert.That((double)header["settings"]["visualisation_ms"], Is.EqualTo(40));
             Assert.That((string)header["settings"]["render_time_source"], Is.EqualTo("gpu_completion"));
             Assert.That(run.Text, Does.Not.Contain("secret"));
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Display_ReprojectionReportedAfterTheStart_HasItsOwnLine()
+        public void Display_ReprojectionReportedAfterTheStart_WritesAnotherLine()
         {
             var session = NewSession();
             RecordedRun run;
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Frame_EstimatedError_EqualsTheClocksOnceKnown()
+        public void Frame_EstimatedError_EqualsThatOfTheClock()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var expected = new List<long?>();
@@ -150,7 +150,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Exchange_OfACoarseClock_IsWrittenAsReceived()
+        public void Exchange_CoarseClock_IsWrittenAsReceived()
         {
             var session = NewSession();
             var run = new RecordedRun(session);
@@ -209,7 +209,7 @@ namespace Nowpose.Tests.Core.Recording
             var plans = run.Of("plan");
             Assert.That(
                 plans.Select(p => (string)p["dropped"]), Is.EqualTo(new[] { "unknown_joint", null, "stamp_in_future" }),
-                "the first is judged where it arrives");
+                "the plan with an unknown joint is judged on arrival");
             var plan = plans[1];
             Assert.That((long)plan["arrival_ns"], Is.EqualTo((Start - Lengths.Ms(3)).Nanoseconds));
             Assert.That((long)plan["stamp_ns"], Is.EqualTo(stamp.Nanoseconds));
@@ -226,7 +226,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void ClockStepAndDisplayChange_Lines_PrecedeTheirFrame()
+        public void Lines_ClockStepAndDisplayChange_PrecedeTheirFrame()
         {
             var session = NewSession();
             var run = new RecordedRun(session);

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Session
 
             var after = session.Tick(HeadsetTime.FromSeconds(10));
             Assert.That((after.DisplayTime.Value - before).TotalMilliseconds, Is.EqualTo(22).Within(0.01));
-            Assert.That(after.State, Is.EqualTo(PoseState.Current), "the same session, with its samples and its clock");
+            Assert.That(after.State, Is.EqualTo(PoseState.Current), "samples and clock are kept");
             Assert.That(session.Profile.Measurements, Is.EqualTo(300));
             Assert.That(session.Statistics(default).VisualisationLatency, Is.EqualTo(Lengths.Ms(62)));
         }
@@ -114,7 +114,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_ProfileWithoutRange_KeepsTheSettings()
+        public void Calibrate_ProfileWithoutRange_UsesTheConfiguredRange()
         {
             var settings = new SessionSettings(
                 new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40), range: new ConstantLatencyRange(15, Source));
@@ -131,7 +131,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void SessionSettings_ProfileWithoutRange_KeepTheirOwn()
+        public void SessionSettings_ProfileWithoutRange_KeepsTheConfiguredRange()
         {
             var range = new ConstantLatencyRange(15, Source);
 
@@ -181,11 +181,12 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(frames, Is.GreaterThan(100));
             Assert.That(farthest, isHeld ? (NUnit.Framework.Constraints.Constraint)Is.EqualTo(0) : Is.GreaterThan(0.05));
             Assert.That(changes & SessionChange.LeftRange, Is.EqualTo(SessionChange.LeftRange));
-            Assert.That(changes & SessionChange.Stale, Is.EqualTo(SessionChange.None), "held by choice, not for want of samples");
+            Assert.That(changes & SessionChange.Stale, Is.EqualTo(SessionChange.None),
+                "the pose is held because of the setting, not because samples are missing");
         }
 
         [Test]
-        public void OutsideRange_HoldAndSamplesStop_IsStale()
+        public void OutsideRange_HoldResponseAndSamplesStop_IsHeld()
         {
             var simulated = Running(OutsideRangeResponse.Hold);
             simulated.Session.Calibrate(Profile(40));
@@ -199,7 +200,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void OutsideRange_HoldAndBackInside_IsPredictedAgain()
+        public void OutsideRange_HoldResponseAndBackInside_PredictsAgain()
         {
             var simulated = Running(OutsideRangeResponse.Hold);
             simulated.Session.Calibrate(Profile(40));
@@ -210,11 +211,11 @@ namespace Nowpose.Tests.Core.Session
             double worst = 0;
             simulated.Run(1, (frame, light) => worst = Math.Max(worst, Math.Abs(frame.Joints[0] - SimulatedSession.TruthAt(light).Shoulder)));
 
-            Assert.That(worst, Is.LessThan(0.02), "held it was up to 0.2 rad away");
+            Assert.That(worst, Is.LessThan(0.02), "a held pose is up to 0.2 rad away");
         }
 
         [Test]
-        public void Diagnostics_DisplayTimeSource_ContainsTheDifference()
+        public void Diagnostics_DisplayTimeSourceInUse_ContainTheDifference()
         {
             var simulated = Running();
             var clock = new SetClock();

@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>The displayed pose of whole sessions with a simulated robot.</summary>
+    /// <summary>Tests the displayed pose in whole sessions with a simulated robot.</summary>
     public class CompensationSessionTests
     {
         const int Seed = 7;
@@ -41,8 +41,8 @@ namespace Nowpose.Tests.Core.Session
                 Assert.That(frame.State, Is.EqualTo(PoseState.Current), "at " + light + " s, seed " + Seed);
             });
 
-            Assert.That(1 - Rms(errors) / Rms(holdErrors), Is.GreaterThan(0.9), "a sine this slow is nearly a parabola; seed " + Seed);
-            Assert.That(Rms(holdErrors), Is.GreaterThan(0.05), "the effect is there to be removed");
+            Assert.That(1 - Rms(errors) / Rms(holdErrors), Is.GreaterThan(0.9), "a slow sine is nearly a parabola; seed " + Seed);
+            Assert.That(Rms(holdErrors), Is.GreaterThan(0.05), "the uncompensated error is large");
             Assert.That(lightErrorsMs.Max(Math.Abs), Is.LessThan(1), "seed " + Seed);
         }
 
@@ -106,7 +106,8 @@ namespace Nowpose.Tests.Core.Session
             simulated.Run(10);
 
             simulated.Link.Step = Lengths.Seconds(stepSeconds);
-            simulated.Run(2, (frame, light) => Assert.That(Math.Abs(frame.Joints[Shoulder]), Is.LessThan(1.5), "nothing flies off"));
+            simulated.Run(2, (frame, light) =>
+                Assert.That(Math.Abs(frame.Joints[Shoulder]), Is.LessThan(1.5), "the joint stays near its range of motion"));
 
             var errors = new List<double>();
             var states = new List<PoseState>();
@@ -133,7 +134,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_MimicJoint_HasTheKindOfItsMaster()
+        public void Tick_MimicJoint_HasTheKindOfTheJointItFollows()
         {
             var session = new SimulatedSession(NetworkProfile.Lan, Seed).Session;
             var (grip, follower) = (TestRobot.Model.IndexOfMovingJoint("grip"), TestRobot.Model.IndexOfMovingJoint("grip_mirror"));
@@ -159,7 +160,7 @@ namespace Nowpose.Tests.Core.Session
             var late = PoseState.Incomplete;
             simulated.Run(600, (frame, light) => late = frame.State);
 
-            Assert.That(soon, Is.EqualTo(PoseState.Current), "ten seconds cost little");
+            Assert.That(soon, Is.EqualTo(PoseState.Current), "ten seconds without exchanges add little error");
             Assert.That(late, Is.EqualTo(PoseState.Unsynchronised));
         }
 
@@ -179,7 +180,7 @@ namespace Nowpose.Tests.Core.Session
 
             simulated.Run(2, (frame, light) =>
             {
-                Assert.That(frame.State, Is.EqualTo(PoseState.Current), "the gripper's silence is not the arm's");
+                Assert.That(frame.State, Is.EqualTo(PoseState.Current), "missing samples of the gripper do not affect the arm");
                 Assert.That(frame.Kinds[grip], Is.EqualTo(PredictionKind.Held));
                 Assert.That(frame.Joints[grip], Is.EqualTo(0.03));
             });
@@ -206,7 +207,7 @@ namespace Nowpose.Tests.Core.Session
 
             var frame = session.Tick(HeadsetTime.FromSeconds(4.05));
 
-            Assert.That(frame.Joints[Shoulder], Is.EqualTo(3).Within(1e-12), "0.18 rad past the limit if it were not clamped");
+            Assert.That(frame.Joints[Shoulder], Is.EqualTo(3).Within(1e-12), "an unclamped prediction would be 0.18 rad beyond the limit");
         }
 
         static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Listener.Received(

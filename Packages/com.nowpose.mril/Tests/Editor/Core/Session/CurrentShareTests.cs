@@ -5,7 +5,7 @@ namespace Nowpose.Tests.Core.Session
 {
     public class CurrentShareTests
     {
-        // Adds frames at 60 Hz from a given second on.
+        // Adds frames at 60 Hz. The first frame is at the time "from" in s.
         static void Add(CurrentShare share, double from, double seconds, bool isCurrent)
         {
             for (var i = 0; i < seconds * 60; i++) share.Add(HeadsetTime.FromSeconds(from + i / 60.0), isCurrent);
@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(-20)]
         [TestCase(0)]
         [TestCase(1e6)]
-        public void Value_LessThanTheWindow_IsTheShareOfAllFrames(double start)
+        public void Value_RunShorterThanTheWindow_IsTheShareOfAllFrames(double start)
         {
             var share = new CurrentShare();
             Add(share, start, 3, false);

@@ -9,7 +9,10 @@ namespace Nowpose.Tests.Core.Session
 {
     public class DisplayTimeSourceTests
     {
-        /// <summary>True L_visu: alternates between two and three refreshes every half second. Only the display's runtime has this value.</summary>
+        /// <summary>
+        /// Returns the true L_visu in ms. It alternates between two and three refreshes every half second, and only the display's runtime
+        /// reports it.
+        /// </summary>
         static double TrueMs(double seconds) => (int)(seconds * 2) % 2 == 0 ? 33.3 : 50;
 
         sealed class Runtime : IDisplayTimeSource
@@ -28,7 +31,7 @@ namespace Nowpose.Tests.Core.Session
             return simulated;
         }
 
-        // Root mean square over 20 s of the shoulder's distance from its true position when the light appears, in rad.
+        // Returns the RMS error of the shoulder joint over 20 s, in rad. The reference is the true position when the light appears.
         static double ErrorOf(IDisplayTimeSource source)
         {
             var simulated = Running(source);
@@ -50,8 +53,8 @@ namespace Nowpose.Tests.Core.Session
             var with = ErrorOf(new Runtime());
             var without = ErrorOf(null);
 
-            Assert.That(without, Is.GreaterThan(0.006), "8 ms at about 1 rad/s: the effect");
-            Assert.That(with, Is.LessThan(0.4 * without), "what is left is the prediction's");
+            Assert.That(without, Is.GreaterThan(0.006), "the latency is wrong by 8 ms at about 1 rad/s");
+            Assert.That(with, Is.LessThan(0.4 * without), "only the error of the prediction remains");
         }
 
         [Test]
@@ -92,7 +95,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(46.5, 40, true)]
         [TestCase(40, 46.5, false)]
-        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecond(double lastMs, double firstMs, bool isInconsistent)
+        public void DisplayTimeSource_FrameComputedTwice_ComparesOnlyTheSecondComputation(double lastMs, double firstMs, bool isInconsistent)
         {
             var simulated = Running(null);
             var ms = lastMs;
@@ -111,7 +114,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void DisplayTimeSource_OutsideTheRange_IsNotCompared()
+        public void DisplayTimeSource_RenderTimeOutsideTheRange_IsNotCompared()
         {
             var simulated = Running(null);
             simulated.Session.Calibrate(new LatencyProfile(

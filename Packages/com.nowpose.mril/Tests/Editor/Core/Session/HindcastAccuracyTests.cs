@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Session
     /// <summary>Compares the error that the monitor measures without the truth with the true error in the virtual cell.</summary>
     public class HindcastAccuracyTests
     {
-        /// <summary>A predictor that does not learn while it runs, so all parts of a run are equivalent.</summary>
+        /// <summary>Predictor that does not learn at run time. All parts of a run are therefore equivalent.</summary>
         const string Steady = "quadratic";
 
         static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Session
         static VirtualCellRun Run(string network, int seed, double samplingMs = 50, string predictor = Predictors.Default) => new VirtualCellRun(
             new VirtualCellSettings(samplingMs, 55, 105, 0, 0, NetworkProfile.Named(network)), seed, predictor: predictor);
 
-        // Scores from the third second on, like the demo.
+        // Scores a run after its first three seconds, as the demo does, and only once the clock is synchronised.
         static (VirtualCellRun Run, DisplayedError Hindcast, double Reduction) Scored(
             string network, int seed, double seconds, double samplingMs = 50, string predictor = Predictors.Default)
         {
@@ -32,12 +32,12 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ToolErrorOfRun_AgainstTheTruth_AgreesWithinThreePoints(
+        public void ToolErrorOfRun_DefaultSampling_AgreesWithTheTruthWithinOnePercentagePoint(
             [Values("lan", "wifi", "busy-wifi")] string network, [Values(1, 2, 3)] int seed)
         {
             var (run, hindcast, reduction) = Scored(network, seed, 43);
 
-            Assert.That(hindcast.Reduction.Value, Is.EqualTo(reduction).Within(0.01), $"{network}, seed {seed}: the contract is 0.03");
+            Assert.That(hindcast.Reduction.Value, Is.EqualTo(reduction).Within(0.01), $"{network}, seed {seed}: the specification allows 0.03");
             Assert.That(hindcast.Rms * 1e-3, Is.EqualTo(Rms(run.Errors)).Within(5).Percent);
             Assert.That(hindcast.HoldRms * 1e-3, Is.EqualTo(Rms(run.HoldErrors)).Within(2).Percent);
             Assert.That(hindcast.Frames, Is.GreaterThan(0.97 * run.Frames));
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session
 
         [TestCase(20)]
         [TestCase(100)]
-        public void ToolErrorOfRun_OtherSampling_Agrees(double samplingMs)
+        public void ToolErrorOfRun_OtherSamplingInterval_AgreesWithTheTruth(double samplingMs)
         {
             var (_, hindcast, reduction) = Scored("wifi", 4, 43, samplingMs);
 
@@ -71,10 +71,10 @@ namespace Nowpose.Tests.Core.Session
             var difference = Math.Abs(hindcast.Rms - 1000 * Rms(run.Errors));
 
             Assert.That(difference, Is.LessThan(hindcast.TruthUncertainty + hindcast.ClockUncertainty), "seed 6");
-            Assert.That(hindcast.TruthUncertainty, Is.LessThan(0.3 * hindcast.Rms), "or it would say nothing");
+            Assert.That(hindcast.TruthUncertainty, Is.LessThan(0.3 * hindcast.Rms), "a larger uncertainty would be meaningless");
         }
 
-        // Ten seconds contain a few moves, and the next ten seconds others: the interval must cover the value of the whole run.
+        // Each window of ten seconds contains other moves. Its interval must nevertheless cover the reduction of the whole run.
         [Test]
         public void ToolError_TenSeconds_UncertaintyCoversTheWholeRun()
         {
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Session
 
             var message = $"{covered} of {count} covered, mean half-width {widths.Average():0.000}, seeds 11 to 14";
             Assert.That(covered / (double)count, Is.GreaterThan(0.85), message);
-            Assert.That(widths.Average(), Is.LessThan(0.1), message + ": an interval of everything covers everything");
+            Assert.That(widths.Average(), Is.LessThan(0.1), message + ": the intervals must not be trivially wide");
         }
 
         [Test]
@@ -123,11 +123,11 @@ namespace Nowpose.Tests.Core.Session
                 Assert.That(joint.Error.Value.Reduction.Value, Is.InRange(0.6, 0.99), joint.Joint + ", seed 8");
                 Assert.That(joint.Error.Value.P95, Is.InRange(joint.Error.Value.Rms, 4 * joint.Error.Value.Rms), joint.Joint);
             }
-            Assert.That(joints.Count(j => j.Error.Value.HoldRms > 0.01), Is.GreaterThan(1), "there is motion");
+            Assert.That(joints.Count(j => j.Error.Value.HoldRms > 0.01), Is.GreaterThan(1), "several joints move");
         }
 
         [Test]
-        public void RestartErrorRun_AfterFrames_DiscardsThem()
+        public void RestartErrorRun_AfterFrames_DiscardsTheFrames()
         {
             var run = Run("lan", 9).Run(20);
             var before = run.Statistics.ToolErrorOfRun.Value.Frames;

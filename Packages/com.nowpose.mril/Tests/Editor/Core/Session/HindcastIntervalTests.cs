@@ -10,7 +10,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>The frames that the estimated error excludes: near a step, a gap or a wrong render time.</summary>
+    /// <summary>
+    /// Tests which frames the estimated error excludes: frames near a clock step, in a gap between samples, or with a render time outside
+    /// the range.
+    /// </summary>
     public class HindcastIntervalTests
     {
         const int Seed = 7;
@@ -47,7 +50,7 @@ namespace Nowpose.Tests.Core.Session
             simulated.Run(20, (frame, light) => known.Add(simulated.Session.Statistics(frame.Start).HoldErrorMm));
 
             Assert.That(known.Last().Value, Is.EqualTo(before).Within(20).Percent);
-            Assert.That(known.Where(k => k.HasValue).Max(), Is.LessThan(2 * before), "nothing is judged across the step");
+            Assert.That(known.Where(k => k.HasValue).Max(), Is.LessThan(2 * before), "no frame is scored across the step");
         }
 
         [TestCase(3600)]
@@ -101,15 +104,16 @@ namespace Nowpose.Tests.Core.Session
             AssertStated(before);
             Assert.That(outside.Range, Is.EqualTo(RangeState.Outside));
             AssertWithheld(outside, ErrorWithheldReason.OutsideRange);
-            Assert.That((after.ErrorMm.HasValue, after.ErrorWithheld), Is.EqualTo((true, ErrorWithheldReason.None)), "of the frames inside");
+            Assert.That((after.ErrorMm.HasValue, after.ErrorWithheld), Is.EqualTo((true, ErrorWithheldReason.None)),
+                "the error of the frames inside the range");
             Assert.That(
                 (after.ToolErrorOfRun, after.ErrorOfRunWithheld), Is.EqualTo(((DisplayedError?)null, ErrorWithheldReason.OutsideRange)),
-                "part of this run cannot be judged");
+                "part of this run cannot be scored");
             AssertStated(restarted);
         }
 
         [Test]
-        public void Statistics_RenderTimeBeyondARangeWithoutLimit_HaveTheReasonInsteadOfAnError()
+        public void Statistics_RenderTimeBeyondTheMeasuredRange_HaveTheReasonInsteadOfAnError()
         {
             var simulated = InsideTheRange(isLimitReached: false);
 
@@ -120,10 +124,10 @@ namespace Nowpose.Tests.Core.Session
             AssertWithheld(Statistics(simulated), ErrorWithheldReason.BeyondMeasured);
         }
 
-        // Nothing detects late frames then, even if the new source reports short times.
+        // Without render times of the calibrated source, late frames are not detected, even if another source reports short times.
         [TestCase(RenderTimeSourceKind.CameraCpu, ErrorWithheldReason.OtherSource)]
         [TestCase(RenderTimeSourceKind.None, ErrorWithheldReason.NoRenderTime)]
-        public void Statistics_LimitIsNoLongerMonitored_HaveTheReasonInsteadOfAnError(RenderTimeSourceKind source, object reason)
+        public void Statistics_LimitNoLongerMonitored_HaveTheReasonInsteadOfAnError(RenderTimeSourceKind source, object reason)
         {
             var simulated = InsideTheRange(isLimitReached: true);
 
@@ -135,11 +139,11 @@ namespace Nowpose.Tests.Core.Session
 
             AssertWithheld(unmonitored, (ErrorWithheldReason)reason);
             Assert.That(Statistics(simulated).ErrorMm, Is.Not.Null);
-            Assert.That(Statistics(simulated).ErrorOfRunWithheld, Is.EqualTo(reason), "part of this run cannot be judged");
+            Assert.That(Statistics(simulated).ErrorOfRunWithheld, Is.EqualTo(reason), "part of this run cannot be scored");
         }
 
         [Test]
-        public void Statistics_FirstRenderTimeComesLate_RunBeginsWithIt()
+        public void Statistics_FirstRenderTimeArrivesLate_RunBeginsAtThatTime()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, range: Range(isLimitReached: true));
             simulated.Run(8);
@@ -233,7 +237,7 @@ namespace Nowpose.Tests.Core.Session
                 if (i >= 60 && Statistics(simulated).HoldErrorMm.HasValue) known++;
             }
 
-            Assert.That(known, Is.GreaterThan(170), "frames that cannot be judged do not delay those after them");
+            Assert.That(known, Is.GreaterThan(170), "frames that cannot be scored do not delay later frames");
         }
 
         [Test]
@@ -250,7 +254,7 @@ namespace Nowpose.Tests.Core.Session
                     new[] { Math.Sin(3 * simulated.Now), 0 }), now);
                 simulated.Run(0.02);
             }
-            // Long enough that the error statistics contain no older values.
+            // Runs long enough for all earlier errors to leave the statistics.
             for (var i = 0; i < 600; i++) Send(Lengths.Ms(900));
             var before = Statistics(simulated).HoldErrorMm;
             var sent = 0;
@@ -261,8 +265,8 @@ namespace Nowpose.Tests.Core.Session
                 sent++;
             }
 
-            Assert.That(before, Is.Null, "frames older than the samples cannot be judged");
-            Assert.That(sent * 20, Is.LessThan(500), "ms; 900 until the stamps are newer than the newest of before");
+            Assert.That(before, Is.Null, "frames older than the samples cannot be scored");
+            Assert.That(sent * 20, Is.LessThan(500), "ms; the stamps exceed the earlier stamps only after 900 ms");
         }
     }
 }

@@ -13,7 +13,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>The estimate of the displayed error, compared with the simulated truth.</summary>
+    /// <summary>Compares the estimate of the displayed error with the simulated truth.</summary>
     public class HindcastTests
     {
         const int Seed = 7;
@@ -42,8 +42,8 @@ namespace Nowpose.Tests.Core.Session
         static SessionStatistics Statistics(SimulatedSession simulated) =>
             simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
 
-        // RMS error against the simulation's truth, for the frames that can be judged: up to the newest sample, and from the
-        // beginning of the ninth second before the newest frame.
+        // Returns the RMS errors of the displayed and of the held tool against the simulated truth. Counts only frames that the hindcast can
+        // score: up to the newest sample, and from the start of the ninth whole second before the newest frame.
         static (double Mm, double HoldMm) TrueErrors(SimulatedSession simulated, double seconds)
         {
             var squares = new List<(ControlTime At, double Displayed, double Held)>();
@@ -52,12 +52,12 @@ namespace Nowpose.Tests.Core.Session
             {
                 var truth = TrueTool(light);
                 squares.Add((frame.DisplayTime.Value, SquareMm(frame.ToolPose, truth), SquareMm(ToolOf(frame.HeldJoints), truth)));
-                // The truth of an interval is available only after the sample that ends it.
+                // The truth within a sampling interval is available only after the sample that ends the interval.
                 last = frame.DisplayTime.Value - frame.Horizon.Value - TimeSpan.FromMilliseconds(50);
                 first = ControlTime.FromSeconds(Math.Floor(frame.DisplayTime.Value.SinceEpoch.TotalSeconds) - 9);
             });
-            var judged = squares.Where(s => s.At >= first && s.At <= last).ToList();
-            return (Math.Sqrt(judged.Average(s => s.Displayed)), Math.Sqrt(judged.Average(s => s.Held)));
+            var scoredFrames = squares.Where(s => s.At >= first && s.At <= last).ToList();
+            return (Math.Sqrt(scoredFrames.Average(s => s.Displayed)), Math.Sqrt(scoredFrames.Average(s => s.Held)));
         }
 
         [Test]
@@ -71,9 +71,9 @@ namespace Nowpose.Tests.Core.Session
             var statistics = Statistics(simulated);
 
             var message = $"{truth.Mm:0.00} of {truth.HoldMm:0.00} mm, seed {Seed}";
-            Assert.That(truth.HoldMm, Is.GreaterThan(50), "the effect is there");
+            Assert.That(truth.HoldMm, Is.GreaterThan(50), "the uncompensated error is large");
             Assert.That(statistics.HoldErrorMm.Value, Is.EqualTo(truth.HoldMm).Within(1).Percent, message);
-            Assert.That(statistics.ErrorMm.Value, Is.EqualTo(truth.Mm).Within(0.03 * truth.Mm), message + "; the clock errs, too");
+            Assert.That(statistics.ErrorMm.Value, Is.EqualTo(truth.Mm).Within(0.03 * truth.Mm), message + "; the clock has an error, too");
             Assert.That(statistics.ErrorReduction.Value, Is.EqualTo(1 - truth.Mm / truth.HoldMm).Within(0.001), message);
         }
 
@@ -101,9 +101,9 @@ namespace Nowpose.Tests.Core.Session
 
             simulated.Run(2);
 
-            Assert.That(Math.Sqrt(max), Is.GreaterThan(500), "from one end of the sine to the other");
+            Assert.That(Math.Sqrt(max), Is.GreaterThan(500), "the joint moves from one end of the sine to the other");
             Assert.That(Statistics(simulated).HoldErrorMm.Value, Is.LessThan(400),
-                "665 with the gap; the tenth of a second in which the samples after it are on their way is judged");
+                "with the gap, the value would be 665; only the 0.1 s until the next samples arrive are scored");
         }
 
         [Test]
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_OneJointSilent_WaitForItsSample()
+        public void Statistics_JointWithoutNewSamples_HaveNoError()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
             for (var i = 0; i < 200; i++)
@@ -137,7 +137,7 @@ namespace Nowpose.Tests.Core.Session
                 simulated.Run(0.05);
             }
 
-            Assert.That(Statistics(simulated).ErrorMm, Is.Null, "no sample gave the elbow's position");
+            Assert.That(Statistics(simulated).ErrorMm, Is.Null, "no later sample gives the elbow's position");
         }
 
         [Test]
@@ -161,18 +161,18 @@ namespace Nowpose.Tests.Core.Session
 
             var values = session.Listener.Diagnostics().Values.ToDictionary(v => v.Key, v => double.TryParse(v.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var n) ? n : double.NaN);
 
-            // One metre of arm, 1/√2 rad/s on average and 100 ms of latency give 71 mm.
+            // An arm of 1 m, an RMS angular speed of 1/√2 rad/s and a latency of 100 ms result in an error of 71 mm.
             Assert.That(values["error_mm_hold"], Is.EqualTo(71).Within(5));
             Assert.That(values["error_mm"], Is.LessThan(5));
             Assert.That(values["reduction"], Is.EqualTo(1 - values["error_mm"] / values["error_mm_hold"]).Within(0.001).And.GreaterThan(0.9));
             Assert.That(values["error_mm_p95"], Is.InRange(values["error_mm"], 3 * values["error_mm"]));
-            Assert.That(values["error_mm_hold_p95"], Is.EqualTo(100).Within(5), "at full speed");
+            Assert.That(values["error_mm_hold_p95"], Is.EqualTo(100).Within(5), "the error at full speed");
             Assert.That(values["reduction_uncertainty"], Is.InRange(1e-6, 0.05));
-            // The error bound of this exchange at a mean speed of 1/√2 m/s.
+            // Error bound of this exchange times the mean speed of 1/√2 m/s.
             Assert.That(values["error_mm_clock"], Is.EqualTo(0.71 * values["error_bound_us"] / 1000).Within(10).Percent);
             Assert.That(values["error_hold/shoulder"], Is.EqualTo(0.071).Within(0.005), "rad");
             Assert.That(values["reduction/shoulder"], Is.EqualTo(values["reduction"]).Within(0.01), "the shoulder alone moves");
-            Assert.That(values.ContainsKey("reduction/elbow"), Is.False, "at rest there is nothing to reduce");
+            Assert.That(values.ContainsKey("reduction/elbow"), Is.False, "a joint at rest has no error to reduce");
         }
     }
 }

@@ -5,6 +5,7 @@ using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -21,7 +22,7 @@ namespace Nowpose.Tests.Core.Session
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed) { IsEachJointApart = isEachJointApart };
             simulated.Run(10);
-            Assert.That(simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).State, Is.EqualTo(PoseState.Current), "before, seed " + Seed);
+            Assert.That(simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).State, Is.EqualTo(PoseState.Current), "at the start, seed " + Seed);
             return simulated;
         }
 
@@ -53,7 +54,7 @@ namespace Nowpose.Tests.Core.Session
             var simulated = Running(isEachJointApart);
 
             simulated.SilentJoint = "elbow";
-            // Samples already on their way still arrive: 105 ms of acquisition plus the delay of WiFi.
+            // Samples in flight still arrive: after 105 ms of acquisition plus the delay of the WiFi.
             var states = StatesOf(simulated, 0.3 + 0.15);
             var after = StatesOf(simulated, 3);
             var statistics = StatisticsOf(simulated);
@@ -64,11 +65,11 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(joint.Joint, Is.EqualTo("elbow"));
             Assert.That(joint.State, Is.EqualTo(JointDataState.Stale));
             Assert.That(joint.IsMissing);
-            Assert.That(joint.Age.Value.TotalSeconds, Is.InRange(3.3, 3.7), "the other joint's samples go on");
+            Assert.That(joint.Age.Value.TotalSeconds, Is.InRange(3.3, 3.7), "the age counts from the last sample of this joint");
         }
 
         [Test]
-        public void Tick_SamplesReturn_IsCurrentWithoutNamedJoints()
+        public void Tick_SamplesReturn_IsCurrentAndReportsNoJoint()
         {
             var simulated = Running();
             simulated.SilentJoint = "shoulder";
@@ -115,7 +116,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GatewayReportsRest_StaysCurrentAndReportsIt()
+        public void Tick_GatewayReportsRest_StaysCurrentAndReportsTheRest()
         {
             var simulated = Running();
 
@@ -204,13 +205,13 @@ namespace Nowpose.Tests.Core.Session
 
             Report(simulated, "grip", JointDataState.Stale);
 
-            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "it may send samples only when it moves");
+            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "a gripper may send samples only when it moves");
             Assert.That(StatisticsOf(simulated).JointStatuses.Single().State, Is.EqualTo(JointDataState.Stale));
             Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("grip"));
         }
 
         [Test]
-        public void Fill_SinceInTheFuture_HasNoNegativeAge()
+        public void Fill_StartInTheFuture_HasAgeZero()
         {
             var simulated = Running();
 
@@ -253,7 +254,7 @@ namespace Nowpose.Tests.Core.Session
             SessionDiagnostics.Of(StatisticsOf(simulated), "left", default).Values.ToDictionary(each => each.Key, each => each.Value);
 
         [Test]
-        public void Diagnostics_CurrentPoseWithAProblem_AreAWarningWithTheWordsOfThePanel()
+        public void Diagnostics_CurrentPoseWithAProblem_AreAWarningWithThePanelsText()
         {
             (int, string) StatusOf(SessionStatistics statistics)
             {
@@ -271,7 +272,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(StatusOf(new SessionStatistics { BeyondLimits = watch.Present }), Is.EqualTo((1, watch.Present.Words)));
             Assert.That(StatusOf(new SessionStatistics { ProfileMismatches = mismatches }), Is.EqualTo((1, mismatches[0].Words)));
             Assert.That(StatusOf(new SessionStatistics { ProfileMismatches = mismatches, IsLightPredicted = true }), Is.EqualTo((0, "")));
-            Assert.That(StatusOf(implausible), Is.EqualTo((1, DisplayWords.ProblemOf(implausible))));
+            Assert.That(StatusOf(implausible), Is.EqualTo((1, DisplayMessages.ProblemOf(implausible))));
         }
 
         [TestCase(PoseState.Current, ClockState.Synchronised, 0.4, "current")]
@@ -282,7 +283,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(PoseState.Unsynchronised, ClockState.Converging, 20, "unsynchronised")]
         [TestCase(PoseState.Incomplete, ClockState.Unsynchronised, 0, "incomplete")]
         [TestCase(PoseState.OutsideRange, ClockState.Synchronised, 0.4, "outside")]
-        public void PoseStateName_EachState_EqualsTheProtocols(PoseState pose, ClockState state, double errorMs, string expected)
+        public void PoseStateName_EachState_EqualsTheNameInTheProtocol(PoseState pose, ClockState state, double errorMs, string expected)
         {
             var error = TimeSpan.FromTicks((long)(errorMs * TimeSpan.TicksPerMillisecond));
 

@@ -14,7 +14,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>A session whose control system publishes its set-points in advance.</summary>
+    /// <summary>Tests a session whose control system publishes its set-points in advance.</summary>
     public class PlannedSessionTests
     {
         static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
@@ -36,8 +36,8 @@ namespace Nowpose.Tests.Core.Session
 
             var run = Run(lagMs, seed);
 
-            Assert.That(run.Errors, Has.Count.EqualTo(run.Frames), "current");
-            // The remaining error is that of the clock and that of the estimated lag.
+            Assert.That(run.Errors, Has.Count.EqualTo(run.Frames), "all frames are current");
+            // The remaining error comes from the clock and from the estimated lag.
             Assert.That(Ratio(run), Is.LessThan(0.2 * predicted).And.LessThan(0.02), $"lag {lagMs} ms, seed {seed}");
             Assert.That(run.Session.Tick(run.Now).Kinds.ToArray(), Has.Some.EqualTo(PredictionKind.Planned));
         }
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Session
             var bare = Run(null, 3);
             var run = new VirtualCellRun(VirtualCellRun.Settings(), 3);
             run.Run(15);
-            // The plan is 1.5 s away from the robot's motion.
+            // The robot's motion differs from the plan by a delay of 1.5 s.
             run.Cell.PlanLag = Lengths.Seconds(1.5);
             run.Run(5);
 
@@ -77,13 +77,13 @@ namespace Nowpose.Tests.Core.Session
 
             var jumps = positions.Zip(positions.Skip(1), (a, b) =>
                 Enumerable.Range(0, a.Shown.Length).Max(j => Math.Abs(b.Shown[j] - a.Shown[j] - (b.True[j] - a.True[j]))));
-            Assert.That(before, Is.GreaterThan(0.01), "there is motion");
+            Assert.That(before, Is.GreaterThan(0.01), "the robot moves");
             Assert.That(jumps.Max(), Is.LessThan(0.05), "rad, seed 4");
         }
 
-        // Both clocks show the same time. The arm swings from one side to the other within two seconds and stops abruptly in between.
+        // Both clocks show the same time. The plan swings the arm from one side to the other within two seconds, but the arm stops halfway.
         [Test]
-        public void Tick_RobotStopsDespiteThePlan_LeavesThePlanWithTheFirstSamples()
+        public void Tick_RobotStopsDespiteThePlan_StopsFollowingThePlanAfterTheFirstSamples()
         {
             var session = NewSession();
             var plan = new JointTrajectoryMessage(ControlTime.FromSeconds(12), new[] { "shoulder" }, new[]
@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(kinds.Where(k => k.At > 12.05 && k.At < 13.05).Select(k => k.Kind), Is.All.EqualTo(PredictionKind.Planned));
             Assert.That(errors.Where(e => e.At > 12 && e.At < 13).Max(e => e.Error), Is.LessThan(0.01), "as planned");
             Assert.That(kinds.Where(k => k.At > 13.25).Select(k => k.Kind), Has.None.EqualTo(PredictionKind.Planned));
-            Assert.That(errors.Where(e => e.At > 13.5).Max(e => e.Error), Is.LessThan(0.01), "it stands");
+            Assert.That(errors.Where(e => e.At > 13.5).Max(e => e.Error), Is.LessThan(0.01), "the robot stands still");
         }
 
         [Test]
@@ -196,7 +196,7 @@ namespace Nowpose.Tests.Core.Session
             return session;
         }
 
-        // An exchange between clocks with zero offset.
+        // Adds an exchange between clocks with zero offset.
         static void Exchange(CompensationSession session, double at)
         {
             var control = ControlTime.FromSeconds(at);
@@ -204,7 +204,7 @@ namespace Nowpose.Tests.Core.Session
                 HeadsetTime.FromSeconds(at) - Lengths.Ms(1), control, control, HeadsetTime.FromSeconds(at) + Lengths.Ms(1)), out _);
         }
 
-        // 60 frames a second; a sample every 50 ms that arrives 60 ms late. The elbow is at rest.
+        // Runs 60 frames per second. A sample is taken every 50 ms and arrives 60 ms later. The elbow is at rest.
         static void Drive(CompensationSession session, double from, double to, Func<double, double> truth, Action<double, DisplayFrame> seen)
         {
             var next = Math.Ceiling(from / 0.05) * 0.05 - 0.2;

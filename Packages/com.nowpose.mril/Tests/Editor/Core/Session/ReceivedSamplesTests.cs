@@ -9,14 +9,14 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>Which of the received samples a session uses, and how it counts the others.</summary>
+    /// <summary>Tests which received samples a session uses and how it counts the others.</summary>
     public class ReceivedSamplesTests
     {
         const int Seed = 7;
         static readonly int Shoulder = TestRobot.Model.IndexOfMovingJoint("shoulder");
 
         [Test]
-        public void Received_StampFarInTheFuture_IsDroppedAndDoesNotStopTheRest()
+        public void Received_StampFarInTheFuture_IsDroppedAndLaterSamplesAreUsed()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(10);
@@ -40,13 +40,13 @@ namespace Nowpose.Tests.Core.Session
             session.Tick(HeadsetTime.FromSeconds(1));
 
             Assert.That(session.Drops[DropReason.DuplicateSample], Is.EqualTo(2));
-            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(1), "too old to be of use");
+            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(1), "too old to be used");
             Assert.That(session.Drops[DropReason.UnknownJoint], Is.EqualTo(1));
             Assert.That(session.Statistics(default).Samples, Is.EqualTo(5), "1.0 to 1.4");
         }
 
         [Test]
-        public void Received_UnusedLateSample_DoesNotAffectTheNext()
+        public void Received_UnusedLateSample_DoesNotAffectTheNextSample()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(6);
@@ -60,11 +60,12 @@ namespace Nowpose.Tests.Core.Session
             var frame = simulated.Session.Tick(now);
 
             Assert.That(taken.Last(), Is.EqualTo(stamp));
-            Assert.That(frame.Horizon.Value, Is.EqualTo(TimeSpan.FromMilliseconds(40)).Within(TimeSpan.FromMilliseconds(1)), "the display latency");
+            Assert.That(frame.Horizon.Value, Is.EqualTo(TimeSpan.FromMilliseconds(40)).Within(TimeSpan.FromMilliseconds(1)),
+                "equals the display latency");
         }
 
         [Test]
-        public void Received_StampsCoarserThanTheSamples_StayCurrent()
+        public void Received_StampsCoarserThanTheSamples_PoseStaysCurrent()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(6);
@@ -99,7 +100,7 @@ namespace Nowpose.Tests.Core.Session
 
             var beyond = simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now)).BeyondLimits;
 
-            Assert.That(shown, Is.EqualTo(3).Within(1e-9), "0.3 rad beside the arm");
+            Assert.That(shown, Is.EqualTo(3).Within(1e-9), "0.3 rad below the received position");
             Assert.That(beyond.Joint.Name, Is.EqualTo("shoulder"));
             Assert.That(beyond.Position, Is.EqualTo(3.3));
             Assert.That(simulated.Session.BeyondLimits, Is.EqualTo(new[] { beyond }));
@@ -128,7 +129,7 @@ namespace Nowpose.Tests.Core.Session
             }
 
             Assert.That(At(0.15, 0.05, 0.1, 0), Is.EqualTo(At(0.15, 0.1, 0.05, 0)));
-            Assert.That(At(0.15, 0.05, 0), Is.EqualTo(At(0.15, 0.1, 0.05, 0)).Within(1e-4), "a parabola either way");
+            Assert.That(At(0.15, 0.05, 0), Is.EqualTo(At(0.15, 0.1, 0.05, 0)).Within(1e-4), "both sequences lie on the same parabola");
         }
 
         [Test]
@@ -155,7 +156,7 @@ namespace Nowpose.Tests.Core.Session
             var frame = session.Tick(HeadsetTime.FromSeconds(20));
 
             Assert.That(frame.Joints[Shoulder], Is.EqualTo(0.999));
-            Assert.That(frame.Joints[TestRobot.Model.IndexOfMovingJoint("grip")], Is.EqualTo(0.02), "the only one it sent");
+            Assert.That(frame.Joints[TestRobot.Model.IndexOfMovingJoint("grip")], Is.EqualTo(0.02), "the only sample of this joint");
             Assert.That(session.Statistics(default).Samples, Is.EqualTo(21));
             Assert.That(session.Drops[DropReason.SlowReader], Is.EqualTo(979));
             Assert.That(judged, Has.Count.EqualTo(1000));
@@ -195,7 +196,8 @@ namespace Nowpose.Tests.Core.Session
 
             session.Tick(HeadsetTime.FromSeconds(1));
 
-            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(2), "a quadratic looks back over three; two joints each");
+            Assert.That(session.Drops[DropReason.LateSample], Is.EqualTo(2),
+                "a quadratic uses the three newest samples; a message with two joints counts once");
         }
 
         static void Send(CompensationSession session, double controlSeconds, double shoulder) => session.Listener.Received(

@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Session
 
             var values = session.Listener.Diagnostics().Values.ToDictionary(v => v.Key, v => v.Value);
 
-            Assert.That(before, Has.No.Member("render_ms").And.No.Member("range"), "unknown is left out");
+            Assert.That(before, Has.No.Member("render_ms").And.No.Member("range"), "unknown values are left out");
             Assert.That(values["render_ms"], Is.EqualTo(renderMs == 16 ? "16" : "9.5"));
             Assert.That(values["range"], Is.EqualTo(range));
         }

@@ -46,13 +46,13 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Described_AnotherRobot_MatchIsDifferentAndItIsRead()
+        public void Described_AnotherRobot_MatchIsDifferentAndTheRobotIsRead()
         {
             _session.Described(UrdfFiles.Text("ur5.urdf"));
 
             Assert.That(Shown, Is.EqualTo(RobotDescriptionMatch.Different));
             Assert.That(_session.DescribedRobot.IndexOfMovingJoint("shoulder_pan_joint"), Is.GreaterThanOrEqualTo(0));
-            Assert.That(_session.Robot.IndexOfMovingJoint("arm_joint_1"), Is.GreaterThanOrEqualTo(0), "what is displayed stays");
+            Assert.That(_session.Robot.IndexOfMovingJoint("arm_joint_1"), Is.GreaterThanOrEqualTo(0), "the displayed robot does not change");
         }
 
         [Test]

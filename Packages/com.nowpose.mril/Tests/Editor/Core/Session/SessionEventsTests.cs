@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>Tests of the events that a session reports to a recorder.</summary>
+    /// <summary>Tests the events that a session reports to a recorder.</summary>
     public class SessionEventsTests
     {
         static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void NewestRenderTime_Measured_IsTheLast()
+        public void NewestRenderTime_AfterRendered_IsTheLastMeasuredTime()
         {
             Assert.That(_session.NewestRenderTime, Is.Null);
             _session.Rendered(Lengths.Ms(9), RenderTimeSourceKind.DisplayGpuTime);

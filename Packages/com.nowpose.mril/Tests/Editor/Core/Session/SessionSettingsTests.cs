@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>Refusal of invalid settings.</summary>
+    /// <summary>Checks that invalid settings are refused.</summary>
     public class SessionSettingsTests
     {
         [TestCase("", "host: ''")]

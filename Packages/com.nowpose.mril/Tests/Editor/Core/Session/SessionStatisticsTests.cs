@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>The values that a session reports about itself.</summary>
+    /// <summary>Tests the values that a session reports about its clock, latency and samples.</summary>
     public class SessionStatisticsTests
     {
         const int Seed = 7;
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(values["state"], Is.EqualTo("converging"));
             Assert.That(values["offset_ns"], Is.EqualTo("-100000000000"));
             Assert.That(values["rtt_ms"], Is.EqualTo("2"));
-            Assert.That(values["error_bound_us"], Is.EqualTo("1001.4"), "half the round trip, and 700 ppm of it for the skew");
+            Assert.That(values["error_bound_us"], Is.EqualTo("1001.4"), "half the round-trip time, plus 700 ppm of the round-trip time for the skew");
             Assert.That(values["l_visu_ms"], Is.EqualTo("40"));
             Assert.That(values.Keys, Has.No.Member("l_app_ms"), "no sample yet");
         }

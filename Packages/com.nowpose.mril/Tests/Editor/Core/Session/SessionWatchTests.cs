@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Session
 {
     public class SessionWatchTests
     {
-        // One letter is one frame of 1/60 s; a capital letter stands for 40 of them.
+        // Each letter is a frame of 1/60 s; a capital letter stands for 40 frames.
         static string Run(string frames, Func<int, char, SessionChange> changed)
         {
             var letters = frames.SelectMany(c => Enumerable.Repeat(char.ToLowerInvariant(c), char.IsUpper(c) ? 40 : 1));
@@ -92,7 +92,7 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(before, Is.EqualTo(SessionChange.None));
             Assert.That(after, Is.EqualTo(SessionChange.Lost));
-            Assert.That(PoseChanges(watch, "UHC"), Is.EqualTo("Synchronised"), "nothing of before makes the held pose stale");
+            Assert.That(PoseChanges(watch, "UHC"), Is.EqualTo("Synchronised"), "after the reset, the held pose is not reported as stale");
         }
 
         [Test]

@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>A robot with two joints, a gripper finger beside the tool, and one metre of arm.</summary>
+    /// <summary>A robot with an arm of one metre with two joints, and a gripper with a finger joint and a mimic joint.</summary>
     static class TestRobot
     {
         public static readonly RobotModel Model = UrdfReader.Read(@"<robot name='test'>

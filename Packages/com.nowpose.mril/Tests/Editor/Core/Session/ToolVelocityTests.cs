@@ -12,14 +12,14 @@ namespace Nowpose.Tests.Core.Session
         [SetUp]
         public void Begin() => _velocity = new ToolVelocity();
 
-        // A circle of 0.3 m at 2 rad/s in the plane z = 0.5 m.
+        // The tool moves on a circle with a radius of 0.3 m in the plane z = 0.5 m, at 2 rad/s.
         static RigidTransform PoseAt(double seconds) => RigidTransform.FromXyzRpy(
             0.3 * Math.Cos(2 * seconds), 0.3 * Math.Sin(2 * seconds), 0.5, 0, 0, 2 * seconds);
 
         void Follow(double seconds) => _velocity.Follow(ControlTime.FromSeconds(1000 + seconds), PoseAt(seconds));
 
         [Test]
-        public void Follow_ToolOnACircle_IsTheVelocityMidwayBetweenTwoFrames()
+        public void Follow_ToolOnACircle_ReturnsTheVelocityMidwayBetweenTwoFrames()
         {
             for (var frame = 0; frame < 100; frame++) Follow(frame / 60.0);
 
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Session
             for (var frame = 0; frame < 10; frame++)
             {
                 Follow(frame / 60.0);
-                // The same display time within 0.1 ms and a correction of 0.05 mm: as a motion this would be 0.5 m/s.
+                // The second computation is for a display time only 0.1 ms later. Its very different pose must not count as motion.
                 _velocity.Follow(ControlTime.FromSeconds(1000 + frame / 60.0 + 1e-4), RigidTransform.FromXyzRpy(0, 0, 9, 0, 0, 0));
             }
 
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Follow_PoseNotCurrent_IsUnknownUntilTwoFramesAre()
+        public void Follow_PoseNotCurrent_IsUnknownUntilTwoFramesAreCurrent()
         {
             Follow(0);
             Follow(1 / 60.0);

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Ms_ProfileInUse_IsAddedAndRemovesTheProfile()
+        public void Ms_ProfileInUse_IsAddedToItsLatencyAndRemovesTheProfile()
         {
             var session = NewSession();
             session.Calibrate(Measured);
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(VisuMs(session), Is.EqualTo(59).Within(1e-6));
             Assert.That(session.Profile, Is.Null);
-            Assert.That(session.Range.Limit.TotalMilliseconds, Is.EqualTo(12), "what limits the render time is another matter");
+            Assert.That(session.Range.Limit.TotalMilliseconds, Is.EqualTo(12), "the render time limit does not change");
         }
 
         [Test]
@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [TestCase(62)]
-        [TestCase(45, Description = "what it was nudged to")]
+        [TestCase(45, Description = "equal to the nudged value")]
         public void Follow_SessionCalibrated_EndsTheNudge(double visuMs)
         {
             var session = NewSession();

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Simulation
         double Period => _work.Names.Count * _motion.CycleSeconds;
 
         [Test]
-        public void Workpieces_AllTheTime_NeverJump()
+        public void Workpieces_WholePeriod_MoveContinuously()
         {
             const double step = 0.002, maxSpeed = 6;
             for (var body = 0; body < _work.Names.Count; body++)
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void PoseOf_EachParent_GivesThePoseInTheWorld()
+        public void PoseOf_EachParent_IsConsistentWithTheWorldPose()
         {
             var seen = new HashSet<string>();
             for (var body = 0; body < _work.Names.Count; body++)
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Grippers_EachCycle_HoldOneWorkpieceAfterTheOther()
+        public void Grippers_EachCycle_HoldTheWorkpiecesInTurn()
         {
             for (var cycle = 0; cycle < 2 * _work.Names.Count; cycle++)
             {
@@ -97,7 +97,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Signals_AllTheTime_AreThoseOfTheObjects()
+        public void SignalsAt_WholePeriod_MatchGrippersBeltAndWorkpieces()
         {
             var values = new double[_work.Signals.Count];
             for (var t = 0.0; t < Period; t += 0.0105)
@@ -110,13 +110,14 @@ namespace Nowpose.Tests.Core.Simulation
             }
             var robots = _work.Robots.Count;
             _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds - 0.001, values);
-            Assert.That(values, Is.EqualTo(Enumerable.Repeat(0.0, robots + 1).Concat(Enumerable.Repeat(1.0, robots))), "they wait for the grippers");
+            Assert.That(values, Is.EqualTo(Enumerable.Repeat(0.0, robots + 1).Concat(Enumerable.Repeat(1.0, robots))),
+                "the workpieces wait for the grippers");
             _work.SignalsAt(_motion.CycleSeconds + _motion.GripSeconds + 0.001, values);
             Assert.That(values, Is.EqualTo(Enumerable.Repeat(1.0, robots).Concat(Enumerable.Repeat(0.0, robots + 1))));
         }
 
         [Test]
-        public void Changes_CoarseSampling_HaveTheStampsOfTheirCycles()
+        public void ChangesUntil_CalledEvery50Ms_StampsChangesToTheMillisecond()
         {
             var start = ControlTime.FromSeconds(100);
             var messages = new WorkMessages(_work);

@@ -21,8 +21,8 @@ namespace Nowpose.Tests.Core.Simulation
 
         static double VisualisationMs(double renderMs) => FiftiethFrame(renderMs, Steady).Visualisation.TotalMilliseconds;
 
-        // The frames that are seen after the effects of the start are over.
-        static List<PipelineFrame> SeenFrames(double renderMs, int seed, int frames, DisplayPipelineSettings settings = null)
+        // Returns the displayed frames after the first 50, which are left out because the pipeline has not settled yet.
+        static List<PipelineFrame> DisplayedFrames(double renderMs, int seed, int frames, DisplayPipelineSettings settings = null)
         {
             settings = settings ?? new DisplayPipelineSettings();
             var display = new DisplayPipeline(seed, settings);
@@ -41,13 +41,14 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Next_UpToTheTrueLimit_HasConstantLatencyAndALongerOneBeyond()
+        public void Next_RenderTimeAboveTheTrueLimit_LengthensTheConstantLatency()
         {
             Assert.That(VisualisationMs(4), Is.EqualTo(Steady.PlateauMs).Within(1e-4));
             Assert.That(VisualisationMs(TrueLimitMs - 0.01), Is.EqualTo(Steady.PlateauMs).Within(1e-4));
             Assert.That(VisualisationMs(TrueLimitMs + 0.01), Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4));
             Assert.That(
-                VisualisationMs(Steady.RefreshMs - 0.01), Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4), "each misses the latch");
+                VisualisationMs(Steady.RefreshMs - 0.01), Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4),
+                "each frame misses the latch");
             Assert.That(VisualisationMs(18), Is.GreaterThan(Steady.PlateauMs + 18), "the queue is full");
             Assert.That(TrueLimitMs, Is.EqualTo(15.17).Within(0.01));
         }
@@ -65,21 +66,22 @@ namespace Nowpose.Tests.Core.Simulation
             {
                 var next = display.Next(Steady.VerticesOf(renderMs));
 
-                Assert.That((display.NextStart - next.Start).TotalMilliseconds, Is.EqualTo(renderMs).Within(1e-3), "not rounded to refreshes");
-                Assert.That((next.Done - next.Start).TotalMilliseconds, Is.EqualTo(2 * renderMs).Within(1e-3), "two in progress");
+                Assert.That((display.NextStart - next.Start).TotalMilliseconds, Is.EqualTo(renderMs).Within(1e-3),
+                    "the start is not rounded to refreshes");
+                Assert.That((next.Done - next.Start).TotalMilliseconds, Is.EqualTo(2 * renderMs).Within(1e-3), "two frames are in progress");
             }
         }
 
-        // From start to done two render times pass; then the frame waits for a refresh, at any phase of it.
+        // A frame is done two render times after its start. Then it waits for a refresh, and all lengths of this wait are equally likely.
         [TestCase(17.3)]
         [TestCase(21.1)]
-        public void Next_RenderTimeLongerThanARefresh_ScattersTheLatencyEvenlyOverARefresh(double renderMs)
+        public void Next_RenderTimeLongerThanARefresh_LatencyIsUniformOverARefresh(double renderMs)
         {
             const int frames = 2000;
-            var latencies = LatenciesMs(SeenFrames(renderMs, 1, frames, Steady));
+            var latencies = LatenciesMs(DisplayedFrames(renderMs, 1, frames, Steady));
 
             var min = Steady.PlateauMs + 2 * renderMs + Steady.LatchMs - Steady.RefreshMs;
-            Assert.That(latencies, Has.Length.EqualTo(frames), "all are seen");
+            Assert.That(latencies, Has.Length.EqualTo(frames), "all frames are displayed");
             Assert.That(latencies, Has.All.InRange(min - 1e-3, min + Steady.RefreshMs + 1e-3));
             for (var tenth = 0; tenth < 10; tenth++)
             {
@@ -90,15 +92,15 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Next_RenderTimesScatter_LatencyIsConstantInsideAndScattersOverARefreshBeyond(
+        public void Next_RenderTimesVary_LatencyVariesOnlyOutsideTheConstantRange(
             [Values(6.5, 12)] double insideMs, [Values(17, 18, 21)] double beyondMs)
         {
             var settings = new DisplayPipelineSettings(spikeChance: 0);
             var evenScatterMs = settings.RefreshMs / Math.Sqrt(12);
             foreach (var seed in Enumerable.Range(1, 20))
             {
-                var inside = Deviation(LatenciesMs(SeenFrames(insideMs, seed, 600, settings)));
-                var beyond = Deviation(LatenciesMs(SeenFrames(beyondMs, seed, 600, settings)));
+                var inside = Deviation(LatenciesMs(DisplayedFrames(insideMs, seed, 600, settings)));
+                var beyond = Deviation(LatenciesMs(DisplayedFrames(beyondMs, seed, 600, settings)));
 
                 Assert.That(inside, Is.LessThan(1e-3), "seed " + seed);
                 Assert.That(beyond, Is.EqualTo(evenScatterMs).Within(25).Percent, "seed " + seed);
@@ -122,14 +124,16 @@ namespace Nowpose.Tests.Core.Simulation
                 var shownMs = (frame.Start + frame.Visualisation).TotalMilliseconds - Steady.PlateauMs + Steady.RefreshMs;
                 Assert.That(shownMs, Is.EqualTo(frame.Refresh * Steady.RefreshMs).Within(1e-3));
                 var waitMs = shownMs - frame.Done.TotalMilliseconds;
-                Assert.That(waitMs, Is.InRange(Steady.LatchMs - 1e-3, Steady.LatchMs + Steady.RefreshMs + 1e-3), "the first refresh");
+                Assert.That(waitMs, Is.InRange(Steady.LatchMs - 1e-3, Steady.LatchMs + Steady.RefreshMs + 1e-3),
+                    "the frame is shown at the first possible refresh");
                 if (i >= 1)
                 {
-                    Assert.That(frame.Done - frames[i - 1].Done, Is.GreaterThanOrEqualTo(frame.RenderTime - tick), "one GPU");
+                    Assert.That(frame.Done - frames[i - 1].Done, Is.GreaterThanOrEqualTo(frame.RenderTime - tick),
+                        "the GPU renders one frame at a time");
                     Assert.That(frame.Refresh, Is.GreaterThanOrEqualTo(frames[i - 1].Refresh));
                     Assert.That(RefreshOf(frame.Start), Is.GreaterThan(RefreshOf(frames[i - 1].Start)), "at most one frame starts for each refresh");
                 }
-                if (i >= 2) Assert.That(frame.Start, Is.GreaterThanOrEqualTo(frames[i - 2].Done), "two in progress");
+                if (i >= 2) Assert.That(frame.Start, Is.GreaterThanOrEqualTo(frames[i - 2].Done), "at most two frames are in progress");
                 frames.Add(frame);
             }
         }
@@ -149,8 +153,8 @@ namespace Nowpose.Tests.Core.Simulation
             var later = display.Next(0);
 
             Assert.That(slow.Visualisation.TotalMilliseconds, Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4));
-            Assert.That(behind.Visualisation, Is.EqualTo(slow.Visualisation), "it waited in the queue");
-            Assert.That(behind.IsReplacedBy(afterwards), Is.True, "which is done for the same refresh");
+            Assert.That(behind.Visualisation, Is.EqualTo(slow.Visualisation), "the next frame waited in the queue");
+            Assert.That(behind.IsReplacedBy(afterwards), Is.True, "the frame after it is done for the same refresh");
             Assert.That(slow.IsReplacedBy(behind), Is.False);
             Assert.That(later.Visualisation.TotalMilliseconds, Is.EqualTo(Steady.PlateauMs).Within(1e-4));
         }

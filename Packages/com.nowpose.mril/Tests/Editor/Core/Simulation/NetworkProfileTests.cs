@@ -1,22 +1,24 @@
 using System;
 using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>Compares the statistics of the simulated delays with those of their distributions, computed by hand.</summary>
+    /// <summary>Compares the statistics of simulated delays with the statistics of their distributions, which were computed by hand.</summary>
     public class NetworkProfileTests
     {
         const int Packets = 200_000;
 
         static double[] DelaysMs(PathDelay path) => Enumerable.Range(0, Packets).Select(_ => path.Next().TotalMilliseconds).ToArray();
 
-        // Base plus shape times scale, plus the mean of a spike times the share of packets in a spike: p / (p + 1 − 0.3).
+        // Mean delay: base, plus shape times scale, plus the mean spike times the share of packets in spikes. A spike starts with probability p
+        // and continues with probability 0.3, so this share is p / (p + 1 − 0.3).
         [TestCase("lan", 0.15 + 1.5 * 0.04, 0.002 / 0.702 * 1.75, 0.002 / 0.702 * 1.75)]
         [TestCase("wifi", 1.5 + 1.2 * 0.6, 0.01 / 0.71 * 17.5, 0.03 / 0.73 * 17.5)]
         [TestCase("busy-wifi", 1.5 + 1 * 3, 0.03 / 0.73 * 60, 0.1 / 0.8 * 60)]
-        public void Delays_Mean_EqualsTheProfiles(string name, double withoutSpikesMs, double spikesUpMs, double spikesDownMs)
+        public void Delays_ManyPackets_HaveTheMeanOfTheProfile(string name, double withoutSpikesMs, double spikesUpMs, double spikesDownMs)
         {
             var network = NetworkProfile.Named(name);
 
@@ -27,7 +29,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("lan", 0.15)]
         [TestCase("wifi", 1.5)]
         [TestCase("busy-wifi", 1.5)]
-        public void Delays_Minimum_IsTheBase(string name, double baseMs)
+        public void Delays_ManyPackets_MinimumIsTheBaseDelay(string name, double baseMs)
         {
             Assert.That(DelaysMs(NetworkProfile.Named(name).Up(3)).Min(), Is.InRange(baseMs, baseMs * 1.05));
         }
@@ -54,7 +56,7 @@ namespace Nowpose.Tests.Core.Simulation
         {
             var error = Assert.Throws<InputException>(() => NetworkProfile.Named("5g"));
 
-            Assert.That(error.Message, Is.EqualTo("network: '5g' is not known; allowed: lan, wifi, busy-wifi"));
+            Assert.That(error.Message, Is.EqualTo(SettingMessages.UnknownNetwork("5g", "lan, wifi, busy-wifi")));
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Messages;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -19,7 +20,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("roaming", 3, 5)]
         public void Delays_PacketsFarApart_AreBasePlusExponentialJitter(string name, double baseMs, double jitterMs)
         {
-            // Without stalls: the roaming link has none in its first 8 s.
+            // 40 packets take 7.6 s. The first stall of the roaming link is at 8 s.
             var ms = new List<double>();
             for (var seed = 0; seed < 200; seed++)
                 ms.AddRange(Packets(Link(name, seed), 40, 0.19).Where(p => p.Arrived).Select(p => p.DelayMs));
@@ -35,7 +36,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("lossy", 0.02)]
         [TestCase("cellular", 0)]
         [TestCase("bad", 0.05)]
-        public void Loss_ManyPackets_EqualsTheProfiles(string name, double loss)
+        public void Loss_ManyPackets_EqualsTheLossOfTheProfile(string name, double loss)
         {
             var lost = Packets(Link(name, 3), 100_000, 0.01).Average(p => p.Arrived ? 0.0 : 1);
 
@@ -52,18 +53,18 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Order_NotKept_PacketsOvertake()
+        public void Order_NotKept_PacketsOvertakeOthers()
         {
             var link = new PacketLink(LinkProfile.Bad, Start, 5, keepsOrder: false);
 
             var packets = Packets(link, 10_000, 0.001).Where(p => p.Arrived).ToList();
 
-            // The next packet overtakes one that is delayed by at least 1 ms more: probability e^(-1/12) / 2.
+            // A packet overtakes its predecessor if the predecessor is delayed by at least 1 ms more. The probability is e^(-1/12) / 2.
             Assert.That(packets.Zip(packets.Skip(1), (a, b) => a.Arrival > b.Arrival ? 1.0 : 0).Average(), Is.EqualTo(0.46).Within(0.02));
         }
 
         [Test]
-        public void Stall_PacketsSentDuringIt_ArriveAtItsEndInOrder()
+        public void Stall_PacketsSentDuringTheStall_ArriveAtItsEndInOrder()
         {
             var packets = Packets(Link("roaming", 7), 3000, 0.01);
 
@@ -104,7 +105,7 @@ namespace Nowpose.Tests.Core.Simulation
             var error = Assert.Throws<InputException>(() => LinkProfile.Named("5g"));
 
             Assert.That(
-                error.Message, Is.EqualTo("link profile: '5g' is not known; allowed: clean, wifi, lossy, cellular, bad, roaming"));
+                error.Message, Is.EqualTo(SettingMessages.UnknownLinkProfile("5g", "clean, wifi, lossy, cellular, bad, roaming")));
         }
 
         static PacketLink Link(string name, int seed) => new PacketLink(LinkProfile.Named(name), Start, seed);

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase("wifi")]
         [TestCase("bad")]
         [TestCase("roaming")]
-        public void TryReceive_Queue_ReturnsDeliveredPacketsInOrder(string profile)
+        public void TryReceive_OrderKept_ReturnsDeliveredPacketsInOrder(string profile)
         {
             var queue = Queue(profile);
 
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void TryReceive_OrderNotKept_ReturnsAllByArrival()
+        public void TryReceive_OrderNotKept_ReturnsPacketsInOrderOfArrival()
         {
             var queue = new PacketQueue<int>(new PacketLink(LinkProfile.Bad, Start, 3, keepsOrder: false));
 
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Simulation
             var arrivals = received.Select(r => (r.Arrival - Start).TotalSeconds).ToList();
 
             Assert.That(arrivals.Where(s => s >= 8 && s < 9.5), Is.Empty);
-            // One packet every 2 ms: 1.5 s of packets arrive at once, together with those that were on their way.
+            // Packets are sent every 2 ms. After the stall, the packets of 1.5 s arrive at once, together with the packets in flight.
             Assert.That(arrivals.Count(s => s == 9.5), Is.InRange(740, 760));
         }
 

@@ -6,7 +6,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>Accuracy of the displayed pose over slow and lossy links, including TCP's retransmissions and head-of-line blocking.</summary>
+    /// <summary>
+    /// Tests the accuracy of the displayed pose over slow and lossy links, including TCP's retransmissions and head-of-line blocking.
+    /// </summary>
     public class TcpLinkTests
     {
         const int FirstSeed = 300, Seeds = 5;

@@ -35,14 +35,14 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Send_LostMessage_IsRetransmittedAndBlocksLaterOnes()
+        public void Send_LostMessage_IsRetransmittedAndBlocksLaterMessages()
         {
             var late = DelaysMs(LinkProfile.Lossy, interval: null).Select(delay => delay > 200).ToArray();
 
             var share = late.Average(isLate => isLate ? 1 : 0);
             var losses = Enumerable.Range(1, late.Length - 1).Count(i => late[i] && !late[i - 1]);
             Assert.That(losses / (double)late.Length, Is.EqualTo(LinkProfile.Lossy.Loss).Within(0.01));
-            Assert.That(share, Is.GreaterThan(LinkProfile.Lossy.Loss), "more than the lost ones are late");
+            Assert.That(share, Is.GreaterThan(LinkProfile.Lossy.Loss), "messages after a lost message are late, too");
         }
 
         [Test]
@@ -51,10 +51,10 @@ namespace Nowpose.Tests.Core.Simulation
             var delays = DelaysMs(LinkProfile.Lossy, Lengths.Ms(50));
 
             Assert.That(delays.Average(delay => delay > 60 ? 1 : 0), Is.InRange(0.01, 0.05));
-            Assert.That(delays.Average(delay => delay > 200 ? 1 : 0), Is.LessThan(0.003), "only where the repeated one is lost too");
+            Assert.That(delays.Average(delay => delay > 200 ? 1 : 0), Is.LessThan(0.003), "only if the retransmission is lost, too");
         }
 
         [Test]
-        public void Send_CleanLink_IsNeverLate() => Assert.That(DelaysMs(LinkProfile.Clean, Lengths.Ms(50)).Max(), Is.LessThan(5));
+        public void Send_CleanLink_DelayIsShort() => Assert.That(DelaysMs(LinkProfile.Clean, Lengths.Ms(50)).Max(), Is.LessThan(5));
     }
 }

@@ -11,7 +11,7 @@ using Nowpose.Tests.Core.Kinematics;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>A session fed by a virtual cell with a youBot, at 60 fps in virtual time, scored against the truth.</summary>
+    /// <summary>Runs a session with a virtual cell and a youBot at 60 fps in virtual time, and compares each frame with the truth.</summary>
     sealed class VirtualCellRun
     {
         static readonly RobotModel Robot = UrdfFiles.Robot("youbot");
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Simulation
         /// <summary>Distance of the displayed tool from the true one in m, for the current frames since the last <see cref="Run"/>.</summary>
         public List<double> Errors { get; } = new List<double>();
 
-        /// <summary>The same distance for the held tool, in the same frames.</summary>
+        /// <summary>Distance of the held tool from the true one in m, for the same frames as <see cref="Errors"/>.</summary>
         public List<double> HoldErrors { get; } = new List<double>();
 
         public int Frames { get; private set; }

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(3)]
-        public void Run_UsualCell_CompensationRemovesMostOfTheError(int seed)
+        public void Run_DefaultCell_CompensationRemovesMostOfTheError(int seed)
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings(), seed);
             run.Run(6);
@@ -24,13 +24,13 @@ namespace Nowpose.Tests.Core.Simulation
             run.Run(20);
 
             Assert.That(run.Errors, Has.Count.EqualTo(run.Frames), "all current");
-            Assert.That(Rms(run.HoldErrors), Is.GreaterThan(0.01), "there is an error to take away");
+            Assert.That(Rms(run.HoldErrors), Is.GreaterThan(0.01), "the uncompensated error is large");
             Assert.That(1 - Rms(run.Errors) / Rms(run.HoldErrors), Is.GreaterThan(0.7), "seed " + seed);
         }
 
-        // A cycle of the cell takes about eleven seconds. Scoring starts at the third second, as in the demo.
+        // A cycle of the cell takes about eleven seconds. Scoring starts after three seconds, as in the demo.
         [Test]
-        public void Run_DefaultSettings_FirstAndThirdCycleReachTheirReduction(
+        public void Run_DefaultSettings_FirstAndThirdCycleReachTheReduction(
             [Values("wifi", "busy-wifi")] string network, [Values(21, 22, 23)] int seed)
         {
             var run = new VirtualCellRun(new VirtualCellSettings(50, 55, 105, 0, 0, NetworkProfile.Named(network)), seed);
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Simulation
             var fromThird = Reduction(2 * run.CycleSeconds);
 
             Assert.That(first, Is.GreaterThan(0.83), "first cycle, seed " + seed);
-            Assert.That(fromThird, Is.GreaterThan(0.94), "from the third on, seed " + seed);
+            Assert.That(fromThird, Is.GreaterThan(0.94), "from the third cycle on, seed " + seed);
         }
 
         [Test]
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Simulation
             run.Run(10);
 
             var steps = run.Taken.Skip(10).Zip(run.Taken.Skip(11), (a, b) => (b.Message.Stamp - a.Message.Stamp).TotalMilliseconds).ToArray();
-            Assert.That(steps.Min(), Is.EqualTo(samplingMs).Within(0.01), "but for the skew");
+            Assert.That(steps.Min(), Is.EqualTo(samplingMs).Within(0.01), "except for the skew");
             Assert.That(steps.Max(), Is.EqualTo(samplingMs).Within(0.01));
             Assert.That(run.Taken.Count, Is.EqualTo(10_000 / samplingMs).Within(6));
         }
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Settings_Loss_IsTheShareOfMissingSamples()
+        public void Settings_Loss_EqualsTheShareOfMissingSamples()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings(loss: 0.3)).Run(60);
 
@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Core.Simulation
             var arrivals = run.Taken.Select(a => a.At.SinceEpoch).ToArray();
 
             Assert.That(late, Is.GreaterThan(20));
-            Assert.That(arrivals, Is.Ordered, "handed over as they arrive");
+            Assert.That(arrivals, Is.Ordered, "samples are delivered in order of arrival");
             Assert.That(new VirtualCellRun(VirtualCellRun.Settings()).Run(20).Taken.Select(a => a.Message.Stamp.SinceEpoch), Is.Ordered);
         }
 
@@ -142,7 +142,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Clock_OtherRateOnly_DoesNotStep()
+        public void Clock_OnlyRateChanged_DoesNotStep()
         {
             var clock = new VirtualClock(HeadsetTime.FromSeconds(10), TimeSpan.FromSeconds(5), 1e-4);
             var before = clock.At(HeadsetTime.FromSeconds(110));
@@ -161,7 +161,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase(50, 55, 105, 0, 1)]
         [TestCase(1000, 2000, 2000, 1000, 0.9)]
         [TestCase(5, 0, 0, 1000, 0.5)]
-        public void Run_ExtremeSettings_PoseIsNotCurrent(
+        public void Run_ExtremeSettings_PoseIsOftenNotCurrent(
             double samplingMs, double latencyMinMs, double latencyMaxMs, double jitterMs, double loss)
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(10);
@@ -170,8 +170,9 @@ namespace Nowpose.Tests.Core.Simulation
 
             run.Run(30);
 
-            Assert.That(run.Errors.Count, Is.LessThan(0.6 * run.Frames), "current");
-            if (run.Errors.Count > 0) Assert.That(Rms(run.Errors), Is.LessThan(0.7 * Rms(run.HoldErrors)), "what is called current is better than the hold");
+            Assert.That(run.Errors.Count, Is.LessThan(0.6 * run.Frames), "share of current frames");
+            if (run.Errors.Count > 0) Assert.That(Rms(run.Errors), Is.LessThan(0.7 * Rms(run.HoldErrors)),
+                "current frames have a smaller error than hold");
         }
 
         [Test]
@@ -184,7 +185,7 @@ namespace Nowpose.Tests.Core.Simulation
             run.Run(1 / 60.0);
 
             var dropped = run.Session.Drops[DropReason.SlowReader];
-            Assert.That(run.Taken.Count + dropped, Is.InRange(30, 42), "two seconds of samples, and what had been under way");
+            Assert.That(run.Taken.Count + dropped, Is.InRange(30, 42), "the samples of two seconds and the samples in flight");
             run.Run(10);
             Assert.That(run.Session.Tick(run.Now).State, Is.EqualTo(PoseState.Current));
         }

@@ -7,13 +7,16 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>An attacker delays packets, or the owner of the control clock manipulates it. Tests which attacks the headset detects.</summary>
+    /// <summary>Tests which attacks the headset detects: delayed packets and a manipulated control clock.</summary>
     [Category("Study")]
     public class ClockAttackTests
     {
         const int FirstSeed = 300;
 
-        /// <summary>A delay in one direction shifts the clock by half of it. The round-trip time shows it, so the error bound covers it.</summary>
+        /// <summary>
+        /// A delay in one direction shifts the estimated offset by half the delay. It also lengthens the round-trip time, so the error bound
+        /// covers the shift.
+        /// </summary>
         [TestCase("lan", 0.05)]
         [TestCase("wifi", 0.05)]
         [TestCase("wifi", 0.5)]
@@ -36,10 +39,10 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>A ramp within the skew of real quartz clocks cannot be distinguished from one, so the estimate follows it.</summary>
+        /// <summary>A ramp within the skew of quartz clocks cannot be distinguished from an honest clock, so the estimate follows it.</summary>
         [TestCase(50)]
         [TestCase(-50)]
-        public void Ramp_ControlClockAsSlowAsAQuartz_IsFollowed(double ppm)
+        public void Ramp_WithinTheSkewOfQuartzClocks_IsFollowed(double ppm)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 4; seed++)
             {
@@ -49,10 +52,10 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>A ramp faster than any real clock is a series of steps, each of which is reported.</summary>
+        /// <summary>A ramp faster than the skew of any real clock is detected as clock steps.</summary>
         [TestCase(20_000)]
         [TestCase(-20_000)]
-        public void Ramp_FasterThanAnyClock_IsFoundAsSteps(double ppm)
+        public void Ramp_FasterThanAnyRealClock_IsDetectedAsSteps(double ppm)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 4; seed++)
                 Assert.That(Ramped(ppm, seed).Clock.Steps, Is.GreaterThanOrEqualTo(1), "seed " + seed);

@@ -6,12 +6,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>The error bound holds under all conditions of network and server.</summary>
+    /// <summary>Checks that the clock error stays within the error bound under all conditions of network and server.</summary>
     public class ClockErrorBoundTests
     {
         static SyncRun NewRun() => new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
 
-        // A gateway that has just started: the error of its first times exceeds the bound that it states later.
+        // Simulates a gateway that has just started. The error of its first times exceeds the bound that it states later.
         [TestCase(ClockEstimators.Default)]
         [TestCase(ClockEstimators.Ransac)]
         public void ErrorBound_ServerErrorBoundDecreases_Holds(string estimator)
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Sync
                     }
         }
 
-        // A gateway that loses its plant's clock and continues with a wrong rate.
+        // Simulates a gateway that loses the clock of its plant and continues at a wrong rate.
         [TestCase(ClockEstimators.Default)]
         [TestCase(ClockEstimators.Ransac)]
         public void ErrorBound_ServerErrorBoundGrows_Holds(string estimator)
@@ -133,7 +133,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void ErrorBound_ControlClockStatesItsCoarseResolution_Holds()
+        public void ErrorBound_CoarseControlClock_Holds()
         {
             var run = NewRun();
             var link = new SimulatedLink(NetworkProfile.Lan, 10, 30) { Resolution = TimeSpan.FromMilliseconds(1) };
@@ -154,7 +154,7 @@ namespace Nowpose.Tests.Core.Sync
                 return clock.ModelAt(HeadsetTime.FromSeconds(0.002)).ErrorBound;
             }
 
-            Assert.That(BoundWith(TimeSpan.Zero).TotalMilliseconds, Is.EqualTo(1).Within(0.002), "half the round trip");
+            Assert.That(BoundWith(TimeSpan.Zero).TotalMilliseconds, Is.EqualTo(1).Within(0.002), "half the round-trip time");
             Assert.That(BoundWith(TimeSpan.FromMilliseconds(3)).TotalMilliseconds, Is.EqualTo(4).Within(0.002));
         }
     }

@@ -7,7 +7,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Steps of the control clock, and events that must not be mistaken for one, with the default estimator.</summary>
+    /// <summary>
+    /// Tests the detection of control clock steps with the default estimator, and events that must not be counted as steps.
+    /// </summary>
     [Category("Study")]
     public class ClockStepTests
     {
@@ -42,8 +44,9 @@ namespace Nowpose.Tests.Core.Sync
 
                 run.Run(link, 90 + limitSeconds, 110);
 
-                Assert.That(run.Clock.Steps, Is.EqualTo(1), "found again; seed " + seed);
-                Assert.That(run.PercentileMs(100, 0.95), Is.LessThan(network == "busy-wifi" ? 0.8 : 0.2), "it restarts with the earlier skew; seed " + seed);
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), "the step is counted only once; seed " + seed);
+                Assert.That(run.PercentileMs(100, 0.95), Is.LessThan(network == "busy-wifi" ? 0.8 : 0.2),
+                    "the estimator restarts with the earlier skew; seed " + seed);
             }
         }
 
@@ -65,7 +68,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void ErrorBound_ShortStepBeforeItIsFound_HoldsFromTheFirstPunctualExchangeOn()
+        public void ErrorBound_SmallStep_IsViolatedForLessThanASecond()
         {
             for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
             {
@@ -96,7 +99,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", -0.1)]
         [TestCase("wifi", 4)]
         [TestCase("wifi", -1)]
-        public void Steps_OneDirectionChanges_AreZero(string network, double upMs)
+        public void Steps_DelayOfOneDirectionChanges_AreZero(string network, double upMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 6; seed++)
             {
@@ -113,7 +116,10 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>Both bounds move in the direction of a step, but by different amounts: the minimum round-trip time changes.</summary>
+        /// <summary>
+        /// Both bounds of the offset move in the same direction, as after a clock step, but by different amounts. The minimum round-trip time
+        /// therefore changes, unlike after a step.
+        /// </summary>
         [Test]
         public void Steps_DirectionsChangeOppositelyByDifferentAmounts_AreZero(
             [Values("lan", "wifi", "busy-wifi")] string network, [Values(4.0, 1.0)] double longer, [Values(true, false)] bool isUpLonger)
@@ -135,9 +141,9 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>The exchanges are the same as with a step of 4 ms, so the two cannot be distinguished.</summary>
+        /// <summary>The exchanges are the same as after a clock step of 4 ms, so this change counts as a step.</summary>
         [Test]
-        public void Steps_DirectionsChangeOppositelyByTheSameAmount_AreCounted()
+        public void Steps_DirectionsChangeOppositelyByTheSameAmount_IncreaseByOne()
         {
             var link = Link("wifi", FirstSeed);
             link.LongerDownMs = 4;
@@ -151,7 +157,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase(300)]
         [TestCase(-600)]
-        public void Steps_ClockOfAnotherMachine_AreOne(double skewPpm)
+        public void Steps_ClockOfAnotherMachineIsServed_IncreaseByOne(double skewPpm)
         {
             foreach (var network in NetworkProfile.All)
             {

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>The states of the clock, its steps and the exchanges that it drops, with both estimators.</summary>
+    /// <summary>Tests the states of the clock, its steps, and the exchanges that it drops, with both estimators.</summary>
     [TestFixture(ClockEstimators.Default)]
     [TestFixture(ClockEstimators.Ransac)]
     public class ClockSynchroniserTests
@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", 0, 0.2)]
         [TestCase("wifi", 0, 0.8)]
         [TestCase("busy-wifi", 0.02, 3)]
-        public void State_Synchronised_ErrorIsWithinTheSettings(string network, double loss, double limitMs)
+        public void State_Synchronised_ErrorIsBelowTheLimit(string network, double loss, double limitMs)
         {
             for (var seed = 0; seed < 12; seed++)
             {
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void State_SilentNetwork_IsHoldoverWithAGrowingValidBound()
+        public void State_NoExchanges_IsHoldoverWithAGrowingValidBound()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 2, -60, driftPpm: 2);
             var run = NewRun();
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_WhileTheDeviceSlept_IsConvergingImmediately()
+        public void Step_DuringSleepOfTheDevice_ClockConvergesImmediately()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 12, 20);
             var run = NewRun();
@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_UntilItIsConfirmed_BoundIncludesItAndClockConverges()
+        public void Step_NotYetConfirmed_BoundIncludesTheStepAndTheClockConverges()
         {
             var link = new SimulatedLink(NetworkProfile.Lan, 5, 20);
             var run = NewRun();
@@ -108,10 +108,10 @@ namespace Nowpose.Tests.Core.Sync
             link.Step = TimeSpan.FromMilliseconds(100);
             run.Run(link, 30, 32);
 
-            var doubted = run.Instants.Where(i => i.At > 30.45).ToList();
-            var isBounded = doubted.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds);
-            Assert.That(isBounded, Is.True, "two exchanges contradict it by then");
-            Assert.That(doubted.First().Model.State, Is.EqualTo(ClockState.Converging));
+            var unconfirmed = run.Instants.Where(i => i.At > 30.45).ToList();
+            var isBounded = unconfirmed.All(i => Math.Abs(i.ErrorMs) <= i.Model.ErrorBound.TotalMilliseconds);
+            Assert.That(isBounded, Is.True, "two exchanges contradict the old offset by then");
+            Assert.That(unconfirmed.First().Model.State, Is.EqualTo(ClockState.Converging));
         }
 
         [TestCase(200, 0.2)]
@@ -164,7 +164,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Add_OneOutlier_IsExcludedAndForgotten()
+        public void Add_OneOutlier_IsSetAsideAndTheOffsetIsUnchanged()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 4, 20);
             var run = NewRun();
@@ -181,7 +181,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Add_NotNewerThanTheLast_IsDroppedByReason()
+        public void Add_NotNewerThanTheLast_IsDroppedWithTheReason()
         {
             var clock = new ClockSynchroniser(ClockEstimators.Create(_estimator), ClockSettings.Default);
             var exchange = new SyncExchange(HeadsetTime.FromSeconds(1), default, default, HeadsetTime.FromSeconds(1.01));

@@ -7,8 +7,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Control clocks that advance in steps of a millisecond or of a PLC's cycle and report this resolution.</summary>
-    /// <remarks>The constants were chosen on other simulated delays, with seeds 1 to 88.</remarks>
+    /// <summary>Tests control clocks that advance in steps of a millisecond or of a PLC's cycle and report this resolution.</summary>
+    /// <remarks>The constants of the estimator were chosen with other simulated delays, whose seeds are 1 to 88.</remarks>
     [Category("Study")]
     public class CoarseControlClockTests
     {
@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Sync
         static readonly double[] Skews = { -80, -24, 0, 12, 30, 200 };
 
         [Test, Combinatorial]
-        public void ErrorBound_AtTheClientsPace_HoldsWithoutAClockStep(
+        public void ErrorBound_PaceOfTheClient_HoldsWithoutAClockStep(
             [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm, [Values(0, 1.2)] double latestMs)
         {
             var seed = 600 + (int)skewPpm;
@@ -27,7 +27,8 @@ namespace Nowpose.Tests.Core.Sync
 
             Assert.That(run.Errors.Count(e => Math.Abs(e.ErrorMs) > e.BoundMs), Is.EqualTo(0), "seed " + seed);
             Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
-            // One exchange is accurate to half a step, many together to a tenth. This takes half a minute if the skew is four times the expected one.
+            // A single exchange is accurate to half a step; many exchanges together are accurate to a tenth of a step. With a skew of four times
+            // the expected one, reaching this accuracy takes half a minute.
             Assert.That(run.P95Ms(30), Is.LessThan(0.1 * resolutionMs), "seed " + seed);
         }
 
@@ -50,7 +51,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(1, 5)]
         [TestCase(4, 20)]
         [TestCase(10, -50)]
-        public void Steps_SeveralResolutions_AreDetected(double resolutionMs, double stepMs)
+        public void Step_CoarseControlClock_IsDetected(double resolutionMs, double stepMs)
         {
             var link = new SimulatedLink(NetworkProfile.Lan, 800, 20) { Resolution = Lengths.Ms(resolutionMs) };
             var run = new PacedRun();
@@ -62,7 +63,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed 800");
         }
 
-        /// <summary>The gateway serves another clock from now on, or a simulation changes its steps.</summary>
+        /// <summary>The resolution changes because the gateway serves another clock, or because a simulation changes its step.</summary>
         [Test, Combinatorial]
         public void ErrorBound_ResolutionChanges_HoldsWithoutAClockStep(
             [Values(0, 1, 10, 50)] double beforeMs, [Values(0, 1, 10, 50)] double afterMs, [Values("lan", "wifi")] string network)
@@ -77,7 +78,8 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Errors.Where(e => Math.Abs(e.ErrorMs) > e.BoundMs).Select(e => (e.At, e.ErrorMs)), Is.Empty);
             Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped");
             Assert.That(run.P95Ms(110), Is.LessThan(0.2 + 0.1 * afterMs));
-            Assert.That(run.P95Ms(60), Is.LessThan(Math.Max(beforeMs, afterMs) / 2 + 1), "nor is it worse meanwhile than half of either");
+            Assert.That(run.P95Ms(60), Is.LessThan(Math.Max(beforeMs, afterMs) / 2 + 1),
+                "during the change, the error is at most half the coarser resolution plus 1 ms");
         }
 
         /// <summary>A server that estimates its own resolution may overstate it for a short time.</summary>
@@ -93,9 +95,9 @@ namespace Nowpose.Tests.Core.Sync
                 var run = new PacedRun(seed: seed);
                 run.Run(link, 60);
 
-                link.SaidResolution = Lengths.Ms(50);
+                link.StatedResolution = Lengths.Ms(50);
                 run.Run(link, 60 + seconds);
-                link.SaidResolution = null;
+                link.StatedResolution = null;
                 run.Run(link, 150);
 
                 Assert.That(run.Errors.Where(e => Math.Abs(e.ErrorMs) > e.BoundMs).Select(e => (e.At, e.ErrorMs)), Is.Empty, "seed " + seed);

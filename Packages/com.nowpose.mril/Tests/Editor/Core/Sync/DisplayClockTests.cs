@@ -10,10 +10,10 @@ namespace Nowpose.Tests.Core.Sync
         static ClockModel Model(double offsetMs, ClockState state = ClockState.Synchronised, int steps = 0, double atSeconds = 0) => new ClockModel(
             HeadsetTime.FromSeconds(atSeconds), new ClockOffset(Lengths.Ms(offsetMs)), 0, TimeSpan.FromMilliseconds(1), state, steps);
 
-        static double ShownMs(DisplayClock clock, in ClockModel believed, double seconds)
+        static double ShownMs(DisplayClock clock, in ClockModel estimate, double seconds)
         {
             var now = HeadsetTime.FromSeconds(seconds);
-            return clock.Follow(believed, now).OffsetAt(now).HeadsetMinusControl.TotalMilliseconds;
+            return clock.Follow(estimate, now).OffsetAt(now).HeadsetMinusControl.TotalMilliseconds;
         }
 
         [TestCase("lan", "default", 60.0)]
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Sync
                 for (var s = 0.0; s < 30; s += 2 * random.NextDouble() / callsPerSecond)
                 {
                     var now = HeadsetTime.FromSeconds(s);
-                    // A reply may be handed over up to 1 ms after its arrival, because the network thread need not run at once.
+                    // A reply may be handed over up to 1 ms after its arrival, because the network thread may run late.
                     if (underway?.T4 <= now - Lengths.Ms(random.NextDouble()))
                     {
                         clock.Add(underway.Value, out _);
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Follow_SmallCorrection_IsSpreadAtTheStatedRateAndThenDone()
+        public void Follow_SmallCorrection_IsAppliedAtALimitedRate()
         {
             var clock = new DisplayClock();
             ShownMs(clock, Model(10), 0);
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase(10)]
         [TestCase(-10)]
-        public void Follow_WhileConverging_IsFastAndAlwaysAdvances(int correctionMs)
+        public void Follow_Converging_AppliesTheCorrectionFaster(int correctionMs)
         {
             var clock = new DisplayClock();
             ShownMs(clock, Model(0, ClockState.Converging), 0);
@@ -109,11 +109,11 @@ namespace Nowpose.Tests.Core.Sync
             var clock = new DisplayClock();
             ShownMs(clock, Model(0), 0);
 
-            Assert.That(ShownMs(clock, Model(20), 60), Is.EqualTo(20), "the headset slept: no frame was shown between");
+            Assert.That(ShownMs(clock, Model(20), 60), Is.EqualTo(20), "no frame was shown while the headset slept");
         }
 
         [Test]
-        public void Follow_SteepYoungLine_DoesNotGoBack()
+        public void Follow_EstimateWithLargeSkew_DoesNotGoBack()
         {
             var clock = new DisplayClock();
             var steep = new ClockModel(default, default, 1.5, TimeSpan.FromMilliseconds(50), ClockState.Converging);
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Follow_UnknownClock_IsUnknown()
+        public void Follow_UnknownClock_ReturnsAnUnknownModel()
         {
             Assert.That(new DisplayClock().Follow(default, HeadsetTime.FromSeconds(1)).IsKnown, Is.False);
         }

@@ -7,7 +7,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>The default estimator and the paper's on the same exchanges. No seed here was used to choose the constants.</summary>
+    /// <summary>
+    /// Compares the default estimator with the paper's estimator on the same exchanges. The constants were chosen with other seeds.
+    /// </summary>
     public class EnvelopeClockEstimatorTests
     {
         const int FirstSeed = 100, Seeds = 4;
@@ -30,7 +32,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", 0, 0.03, 0.5)]
         [TestCase("wifi", 0, 0.05, 0.25)]
         [TestCase("busy-wifi", 0.02, 0.12, 0.15)]
-        public void Error_TenSecondsAfterTheStart_IsSmallAndAFractionOfThePapers(string network, double loss, double limitMs, double share)
+        public void Error_AfterTenSeconds_IsAFractionOfThatOfThePapersEstimator(string network, double loss, double limitMs, double share)
         {
             double ours = 0, papers = 0;
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
@@ -44,7 +46,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_BusyWifiUnderLoad_AfterAMinuteIsSmall()
+        public void Error_BusyWifiUnderLoad_IsSmallAfterAMinute()
         {
             var errors = Enumerable.Range(FirstSeed, Seeds)
                 .Select(seed => Run("default", Link("busy-wifi", seed, 0.02, isLoaded: true), 300).PercentileMs(60, 0.95)).ToArray();
@@ -54,20 +56,20 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase("wifi", 0, 2, 10)]
         [TestCase("busy-wifi", 0.02, 5, 30)]
-        public void Error_FromTheStart_FallsBelowTheLimitsInTime(string network, double loss, double oneMs, double aFifth)
+        public void Error_FromTheStart_FallsBelowTheLimitsInTime(string network, double loss, double secondsTo1Ms, double secondsTo200Us)
         {
             for (var seed = FirstSeed; seed < FirstSeed + 2 * Seeds; seed++)
             {
                 var run = Run("default", Link(network, seed, loss), 60);
 
-                Assert.That(run.ErrorsMs(oneMs).Max(), Is.LessThan(1), "seed " + seed);
-                Assert.That(run.PercentileMs(aFifth, 0.95), Is.LessThan(0.2), "seed " + seed);
+                Assert.That(run.ErrorsMs(secondsTo1Ms).Max(), Is.LessThan(1), "seed " + seed);
+                Assert.That(run.PercentileMs(secondsTo200Us, 0.95), Is.LessThan(0.2), "seed " + seed);
             }
         }
 
         [TestCase("wifi", 0, 0.1)]
         [TestCase("busy-wifi", 0.02, 0.2)]
-        public void Error_SilenceOfThirtySeconds_StaysSmall(string network, double loss, double limitMs)
+        public void Error_NoExchangesForThirtySeconds_StaysSmall(string network, double loss, double limitMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
@@ -76,7 +78,7 @@ namespace Nowpose.Tests.Core.Sync
                 run.Run(link, 180, 210, exchange: false);
 
                 Assert.That(run.ErrorsMs(180).Max(), Is.LessThan(limitMs), "seed " + seed);
-                Assert.That(run.Instants.Last().Model.ErrorBound.TotalMilliseconds, Is.LessThan(4), "it knows the skew; seed " + seed);
+                Assert.That(run.Instants.Last().Model.ErrorBound.TotalMilliseconds, Is.LessThan(4), "the skew is estimated; seed " + seed);
             }
         }
 
@@ -93,7 +95,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void Error_ControlClockFlooredToItsCycle_IsUnbiased()
         {
-            // With a skew of 5 ppm the exchanges fall into the same part of the cycle for minutes.
+            // With a skew of 5 ppm, the exchanges fall into the same part of the cycle for minutes.
             var link = Link("lan", FirstSeed + 3);
             link.Resolution = TimeSpan.FromMilliseconds(1);
 
@@ -143,7 +145,7 @@ namespace Nowpose.Tests.Core.Sync
                 if (Math.Abs(run.Instants.Last().ErrorMs) < 2 * run.Clock.OffsetError.TotalMilliseconds) within++;
             }
 
-            Assert.That(within / (double)all, Is.GreaterThan(0.85), "0.95, were the errors of one second independent of the next's");
+            Assert.That(within / (double)all, Is.GreaterThan(0.85), "0.95 if the errors of successive seconds were independent");
         }
 
         [Test]

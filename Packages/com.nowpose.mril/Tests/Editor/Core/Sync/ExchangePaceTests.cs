@@ -19,8 +19,8 @@ namespace Nowpose.Tests.Core.Sync
             run.Run(Link("lan"), 120);
 
             Assert.That(run.Pauses(0, 4.9), Is.All.EqualTo(50));
-            Assert.That(run.Pauses(60, 120).Average(), Is.GreaterThan(700), "most of them 1000 ms");
-            Assert.That(run.P95Ms(10), Is.LessThan(0.03), "and no target is missed for it; seed 400");
+            Assert.That(run.Pauses(60, 120).Average(), Is.GreaterThan(700), "most pauses are 1000 ms");
+            Assert.That(run.P95Ms(10), Is.LessThan(0.03), "the slow pace does not impair the accuracy; seed 400");
         }
 
         [TestCase("wifi", 0.05)]
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Next_ConstantPace_IsTheUsualIntervalFromTheStart()
+        public void Next_ConstantPace_IsTheConfiguredIntervalFromTheStart()
         {
             var clock = new ClockSynchroniser(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
             var pace = new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1), isConstant: true);
@@ -56,12 +56,12 @@ namespace Nowpose.Tests.Core.Sync
             link.Step = TimeSpan.FromMilliseconds(2);
             run.Run(link, 125);
 
-            Assert.That(run.Clock.Steps, Is.EqualTo(1), "within five seconds, though one exchange a second was enough before");
+            Assert.That(run.Clock.Steps, Is.EqualTo(1), "the step is detected within five seconds although the pace was one exchange per second");
             Assert.That(run.Pauses(122, 125), Is.All.EqualTo(50));
         }
 
         [Test]
-        public void Next_AfterASilence_IsFastForAWhile()
+        public void Next_AfterAPauseWithoutExchanges_IsFastForAWhile()
         {
             var link = Link("wifi");
             var run = new PacedRun();
@@ -75,24 +75,24 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Next_SlowerSetting_DoesNotCountAsSilence()
+        public void Next_LongConfiguredInterval_IsNotTreatedAsAPause()
         {
-            var run = new PacedRun(usualMs: 500);
+            var run = new PacedRun(configuredMs: 500);
 
             run.Run(Link("lan"), 120);
 
-            Assert.That(run.Pauses(60, 120).Average(), Is.GreaterThan(700), "slow, for it is settled");
+            Assert.That(run.Pauses(60, 120).Average(), Is.GreaterThan(700), "the pace is slow because the clock has settled");
             Assert.That(run.Pauses(0, 120).Max(), Is.LessThanOrEqualTo(ClockSettings.Default.HoldoverAfter.TotalMilliseconds / 2));
         }
 
         [TestCase(20)]
         [TestCase(200)]
         [TestCase(10_000)]
-        public void Next_AnySetting_StaysWithinTheServersRateLimit(double usualMs)
+        public void Next_AnyConfiguredInterval_StaysWithinTheServersRateLimit(double configuredMs)
         {
-            var run = new PacedRun(usualMs);
+            var run = new PacedRun(configuredMs);
 
-            run.Run(Link("lan"), 60 * usualMs / 200);
+            run.Run(Link("lan"), 60 * configuredMs / 200);
 
             var pauses = run.Pauses(0, double.MaxValue).ToArray();
             Assert.That(pauses.Min(), Is.GreaterThanOrEqualTo(2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond));
@@ -116,7 +116,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Next_ServerStatesAnImplausibleResolution_IsStillFast()
+        public void Next_ImplausibleResolutionOfTheServer_IsStillFast()
         {
             var link = Link("lan");
             link.Resolution = TimeSpan.FromSeconds(4);

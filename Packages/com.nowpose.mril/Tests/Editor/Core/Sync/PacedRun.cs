@@ -6,20 +6,23 @@ using Nowpose.Sync.Envelope;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Runs exchanges like the client: each starts at the time that the pace gives, but not before the previous one has ended.</summary>
+    /// <summary>
+    /// Runs exchanges as the client does. Each exchange starts at the time that the pace returns, but not before the previous exchange
+    /// has ended.
+    /// </summary>
     sealed class PacedRun
     {
-        static readonly TimeSpan Usual = TimeSpan.FromMilliseconds(200);
+        static readonly TimeSpan RetryInterval = TimeSpan.FromMilliseconds(200);
 
         readonly ExchangePace _pace;
         readonly Random _lateness;
         readonly double _latestMs;
         double _now;
 
-        /// <param name="latestMs">Maximum delay of the thread's wake-up, uniformly distributed.</param>
-        public PacedRun(double usualMs = 200, int seed = 1, double latestMs = 0)
+        /// <param name="latestMs">Maximum delay of the thread's wake-up in ms. The delay is uniformly distributed.</param>
+        public PacedRun(double configuredMs = 200, int seed = 1, double latestMs = 0)
         {
-            _pace = new ExchangePace(Lengths.Ms(usualMs), TimeSpan.FromSeconds(2), new Random(seed));
+            _pace = new ExchangePace(Lengths.Ms(configuredMs), TimeSpan.FromSeconds(2), new Random(seed));
             _lateness = new Random(seed + 1);
             _latestMs = latestMs;
         }
@@ -33,7 +36,7 @@ namespace Nowpose.Tests.Core.Sync
             while (_now < until)
             {
                 var start = HeadsetTime.FromSeconds(_now);
-                while (!link.TryExchange(start, out _)) start += Usual;
+                while (!link.TryExchange(start, out _)) start += RetryInterval;
                 link.TryExchange(start, out var exchange);
                 Clock.Add(exchange, out _);
                 var pause = _pace.Next(Clock, exchange.T4);

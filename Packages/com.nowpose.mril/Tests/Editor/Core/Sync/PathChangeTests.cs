@@ -7,7 +7,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Changes of a path's minimum delay, as when a headset roams to another access point, with the default estimator.</summary>
+    /// <summary>
+    /// Tests the default estimator when the minimum delay of the path changes, for example because a headset roams to another access
+    /// point.
+    /// </summary>
     [Category("Study")]
     public class PathChangeTests
     {
@@ -59,7 +62,7 @@ namespace Nowpose.Tests.Core.Sync
             {
                 var run = Run(Link(network, seed), 4, 0);
 
-                Assert.That(run.ErrorsMs(ChangeAt).Max(), Is.LessThan(0.2), "the least delays known before still hold; seed " + seed);
+                Assert.That(run.ErrorsMs(ChangeAt).Max(), Is.LessThan(0.2), "the earlier minimum delays are still valid; seed " + seed);
             }
         }
 
@@ -91,7 +94,8 @@ namespace Nowpose.Tests.Core.Sync
 
                 Assert.That(run.ErrorsMs(ChangeAt).Max(), Is.LessThan(1.2 * changeMs / 2), "seed " + seed);
                 Assert.That(run.Clock.Steps, Is.Zero, "seed " + seed);
-                Assert.That(run.PercentileMs(ChangeAt + 130, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15), "back at the old path; seed " + seed);
+                Assert.That(run.PercentileMs(ChangeAt + 130, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15),
+                    "the original path is back; seed " + seed);
             }
         }
 
@@ -109,13 +113,14 @@ namespace Nowpose.Tests.Core.Sync
 
                 var after = run.Instants.Where(i => i.At > ChangeAt + 5).ToArray();
                 Assert.That(after.Average(i => Math.Abs(i.ErrorMs) <= i.Model.EstimatedError.TotalMilliseconds ? 1 : 0), Is.GreaterThan(0.99), "seed " + seed);
-                Assert.That(after.Last().Model.EstimatedError.TotalMilliseconds, Is.LessThan(network == "wifi" ? 1.6 : 2), "and says something; seed " + seed);
+                Assert.That(after.Last().Model.EstimatedError.TotalMilliseconds, Is.LessThan(network == "wifi" ? 1.6 : 2),
+                    "the estimate stays useful; seed " + seed);
             }
         }
 
         [TestCase("wifi", 0.3)]
         [TestCase("busy-wifi", 0.3)]
-        public void EstimatedError_ChangeRecognisedMinutesAfterAnUnrecognisedOne_StillIncludesBoth(string network, double changeMs)
+        public void EstimatedError_UnrecognisedThenRecognisedChange_IncludesBothChanges(string network, double changeMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
@@ -136,7 +141,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Skew_DirectionBecomesShorterThanEver_StaysAsProven(
+        public void Skew_DelayFallsBelowItsMinimum_ChangesByAFewPpmAtMost(
             [Values("lan", "wifi", "busy-wifi")] string network, [Values(2.0, 4.0, 20.0)] double changeMs)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
@@ -149,12 +154,13 @@ namespace Nowpose.Tests.Core.Sync
                 run.Run(link, ChangeAt, ChangeAt + 150);
 
                 Assert.That(SkewDeviationPpm(run), Is.LessThan(network == "busy-wifi" ? 7 : 5), "seed " + seed);
-                Assert.That(run.PercentileMs(ChangeAt + 60, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15), "symmetric again; seed " + seed);
+                Assert.That(run.PercentileMs(ChangeAt + 60, 1), Is.LessThan(network == "busy-wifi" ? 0.3 : 0.15),
+                    "the path is symmetric again; seed " + seed);
             }
         }
 
         [Test]
-        public void Error_DirectionBecomesShorterThanBefore_ChangesByHalfWithinTheEstimatedError()
+        public void Error_DelayFallsBelowItsMinimum_StaysWithinTheEstimatedError()
         {
             const string network = "wifi";
             const double changeMs = 1;
@@ -164,7 +170,7 @@ namespace Nowpose.Tests.Core.Sync
 
                 Assert.That(run.ErrorsMs(ChangeAt + 5).Max(), Is.LessThan(1.2 * changeMs / 2 + 0.15), "seed " + seed);
                 var last = run.Instants.Last();
-                Assert.That(Math.Abs(last.ErrorMs), Is.LessThan(last.Model.EstimatedError.TotalMilliseconds), "what it states; seed " + seed);
+                Assert.That(Math.Abs(last.ErrorMs), Is.LessThan(last.Model.EstimatedError.TotalMilliseconds), "estimated error; seed " + seed);
             }
         }
     }

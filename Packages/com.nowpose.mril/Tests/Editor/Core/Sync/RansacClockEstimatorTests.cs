@@ -6,7 +6,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Limits are 1.3 times the errors of an independent implementation of the same method on the same networks.</summary>
+    /// <summary>
+    /// Tests the paper's estimator. The limits are 1.3 times the errors of an independent implementation of the same method on the same
+    /// networks.
+    /// </summary>
     public class RansacClockEstimatorTests
     {
         static (double P95, double Max) Worst(NetworkProfile network, double loss, double after, Func<double, Random, (double, double)> load = null)
@@ -26,7 +29,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_Lan_StaysAsPublished()
+        public void Error_Lan_IsNearThatOfTheReference()
         {
             var error = Worst(NetworkProfile.Lan, 0, 10);
 
@@ -44,7 +47,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_BusyWifi_StaysAsPublished()
+        public void Error_BusyWifi_IsNearThatOfTheReference()
         {
             var error = Worst(NetworkProfile.BusyWifi, 0.02, 10);
 
@@ -53,7 +56,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_BusyWifiUnderLoad_StaysAsPublished()
+        public void Error_BusyWifiUnderLoad_IsNearThatOfTheReference()
         {
             var error = Worst(NetworkProfile.BusyWifi, 0.02, 60, SimulatedLink.Queues);
 
@@ -92,7 +95,7 @@ namespace Nowpose.Tests.Core.Sync
             }
 
             var offsetMs = estimator.Line.Offset.HeadsetMinusControl.TotalMilliseconds;
-            Assert.That(offsetMs, Is.EqualTo(0).Within(0.01), "late replies were taken in; seed 5");
+            Assert.That(offsetMs, Is.EqualTo(0).Within(0.01), "late replies do not affect the offset; seed 5");
         }
 
         [Test]

@@ -5,7 +5,7 @@ using static Nowpose.Tests.Core.Lengths;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>A headset and a control system with known clocks and a network between them, in virtual time.</summary>
+    /// <summary>Simulates a headset and a control system with known clocks, and the network between them, in virtual time.</summary>
     /// <remarks>
     /// The constants of the default estimator were chosen with another program on other seeds, so every seed here is independent.
     /// Accuracy tests use seeds from 100, step tests from 200.
@@ -34,21 +34,21 @@ namespace Nowpose.Tests.Core.Sync
         /// <summary>Additional queueing delay up and down, as a function of seconds since the start.</summary>
         public Func<double, Random, (double UpMs, double DownMs)> Load { get; set; } = (s, r) => (0, 0);
 
-        /// <summary>The load of a busy network: queues during 20 s of each minute, longer ones towards the headset.</summary>
+        /// <summary>Returns the load of a busy network: queues during 20 s of each minute, with longer queues towards the headset.</summary>
         public static (double UpMs, double DownMs) Queues(double seconds, Random random) => seconds % 60 < 20
             ? (-2 * Math.Log(1 - random.NextDouble()), -15 * Math.Log(1 - random.NextDouble()))
             : (0, 0);
 
-        /// <summary>Additional delay of later requests, ms: a change of the path.</summary>
+        /// <summary>Additional delay of later requests in ms. It simulates a change of the path.</summary>
         public double LongerUpMs { get; set; }
 
-        /// <summary>Additional delay of later replies, ms.</summary>
+        /// <summary>Additional delay of later replies in ms.</summary>
         public double LongerDownMs { get; set; }
 
-        /// <summary>Added to the control clock from now on.</summary>
+        /// <summary>Length that is added to the control clock from now on.</summary>
         public TimeSpan Step { get; set; }
 
-        /// <summary>The true offset at a headset time: skew plus a slow variation of the skew.</summary>
+        /// <summary>Returns the true offset at a headset time. The skew varies slowly around its mean.</summary>
         public ClockOffset TrueOffset(HeadsetTime t)
         {
             var s = t.SinceEpoch.TotalSeconds;
@@ -56,14 +56,17 @@ namespace Nowpose.Tests.Core.Sync
             return new ClockOffset(TimeSpan.FromTicks((long)((_skew * s + wander) * TimeSpan.TicksPerSecond)) - _controlStart.SinceEpoch - Step);
         }
 
-        /// <summary>Resolution of the control clock: its times are floored to it, and each exchange states it.</summary>
+        /// <summary>
+        /// Resolution of the control clock. Its times are rounded down to a multiple of the resolution, and each exchange states the
+        /// resolution.
+        /// </summary>
         public TimeSpan Resolution { get; set; }
 
-        /// <summary>The resolution that exchanges state if it is not the true one; otherwise null.</summary>
-        public TimeSpan? SaidResolution { get; set; }
+        /// <summary>Resolution that exchanges state in place of the true one; null to state the true one.</summary>
+        public TimeSpan? StatedResolution { get; set; }
 
         /// <summary>Error of the server's clock and the error bound that the server states, ms, as a function of seconds since the start.</summary>
-        public Func<double, (double AheadMs, double SaidMs)> Server { get; set; } = s => (0, 0);
+        public Func<double, (double AheadMs, double StatedMs)> Server { get; set; } = s => (0, 0);
 
         /// <returns>False if the exchange was lost.</returns>
         public bool TryExchange(HeadsetTime at, out SyncExchange exchange)
@@ -73,7 +76,7 @@ namespace Nowpose.Tests.Core.Sync
             var sent = arrival + Ms(0.02);
             var back = sent + _down.Next() + Ms(load.DownMs + LongerDownMs);
             exchange = new SyncExchange(
-                at, Stamp(arrival), Stamp(sent), back, SaidResolution ?? Resolution, Ms(Server(arrival.SinceEpoch.TotalSeconds).SaidMs), true);
+                at, Stamp(arrival), Stamp(sent), back, StatedResolution ?? Resolution, Ms(Server(arrival.SinceEpoch.TotalSeconds).StatedMs), true);
             return _random.NextDouble() >= _lossChance;
         }
 

@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Check_ServerClockOneCycleCoarse_AllowsOneCycle()
+        public void Check_CoarseServerClock_AllowsANegativeRoundTripOfOneCycle()
         {
             var exchange = new SyncExchange(
                 new HeadsetTime(Ms(0)), new ControlTime(Ms(5)), new ControlTime(Ms(6)), new HeadsetTime(Ms(0.4)), Ms(1));

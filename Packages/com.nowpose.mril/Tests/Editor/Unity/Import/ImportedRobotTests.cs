@@ -8,7 +8,7 @@ using Random = System.Random;
 
 namespace Nowpose.Tests.Unity.Import
 {
-    /// <summary>The package's own .urdf files as imported by the Editor.</summary>
+    /// <summary>Tests robots of the package and of the tests as the Editor imports them from .urdf files.</summary>
     public class ImportedRobotTests
     {
         const string Robots = "Packages/com.nowpose.mril/Runtime/Robots/";
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Import
 
                     RobotPoses.RequireAgreement(rig, positions, path + ", seed " + seed);
                 }
-                Assert.That(robot.GetComponentsInChildren<Transform>(true).Length, Is.EqualTo(before), "nothing was built beside it");
+                Assert.That(robot.GetComponentsInChildren<Transform>(true).Length, Is.EqualTo(before), "the rig built no second robot");
             }
             finally
             {

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void UpAxis_ColladaGeometryWithAsset_MatchesTheDocument()
+        public void UpAxis_ColladaGeometryWithAsset_UsesTheAssetOfTheDocument()
         {
             Assert.That(OfText(Collada("", "<asset><up_axis>Z_UP</up_axis></asset>"), ".dae"), Is.EqualTo(UpAxis.Y));
         }

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Unity.Import
         static readonly float[] Upper = { 0, 0, 0, 1, 2, 0, 0, 2, 0.5f };
 
         [Test]
-        public void Read_Text_HasTheCornersInOrder()
+        public void Read_TextFile_ReturnsTheCornersInOrder()
         {
             var triangles = ReadText(Solid(Facet(Lower), Facet(Upper)));
 
@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_Binary_HasTheCornersInOrder()
+        public void Read_BinaryFile_ReturnsTheCornersInOrder()
         {
             var triangles = StlReader.Read(Binary("exported", Lower, Upper), "a.stl");
 
@@ -145,7 +145,7 @@ namespace Nowpose.Tests.Unity.Import
             var corners = (float[])Upper.Clone();
             corners[4] = bad;
 
-            // 84 bytes of header, 50 of the first triangle, 12 of the normal, and 16 of the four preceding numbers.
+            // The number follows 84 bytes of header, 50 bytes of the first triangle, 12 bytes of the normal, and 16 bytes of four numbers.
             Refuses(Binary("exported", Lower, corners), "a.stl, byte 162: triangle 2 has a corner that is not a finite number");
         }
 

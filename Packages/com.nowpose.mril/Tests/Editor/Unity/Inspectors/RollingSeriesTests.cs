@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Unity.Inspectors
     public class RollingSeriesTests
     {
         [Test]
-        public void Add_WithinTheWindow_KeepsAllOldestFirst()
+        public void Add_WithinTheWindow_KeepsAllValuesOldestFirst()
         {
             var series = new RollingSeries(capacity: 10, seconds: 5);
             for (var i = 0; i < 4; i++) series.Add(i, 10 * i);
@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Add_BeyondTheWindow_DropsTheOld()
+        public void Add_BeyondTheWindow_DropsOldValues()
         {
             var series = new RollingSeries(capacity: 100, seconds: 5);
             for (var i = 0; i <= 20; i++) series.Add(i, i);
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Add_BeyondTheCapacity_DropsTheOldest()
+        public void Add_BeyondTheCapacity_DropsTheOldestValues()
         {
             var series = new RollingSeries(capacity: 3, seconds: 100);
             for (var i = 0; i < 10; i++) series.Add(i, i);
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Range_WithUnknownValues_CoversTheKnown()
+        public void TryGetRange_SomeUnknownValues_CoversTheKnownValues()
         {
             var series = new RollingSeries(capacity: 10, seconds: 5);
             foreach (var value in new double?[] { null, 3, -2, null }) series.Add(series.Count, value);
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Range_UnknownValues_ReturnsFalse()
+        public void TryGetRange_OnlyUnknownValues_ReturnsFalse()
         {
             var series = new RollingSeries(capacity: 10, seconds: 5);
             Assert.That(series.TryGetRange(out _, out _), Is.False);
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         [TestCase(1, 5)]
         [TestCase(10, 0)]
         [TestCase(10, double.NaN)]
-        public void Constructor_NoCapacity_Throws(int capacity, double seconds)
+        public void Constructor_InvalidCapacityOrWindow_Throws(int capacity, double seconds)
         {
             Assert.Throws<ArgumentOutOfRangeException>(() => new RollingSeries(capacity, seconds));
         }

@@ -48,12 +48,12 @@ namespace Nowpose.Tests.Unity.Inspectors
 
             Assert.That(Of(rig), Is.Empty);
             _scene.New<MrilSession>("Another");
-            Assert.That(Of(rig), Is.Empty, "it was assigned");
+            Assert.That(Of(rig), Is.Empty, "the session is assigned");
             Assert.That(session != null);
         }
 
         [Test]
-        public void Rig_BesideTwoSessions_OffersNone()
+        public void Rig_BesideTwoSessions_OffersNoSession()
         {
             _scene.New<MrilSession>("One");
             _scene.New<MrilSession>("Two");
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             Assert.That(Of(appearance), Is.Empty);
             var part = _scene.New<MeshRenderer>("Part", appearance.transform);
             part.sharedMaterial = PackageAsset.Hologram.Load<Material>();
-            Assert.That(Of(appearance), Is.Empty, "it has _Fade and _Hatch");
+            Assert.That(Of(appearance), Is.Empty, "the material has _Fade and _Hatch");
 
             part.sharedMaterial = _scene.Material("Steel");
             var shortcoming = Of(appearance).Single();
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Unity.Inspectors
         }
 
         [Test]
-        public void Several_SomeIncomplete_FixesOnlyThose()
+        public void Fix_SeveralObjects_ChangesOnlyTheIncompleteObjects()
         {
             var session = _scene.New<MrilSession>("Session");
             var below = _scene.New<RobotRig>("Below", session.transform);

@@ -9,7 +9,7 @@ using Random = System.Random;
 
 namespace Nowpose.Tests.Unity.Robot
 {
-    /// <summary>The robot that a rig builds where the scene has no hierarchy for it.</summary>
+    /// <summary>Tests the robot that a rig builds if the scene contains no hierarchy for it.</summary>
     public class BuiltRobotTests
     {
         readonly SceneObjects _scene = new SceneObjects();
@@ -93,7 +93,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_LinkNamedLikeAVisual_IsDistinguished()
+        public void Bind_LinkNamedLikeAVisual_IsNotConfusedWithTheVisual()
         {
             var model = UrdfReader.Read(
                 "<robot name='r'><link name='base'><visual><geometry><box size='1 1 1'/></geometry></visual></link><link name='visual'/>"
@@ -113,12 +113,12 @@ namespace Nowpose.Tests.Unity.Robot
 
             rig.Bind(UrdfFiles.Robot("youbot"));
 
-            // A box of 0.19 × 0.13 × 0.024 m (forward, left, up) whose centre is 12 mm above the origin.
+            // The visual is a box of 0.19 × 0.13 × 0.024 m (forward, left, up). Its centre is 12 mm above the origin.
             var plate = rig.Link("arm_link_0").GetChild(0);
             Assert.That(plate.name, Is.EqualTo("visual"));
             Assert.That(Vector3.Distance(plate.localScale, new Vector3(0.13f, 0.024f, 0.19f)), Is.LessThan(1e-6));
             Assert.That(Vector3.Distance(plate.localPosition, new Vector3(0, 0.012f, 0)), Is.LessThan(1e-6));
-            // A cylinder of 72 mm height: Unity's own cylinder is 2 m high.
+            // The visual is a cylinder with a height of 72 mm. Unity's cylinder is 2 m high.
             var cylinder = rig.Link("arm_link_0").GetChild(1);
             Assert.That(Vector3.Distance(cylinder.localScale, new Vector3(0.12f, 0.036f, 0.12f)), Is.LessThan(1e-6));
             Assert.That(MaterialOf(rig, "arm_link_5"), Is.SameAs(arm));
@@ -128,7 +128,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_MaterialMissing_UsesThePackagesShaderAndNoPrimitive()
+        public void Bind_MaterialMissing_UsesThePackagesShaderAndLeavesNoPrimitive()
         {
             var shader = UnityEditor.AssetDatabase.LoadAssetAtPath<Material>("Packages/com.nowpose.mril/Runtime/Materials/Hologram.mat").shader;
             var arm = _scene.Material("arm");
@@ -157,7 +157,7 @@ namespace Nowpose.Tests.Unity.Robot
             foreach (var (bar, end) in bars.Zip(new[] { new Vector3(0, 0.4f, 0), new Vector3(0, 0, 0.3f) }, ValueTuple.Create))
             {
                 Assert.That(Vector3.Distance(bar.TransformPoint(Vector3.up), end), Is.LessThan(1e-6), "one end");
-                Assert.That(bar.TransformPoint(Vector3.down).magnitude, Is.LessThan(1e-6), "the other");
+                Assert.That(bar.TransformPoint(Vector3.down).magnitude, Is.LessThan(1e-6), "the other end");
             }
         }
 

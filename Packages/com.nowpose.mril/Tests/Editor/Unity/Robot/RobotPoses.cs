@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Unity.Robot
     {
         const double ToleranceMetres = 1e-5;
 
-        /// <summary>Random positions, also beyond the limits, with mimic joints completed.</summary>
+        /// <summary>Returns random positions, which may be beyond the limits. Mimic joints follow the joints that they mimic.</summary>
         public static double[] Any(RobotModel model, Random random)
         {
             var positions = new double[model.MovingJoints.Count];

@@ -8,7 +8,7 @@ using Random = System.Random;
 
 namespace Nowpose.Tests.Unity.Robot
 {
-    /// <summary>A rig applies joint positions to a hierarchy, and refuses hierarchies of other robots.</summary>
+    /// <summary>Tests how a rig applies joint positions to a hierarchy, and which hierarchies it refuses.</summary>
     public class RobotRigTests
     {
         readonly SceneObjects _scene = new SceneObjects();
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Unity.Robot
 
             RobotPoses.RequireAgreement(rig, positions, robot);
             foreach (var link in links) Assert.That(rig.Link(link.Key), Is.SameAs(link.Value));
-            Assert.That(rig.transform.childCount, Is.EqualTo(1), "nothing was built beside it");
+            Assert.That(rig.transform.childCount, Is.EqualTo(1), "the rig built no second robot");
         }
 
         [Test]
@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Unity.Robot
         [TestCase(1e-4f, 0f, 1f, false)]
         [TestCase(0f, 0.1f, 1f, false)]
         [TestCase(0f, 0f, 1.001f, false)]
-        public void Bind_ObjectBetweenLinks_MayGroupButNotMove(float metres, float degrees, float scale, bool isTaken)
+        public void Bind_ObjectBetweenLinks_IsAcceptedOnlyWithoutOffset(float metres, float degrees, float scale, bool isAccepted)
         {
             var model = UrdfFiles.Robot("youbot");
             var rig = NewRig();
@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Unity.Robot
             group.localScale = new Vector3(1, scale, 1);
             links["gripper_palm_link"].SetParent(group, false);
 
-            if (isTaken) Assert.DoesNotThrow(() => rig.Bind(model));
+            if (isAccepted) Assert.DoesNotThrow(() => rig.Bind(model));
             else Assert.That(Assert.Throws<InputException>(() => rig.Bind(model)).Message, Does.Contain("'Virtual Gripper'"));
         }
 

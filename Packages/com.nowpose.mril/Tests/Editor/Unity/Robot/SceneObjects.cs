@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity.Robot
 {
-    /// <summary>Objects that a test creates in edit mode and destroys at its end.</summary>
+    /// <summary>Creates objects for a test in edit mode and destroys them at the end of the test.</summary>
     sealed class SceneObjects
     {
         readonly List<Object> _made = new List<Object>();
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Robot
             return material;
         }
 
-        /// <summary>Creates one object per link, nested like the robot's links, all at the positions of their parents.</summary>
+        /// <summary>Creates an object for each link, nested like the links of the robot. Each object is at the position of its parent.</summary>
         public Dictionary<string, Transform> Links(RobotModel model, Transform rig)
         {
             var links = new Dictionary<string, Transform>();

@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Unity.Robot
             _rig = _scene.New<RobotRig>("Robot");
             _rig.transform.SetPositionAndRotation(new Vector3(1, 2, 3), Quaternion.Euler(0, 40, 0));
             _gripper = _scene.New<VirtualGripper>("Virtual Gripper");
-            // Mounted as on the youBot's palm: the left finger is turned by half a turn, so both open along their own axis.
+            // As on the youBot's palm, the left finger is turned by 180°, so each finger opens along its own axis.
             _left = Finger("Left", new Vector3(-0.008f, 0.046f, 0.004f), 180);
             _right = Finger("Right", new Vector3(0.008f, 0.046f, 0.004f), 0);
             _gripper.With("_fingers", new List<GripperFinger> { new GripperFinger(Left, _left), new GripperFinger(Right, _right) });
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Posed_NotBelowTheFlange_FollowsIt()
+        public void Posed_NotBelowTheFlange_FollowsTheFlange()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.Mount(_rig);
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Posed_BelowTheFlange_KeepsItsPlaceOnIt()
+        public void Posed_BelowTheFlange_KeepsItsLocalPosition()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.transform.SetParent(_rig.Flange, false);
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Posed_FlangeNamed_FollowsThatLink()
+        public void Posed_FlangeLinkNamed_FollowsTheNamedLink()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.With("_flangeLink", "arm_link_4").Mount(_rig);
@@ -138,11 +138,11 @@ namespace Nowpose.Tests.Unity.Robot
 
             _rig.Apply(positions);
 
-            RobotPoses.RequireAgreement(_rig, positions, "moved once");
+            RobotPoses.RequireAgreement(_rig, positions, "the rig alone moves the links");
         }
 
         [Test]
-        public void Unmount_Mounted_StaysWhereItIs()
+        public void Unmount_Mounted_KeepsItsPosition()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             _gripper.Mount(_rig);
@@ -167,7 +167,7 @@ namespace Nowpose.Tests.Unity.Robot
             _gripper.Unmount();
             Assert.That(_left.localPosition, Is.EqualTo(rest));
 
-            // The state of the fingers after scripts are recompiled in play mode.
+            // Recompiling scripts in play mode recreates the fingers in this way.
             _gripper.With("_fingers", new List<GripperFinger> { new GripperFinger(Left, _left), new GripperFinger(Right, _right) });
             _gripper.Mount(_rig);
             Open(0.0115);
@@ -177,7 +177,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Unmount_FingerDestroyed_ResetsTheOther()
+        public void Unmount_FingerDestroyed_ResetsTheOtherFinger()
         {
             _rig.Bind(UrdfFiles.Robot("youbot"));
             var rest = _right.localPosition;

@@ -154,7 +154,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_ScopeOfARegistryWithOthers_IsNeverReplaced()
+        public void Need_RegistryWithOtherScopes_IsNeverReplaced()
         {
             const string before =
                 "{\"scopedRegistries\":[{\"name\":\"x\",\"url\":\"https://own.example\",\"scopes\":[\"com.microsoft.mixedreality\",\"org.own\"]}]}";
@@ -212,7 +212,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_NestedVeryDeep_IsRefused()
+        public void Need_NestedTooDeep_IsRefused()
         {
             var deep = "{\"a\":" + new string('[', 100000) + new string(']', 100000) + "}";
 

@@ -5,7 +5,10 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Tests.Unity.Setup
 {
-    /// <summary>Checks of the settings that affect the visualisation latency and of the camera: correct, wrong, fixed, unknown.</summary>
+    /// <summary>
+    /// Tests the checks of the camera and of the settings that affect the visualisation latency, with correct, wrong, fixed and unknown
+    /// values.
+    /// </summary>
     public class RenderingChecksTests
     {
         readonly FakeProject _project = new FakeProject();
@@ -135,7 +138,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Camera_None_IsUnknownAndUnchanged()
+        public void Camera_Missing_IsUnknownAndUnchanged()
         {
             foreach (var check in new ProjectCheck[] { new CameraBackgroundCheck(), new NearClipCheck() })
             {
@@ -147,7 +150,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [SetUp]
-        public void ForgetTheCamera()
+        public void ResetTheCamera()
         {
             _project.NearClipMetres = null;
             _project.ClearsToTransparentBlack = null;

@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Judge_TooNewForThePlugIn_NamesItAndTheRemedy()
+        public void Judge_TooNewForThePlugIn_NamesThePlugInAndTheRemedy()
         {
             var found = UnityBounds.Judge(UnityVersion.TryParse("6000.3.2f1").Value, withMicrosoft: true).Found;
 

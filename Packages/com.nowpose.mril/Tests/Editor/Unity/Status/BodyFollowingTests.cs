@@ -83,8 +83,8 @@ namespace Nowpose.Tests.Unity.Status
             }
 
             Assert.That(Mathf.Abs(Mathf.DeltaAngle(Azimuth(_panel), yaw)), Is.LessThan(0.6f));
-            Assert.That(fastest, Is.InRange(1e-3f, 0.2f), "metres in a frame");
-            Assert.That(nearest, Is.EqualTo(1.3f).Within(0.02f), "around the head, not through it");
+            Assert.That(fastest, Is.InRange(1e-3f, 0.2f), "metres per frame");
+            Assert.That(nearest, Is.EqualTo(1.3f).Within(0.02f), "the panel moves around the head, not through it");
             Assert.That(_following.IsGliding, Is.False);
         }
 
@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Unity.Status
             Step(Head(20), 5);
 
             Assert.That(onTheWay, Is.InRange(5, 50));
-            Assert.That(Azimuth(_panel), Is.EqualTo(20).Within(0.6), "not stopped at the edge of the threshold");
+            Assert.That(Azimuth(_panel), Is.EqualTo(20).Within(0.6), "the panel does not stop at the edge of the threshold");
         }
 
         [Test]

@@ -7,7 +7,7 @@ using static Nowpose.Tests.Unity.Status.StatusRows;
 
 namespace Nowpose.Tests.Unity.Status
 {
-    /// <summary>The rows of the displayed error and its reduction.</summary>
+    /// <summary>Tests the rows that show the displayed error and its reduction.</summary>
     public class ErrorTextsTests
     {
         static DisplayedError Error(double rms, double p95, double? reduction, double? uncertainty) =>

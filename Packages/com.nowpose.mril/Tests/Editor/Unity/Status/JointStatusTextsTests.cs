@@ -8,7 +8,7 @@ using static Nowpose.Tests.Unity.Status.StatusRows;
 
 namespace Nowpose.Tests.Unity.Status
 {
-    /// <summary>The names of joints whose data are not live.</summary>
+    /// <summary>Tests the messages about joints whose data are not live.</summary>
     public class JointStatusTextsTests
     {
         static readonly DateTime Noon = new DateTime(2026, 11, 20, 12, 0, 0);
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_OneJointWithoutDataOneAtRest_NamesTheOneWithoutData()
+        public void Update_JointWithoutDataAndJointAtRest_NamesTheJointWithoutData()
         {
             var statistics = Statistics(100, Joint("a1", JointDataState.Rest, 9), Joint("a3", JointDataState.Stale, 4));
 

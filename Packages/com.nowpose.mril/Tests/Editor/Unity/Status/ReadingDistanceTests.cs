@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Unity.Status
 
             Assert.That(text.transform.lossyScale.x * 6.4f, Is.EqualTo(LetterSize.At(distance.Metres)).Within(1e-5));
             Assert.That(text.transform.forward.z, Is.EqualTo(1).Within(1e-5), "texts are read along their z axis");
-            Assert.That(text.transform.up.y, Is.EqualTo(1).Within(1e-5), "upright, though the viewer looks up");
+            Assert.That(text.transform.up.y, Is.EqualTo(1).Within(1e-5), "the text is upright although the viewer looks up");
         }
 
         [Test]

@@ -5,7 +5,7 @@ using Nowpose.Unity.Status;
 
 namespace Nowpose.Tests.Unity.Status
 {
-    /// <summary>Statistics with given values, and the rows that the status panel shows of them.</summary>
+    /// <summary>Creates statistics with given values, and returns the rows that the status panel shows for them.</summary>
     static class StatusRows
     {
         public static readonly SessionSettings Loopback = new SessionSettings(new ConnectionSettings("127.0.0.1"), default);
@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         /// <summary>Returns value and note of a row, separated by a bar.</summary>
-        /// <param name="statistics">Those of a new session if null.</param>
+        /// <param name="statistics">Statistics to show; null for those of a new session.</param>
         public static string Row(StatusRow row, SessionStatistics statistics = null, SessionSettings settings = null, string robot = null)
         {
             var texts = new StatusTexts();

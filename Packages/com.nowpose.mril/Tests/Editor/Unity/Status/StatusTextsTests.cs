@@ -17,13 +17,13 @@ using static Nowpose.Tests.Unity.Status.StatusRows;
 
 namespace Nowpose.Tests.Unity.Status
 {
-    /// <summary>The rows of the status panel.</summary>
+    /// <summary>Tests the rows of the status panel.</summary>
     public class StatusTextsTests
     {
         static readonly SessionSettings Plain = new SessionSettings(new ConnectionSettings("192.168.0.5", insecureLan: true), default);
 
         [Test]
-        public void Update_WithoutStatistics_ShowsDashesAndNoRowOfObjects()
+        public void Update_WithoutStatistics_ShowsDashesAndNoRowForObjects()
         {
             var texts = new StatusTexts();
 
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Status
                 Assert.That(texts.ValueOf(row), Is.EqualTo(row == StatusRow.Objects ? "" : "–"), row.ToString());
                 Assert.That(texts.NoteOf(row), Is.Empty, row.ToString());
             }
-            Assert.That(texts.IsShown(StatusRow.Objects), Is.False, "a cell without objects has no row of them");
+            Assert.That(texts.IsShown(StatusRow.Objects), Is.False, "a cell without objects has no row for objects");
             Assert.That(texts.ValueOf(StatusRow.Message), Is.Empty);
         }
 
@@ -47,11 +47,11 @@ namespace Nowpose.Tests.Unity.Status
             var texts = new StatusTexts();
 
             texts.Update(statistics, Loopback, "test", null);
-            var said = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
+            var shownMessage = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
             texts.Update(statistics, Loopback, "test", "settings: worse");
 
             Assert.That(texts.ValueOf(StatusRow.Robot), Is.EqualTo("! beyond its limits"));
-            Assert.That(said, Does.Contain("joint 'shoulder': 45 rad is outside its limits -3 to 3 rad"));
+            Assert.That(shownMessage, Does.Contain("joint 'shoulder': 45 rad is outside its limits -3 to 3 rad"));
             Assert.That(texts.ValueOf(StatusRow.Message), Is.EqualTo("! settings: worse"));
         }
 
@@ -66,12 +66,12 @@ namespace Nowpose.Tests.Unity.Status
 
             texts.Update(statistics, Loopback, "test", null);
             var row = texts.ValueOf(StatusRow.VisualisationLatency) + "|" + texts.NoteOf(StatusRow.VisualisationLatency);
-            var said = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
+            var shownMessage = texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
             statistics.IsLightPredicted = true;
             texts.Update(statistics, Loopback, "test", null);
 
             Assert.That(row, Is.EqualTo("! 40.0 ms|other graphics API"));
-            Assert.That(said, Is.EqualTo("! " + mismatches[0].Words));
+            Assert.That(shownMessage, Is.EqualTo("! " + mismatches[0].Words));
             Assert.That(texts.ValueOf(StatusRow.VisualisationLatency) + texts.ValueOf(StatusRow.Message), Is.EqualTo("40.0 ms"));
         }
 
@@ -110,8 +110,9 @@ namespace Nowpose.Tests.Unity.Status
             var row = Row(StatusRow.Pose, new SessionStatistics { Pose = pose }).Split('|');
 
             Assert.That(row[0], Is.EqualTo(value));
-            Assert.That(row[1].Length > 0, Is.EqualTo(pose != PoseState.Current), "why");
-            Assert.That(value, Does.EndWith(pose == PoseState.Current ? "current" : PoseLook.Of(pose).Words), "the words that stand at the robot");
+            Assert.That(row[1].Length > 0, Is.EqualTo(pose != PoseState.Current), "the note states the reason");
+            Assert.That(value, Does.EndWith(pose == PoseState.Current ? "current" : PoseLook.Of(pose).Words),
+                "the words that are displayed at the robot");
         }
 
         [TestCase(ClockState.Synchronised, "synchronised|± 0.35 ms")]

@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Unity.Status
 {
     public class WrappedTextTests
     {
-        // Widths in font sizes: a digit 0.556, a space 0.278, a W 0.944.
+        // Letter widths in font sizes: digit 0.556, space 0.278, W 0.944.
         [TestCase("", "")]
         [TestCase("000", "000")]
         [TestCase("000 000", "000 000")]

@@ -8,7 +8,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>A recorded sequence of sightings, line by line, played to a tracker at 60 frames a second.</summary>
+    /// <summary>Plays a stored sequence of sightings to a tracker at 60 frames per second.</summary>
     sealed class MarkerSequence
     {
         const double FrameSeconds = 1 / 60.0;
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
                 _frame++;
                 for (; _next < _lines.Count && _lines[_next].Time <= Seconds; _next++) _current[_lines[_next].Sighting.Payload] = _lines[_next];
                 _sightings.Clear();
-                // A sighting that the file no longer repeats has disappeared.
+                // A sighting is removed when the file has not repeated it for 0.1 s.
                 foreach (var (time, sighting) in _current.Values)
                     if (Seconds - time < 0.1) _sightings.Add(sighting);
                 Tracker.Tick(new HeadsetTime(Start + Lengths.Seconds(Seconds)), _sightings, null, null);
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             "device " + fields[1], fields[1], Pose(fields, 4), 0, new HeadsetTime(Start + Lengths.Seconds(Number(fields[3]))),
             (MarkerTracking)(int)Number(fields[2]));
 
-        /// <summary>Reads position and quaternion. Fields that are NaN give an invalid pose.</summary>
+        /// <summary>Reads position and quaternion. Fields that are NaN result in an invalid pose.</summary>
         static RigidTransform Pose(string[] fields, int at)
         {
             double x = Number(fields[at + 3]), y = Number(fields[at + 4]), z = Number(fields[at + 5]), w = Number(fields[at + 6]);

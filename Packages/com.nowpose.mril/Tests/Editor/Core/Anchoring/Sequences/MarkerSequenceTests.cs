@@ -5,7 +5,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>Two markers as a device reports them: six readings a second, each repeated in many frames, some of them wrong.</summary>
+    /// <summary>
+    /// Plays sequences of two markers as devices report them: six readings per second, each repeated in many frames. Some readings are
+    /// wrong.
+    /// </summary>
     public class MarkerSequenceTests
     {
         static MarkerSequence Locked(string file, double until = 4.5)
@@ -70,11 +73,11 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
 
             Stays(played, 11);
             Assert.That(played.Tracker.Markers[0].Ignored[SightingFault.NotTracked], Is.GreaterThan(0));
-            Assert.That(played.Tracker.Markers[0].Sightings - before, Is.GreaterThan(15), "it counts again");
+            Assert.That(played.Tracker.Markers[0].Sightings - before, Is.GreaterThan(15), "new sightings are counted again");
         }
 
         [Test]
-        public void Play_TwoMarkersDisagree_DoesNotLockAndNamesThem()
+        public void Play_TwoMarkersDisagree_DoesNotLockAndNamesBothMarkers()
         {
             var played = new MarkerSequence("two-disagree.txt");
 
@@ -89,14 +92,14 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         {
             var played = Locked("one-moved.txt", 6);
             var before = played.Tracker.Base.Value;
-            var noticed = double.NaN;
+            var detectedAt = double.NaN;
 
             played.Play(10, () =>
             {
-                if (double.IsNaN(noticed) && played.Tracker.State == BaseAnchorState.Moved) noticed = played.Seconds;
+                if (double.IsNaN(detectedAt) && played.Tracker.State == BaseAnchorState.Moved) detectedAt = played.Seconds;
             });
 
-            Assert.That(noticed, Is.InRange(6.1, 7.0), "six readings a second");
+            Assert.That(detectedAt, Is.InRange(6.1, 7.0), "six readings a second");
             Assert.That(played.Tracker.Words, Does.Match("^marker 'right', (29|30|31) mm, "));
             Assert.That(played.Tracker.Base.Value.DistanceTo(before), Is.EqualTo(0));
         }

@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>Creates the files of the marker sequences from a seed: two markers, with the known behaviour of devices.</summary>
+    /// <summary>Creates the lines of the sequence files for two markers. Each file shows a known behaviour of devices.</summary>
     static class SimulatedSequence
     {
         const double Frame = 1 / 15.0, NoiseMetres = 0.001, NoiseRadians = 0.004;
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         {
             var isGone = file == "lost-and-back.txt" && now > 5 && now < 7;
             var isStale = file == "stale.txt" && now > 5;
-            // About six readings a second.
+            // The device reads each marker about six times per second.
             var isRead = random.NextDouble() < 0.4;
             var noise = Noise(random);
             var isOutlier = random.NextDouble() < 0.1;
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             var (seen, pose) = poses[name];
             if (isGone && now > 6) return null;
             var tracking = file == "lost-and-back.txt" && now > 4.5 && now < 7 ? 1 : 2;
-            // The stale pose moves with the correction of the map.
+            // The stale pose moves with a correction of the headset's map.
             if (isStale) pose = RigidTransform.FromXyzRpy(0.25 * Math.Min(now - 5, 1), 0.1 * Math.Min(now - 5, 1), 0, 0, 0, 0) * pose;
             var start = Text(now, "0.000") + " " + name + " " + tracking + " ";
             if (file != "origin.txt") return start + Text(seen, "0.000") + " " + Numbers(pose);

@@ -1,6 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Latency.Calibration
 {
@@ -48,7 +49,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             marks.Add(5, 250);
             marks.Clear();
 
-            Assert.That(Assert.Throws<InputException>(() => marks.Result.ToString()).Message, Does.Contain("forward has no mark"));
+            Assert.That(Assert.Throws<InputException>(() => marks.Result.ToString()).Message, Is.EqualTo(NudgeMessages.NoMark(isForward: true)));
         }
     }
 }

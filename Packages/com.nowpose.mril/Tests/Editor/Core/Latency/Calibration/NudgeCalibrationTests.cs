@@ -2,6 +2,7 @@ using System;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 using NUnit.Framework;
+using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Latency.Calibration
 {
@@ -47,7 +48,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_OneMarkEach_HasTheSpreadOfTheEyesResolution()
+        public void Result_OneMarkPerDirection_HasTheSpreadOfTheEyesResolution()
         {
             var nudge = new NudgeCalibration(500, 40);
             nudge.AddForward(3);
@@ -63,7 +64,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             nudge.AddForward(3);
 
             Assert.That(Assert.Throws<InputException>(() => nudge.Result.ToString()).Message,
-                Is.EqualTo("nudge: backward has no mark; mark both directions"));
+                Is.EqualTo(NudgeMessages.NoMark(isForward: false)));
         }
 
         [Test]

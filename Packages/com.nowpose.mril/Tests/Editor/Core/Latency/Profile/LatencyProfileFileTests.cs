@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         double LoadedMs() => LatencyProfileFile.Load(_path).Visualisation.Length.TotalMilliseconds;
 
         [Test]
-        public void Save_NewAndExistingFile_IsLoadedWithoutOtherFiles()
+        public void Save_NewAndExistingFile_LeavesOnlyTheSavedProfile()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             var first = LoadedMs();
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             LatencyProfileFile.Save(_path, Profile(60));
 
             Assert.That(afterwards, Is.EqualTo(40));
-            Assert.That(LoadedMs(), Is.EqualTo(60), "the remaining file does not prevent it");
+            Assert.That(LoadedMs(), Is.EqualTo(60), "the remaining temporary file does not prevent saving");
         }
 
         [Test]
@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_NoFile_ThrowsInOneLine()
+        public void Load_FileMissing_ThrowsWithAMessageOfOneLine()
         {
             var fault = Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path));
 
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_TruncatedFile_NamesIt()
+        public void Load_TruncatedFile_NamesTheFile()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             File.WriteAllText(_path, Half(File.ReadAllText(_path)));

@@ -15,7 +15,8 @@ namespace Nowpose.Tests.Core.Latency.Profile
         static string FaultOf(string text) => Assert.Throws<InputException>(() => LatencyProfileJson.Read(text, "profile.json")).Message;
 
         [Test]
-        public void Read_Written_RoundTrips([Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
+        public void Read_WrittenProfile_RoundTrips(
+            [Values(CalibrationMethod.VisibleLight, CalibrationMethod.Sine, CalibrationMethod.Nudge, CalibrationMethod.Manual)] object method)
         {
             var random = new Random((int)(CalibrationMethod)method);
             for (var i = 0; i < 200; i++)
@@ -41,7 +42,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         };
 
         [Test]
-        public void Read_TextOfTheFormat_HasItsValues()
+        public void Read_ValidText_ReturnsItsValues()
         {
             var profile = LatencyProfileJson.Read(Good, "profile.json");
 
@@ -81,7 +82,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
 
         [TestCase(@"""reprojection"": ""sideways""", "profile.json: reprojection: 'sideways' is not allowed; use one of unknown, none, ")]
         [TestCase(@"""rewrite_before_render"": ""maybe""", "profile.json: rewrite_before_render: 'maybe' is not allowed; use on or off")]
-        [TestCase(@"""rewrite_before_render"": true", "profile.json: rewrite_before_render must be a text")]
+        [TestCase(@"""rewrite_before_render"": true", "profile.json: rewrite_before_render must be a string")]
         [TestCase(@"""head_latency_ms"": 700", "profile.json: head_latency_ms: 700 ms is out of range; allowed: -500 to 500 ms")]
         [TestCase(@"""head_latency_ms"": 7", "profile.json: head_latency_uncertainty_ms is missing")]
         public void Read_InvalidCondition_IsRefused(string field, string message)
@@ -108,9 +109,10 @@ namespace Nowpose.Tests.Core.Latency.Profile
 
         [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: the latency profile has version 2; this Nowpose reads up to version 1; "
             + "update Nowpose or calibrate again", TestName = "Read_NewerVersion_NamesTheRemedy")]
-        [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is out of range; allowed: 1")]
+        [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is not supported; allowed: 1; calibrate again")]
         [TestCase(@"""version"": 1,", "", "profile.json: version is missing")]
-        [TestCase("nowpose-latency-profile", "other", "profile.json: it is not a latency profile; its format is 'other', not 'nowpose-latency-profile'")]
+        [TestCase("nowpose-latency-profile", "other", "profile.json: it is not a latency profile: its format is 'other', not 'nowpose-latency-profile'; "
+            + "choose a file that calibrate has written")]
         [TestCase("40.2", "NaN", "profile.json: visu_ms: NaN ms is out of range; allowed: 0 to 500 ms")]
         [TestCase("40.2", "700", "profile.json: visu_ms: 700 ms is out of range; allowed: 0 to 500 ms")]
         [TestCase("40.2", @"""40.2""", "profile.json: visu_ms must be a number")]
@@ -126,7 +128,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz occurs twice")]
         public void Read_InvalidValue_ThrowsWithTheReason(string part, string instead, string message)
         {
-            Assert.That(Good, Does.Contain(part), "the test spoils something");
+            Assert.That(Good, Does.Contain(part), "the text contains the part to replace");
 
             Assert.That(FaultOf(Good.Replace(part, instead)), Is.EqualTo(message));
         }

@@ -6,7 +6,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Tests.Core.Latency.Sweep
 {
-    /// <summary>Rows of a sweep at 60 Hz, each frame with its measured render time. Seeded.</summary>
+    /// <summary>Simulates the rows of a sweep at 60 Hz, with a render time for each frame. The random numbers are seeded.</summary>
     sealed class SimulatedSweep
     {
         readonly SweepPlan _plan;
@@ -22,16 +22,19 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         public RenderTimeSourceKind Source { get; set; } = RenderTimeSourceKind.CameraCpu;
 
-        /// <summary>Probability that a time is far too long.</summary>
+        /// <summary>Probability that a render time is an outlier, which is 5 to 105 ms too long.</summary>
         public double Outliers { get; set; } = 0.02;
 
-        /// <summary>The GPU's own time in ms: 4 ms plus 8.5 ms per million vertices, with scatter.</summary>
+        /// <summary>Returns the time of the GPU in ms: 4 ms plus 8.5 ms per million vertices, with scatter.</summary>
         public double GpuMs(double seconds, int vertices) => _gpu.Next(vertices).RenderTime.TotalMilliseconds;
 
         /// <summary>Returns a random number of the standard normal distribution.</summary>
         public double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
 
-        /// <param name="renderMs">Render time, ms, from seconds since the sweep began and vertices; null for a frame without one.</param>
+        /// <param name="renderMs">
+        /// Function that returns the render time in ms, given the seconds since the sweep began and the number of vertices; null for a frame
+        /// without a render time.
+        /// </param>
         public List<SweepRow> Rows(Func<double, int, double?> renderMs)
         {
             var rows = new List<SweepRow>();

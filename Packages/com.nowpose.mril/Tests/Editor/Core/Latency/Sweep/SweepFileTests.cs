@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Add_AllLoads_WritesAndEvaluatesThem()
+        public void Add_AllLoads_WritesAndEvaluatesTheRows()
         {
             var sweep = new SimulatedSweep(new SweepPlan(2_000_000, 4, 1, 0), 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
             var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));
@@ -64,11 +64,11 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
             var written = SpinWait.SpinUntil(() => RowsIn(file.Path) == 200, TimeSpan.FromTicks(30 * TimeSpan.TicksPerSecond));
             Finished(file);
-            Assert.That(written, "two rooms of 100 rows, though no load has ended");
+            Assert.That(written, "two buffers of 100 rows are written although no load has ended");
             Assert.That(RowsIn(file.Path), Is.EqualTo(250));
         }
 
-        // Another stream may be writing to the file.
+        // Shares the file, because another stream may be writing to it.
         static int RowsIn(string path)
         {
             if (!File.Exists(path)) return 0;
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Finish_NoRows_CreatesNoFile()
+        public void CloseAsync_NoRows_CreatesNoFile()
         {
             var file = NewFile();
 
@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Finish_FileCannotBeCreated_HasAProblemInOneLineAndNoResult()
+        public void CloseAsync_FileCannotBeCreated_ReportsAProblemInOneLine()
         {
             File.WriteAllText(_folder, "a file where the folder should be");
             var file = NewFile();

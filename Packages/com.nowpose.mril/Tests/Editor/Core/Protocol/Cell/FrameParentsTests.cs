@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         void Set(string child, string parent) => Assert.That(_frames.TrySet(child, parent), Is.EqualTo(DropReason.None));
 
         [Test]
-        public void TrySet_ChangedParent_ReplacesTheFormerOne()
+        public void TrySet_ChangedParent_ReplacesTheFormerParent()
         {
             Set("box", "belt");
             Set("box", "arm1/tool0");
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_CycleBrokenBefore_IsAccepted()
+        public void TrySet_CycleRemovedBefore_IsAccepted()
         {
             Set("a", "b");
             Assert.That(_frames.TrySet("b", "a"), Is.EqualTo(DropReason.FrameCycle));
@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_FrameWithDescendants_CountsThem()
+        public void TrySet_FrameWithDescendants_CountsTheirDepth()
         {
             for (var i = 2; i <= 9; i++) Set("a" + i, "a" + (i - 1));
             for (var i = 1; i <= 8; i++) Set("b" + i, i == 1 ? "world" : "b" + (i - 1));
@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_LinksFormedACycleLater_IsRefusedAndReturns()
+        public void TrySet_LinksFormACycle_IsRefusedWithoutAnEndlessLoop()
         {
             var links = new Dictionary<string, string>();
             var frames = new FrameParents(link => links.TryGetValue(link, out var root) ? root : null);

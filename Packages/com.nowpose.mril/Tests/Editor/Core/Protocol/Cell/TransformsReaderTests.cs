@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TryRead_Ros1TimeInAnyOrderOfFields_HasTheSameStamp()
+        public void TryRead_Ros1TimeAndOtherFieldOrder_ReturnsTheSameStamp()
         {
             const string Text = "{\"msg\":{\"transforms\":[{\"transform\":{\"rotation\":" + NoRotation + ",\"translation\":" + Origin
                 + "},\"child_frame_id\":\"box\",\"header\":{\"seq\":3,\"frame_id\":\"world\",\"stamp\":{\"secs\":12,\"nsecs\":345678900}}}]},"
@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
             "{\"x\":" + x.ToString("R", CultureInfo.InvariantCulture) + ",\"y\":0,\"z\":0,\"w\":" + w.ToString("R", CultureInfo.InvariantCulture) + "}";
 
         [Test]
-        public void TryRead_CoordinateFarOutsideACell_IsRefused()
+        public void TryRead_CoordinateBeyondTheLimit_IsRefused()
         {
             Refuse(Publish(Transform(translation: "{\"x\":0,\"y\":-1.7e308,\"z\":0}")), DropReason.OutOfRange);
             Refuse(Publish(Transform(translation: "{\"x\":1000001,\"y\":0,\"z\":0}")), DropReason.OutOfRange);
@@ -117,7 +117,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TryRead_ChildTwice_IsRefused() =>
+        public void TryRead_DuplicateChild_IsRefused() =>
             Refuse(Publish(Transform("a") + "," + Transform("b") + "," + Transform("a", "b")), DropReason.DuplicateName);
 
         [TestCase(256, true)]

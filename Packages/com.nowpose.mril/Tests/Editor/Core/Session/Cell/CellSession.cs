@@ -10,7 +10,9 @@ using Nowpose.Sync;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
-    /// <summary>A session whose clocks agree, at 60 frames a second; messages arrive 60 ms after their stamps.</summary>
+    /// <summary>
+    /// Runs a session at 60 frames per second. Both clocks show the same time, and messages arrive 60 ms after their stamps.
+    /// </summary>
     sealed class CellSession
     {
         public const double Visu = 0.04, Latency = 0.06, Interval = 0.05;
@@ -35,7 +37,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         /// <summary>Time by which the control clock has stepped, s.</summary>
         public double ClockStep { get; set; }
 
-        /// <summary>Sends samples with this stamp in s; null for none.</summary>
+        /// <summary>Action that is called every 50 ms to send samples with the given stamp in s; null for no samples.</summary>
         public Action<double> Sampling { get; set; }
 
         public void Synchronise()

@@ -7,10 +7,10 @@ using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
-    /// <summary>Released objects whose source is a tracker with noise that does not report the grip.</summary>
+    /// <summary>Tests released objects whose source is a noisy tracker that does not report the grip.</summary>
     public class GripNoiseTests
     {
-        // A tracker with 1 mm and 0.1° in each component.
+        // Returns a tracker with noise of 1 mm and 0.1° in each component.
         static Func<double, PoseSample> Tracker(int seed, Func<double, double> x) =>
             BodyMotions.WithNoise(t => new PoseSample(t, new Vector3D(x(t), 0, 0), UnitQuaternion.Identity), seed);
 
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         [TestCase(1.0, 0.15)]
         [TestCase(0.1, 0.35)]
         [TestCase(0.01, 2.5)]
-        public void Open_SourceMovesWithNoise_SourceDecides(double speed, double withinSeconds)
+        public void Open_SourceMovesWithNoise_FollowsTheSource(double speed, double withinSeconds)
         {
             const double start = Open + 2;
             double X(double t) => 1 - speed * Math.Max(0, t - start);
@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Open_SourceTracksTheObjectInTheHand_DecidesAtOnce()
+        public void Open_SourceTracksTheObjectInTheGripper_FollowsTheSourceAtOnce()
         {
             double X(double t) => Math.Cos(Shoulder(Math.Min(Math.Max(t, Close), Open)));
             double Y(double t) => Math.Sin(Shoulder(Math.Min(Math.Max(t, Close), Open)));

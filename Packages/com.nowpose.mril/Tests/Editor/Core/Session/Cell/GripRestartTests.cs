@@ -5,7 +5,9 @@ using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
-    /// <summary>Grips by reach after a restart of the twin or of the control clock. The source of the object does not report the grip.</summary>
+    /// <summary>
+    /// Tests grips by reach after a restart of a source or of the control clock. The source of the object does not report the grip.
+    /// </summary>
     public class GripRestartTests
     {
         /// <summary>Time by which the stamps of a restarted source go back, s.</summary>
@@ -14,7 +16,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         static readonly RigidTransform Place = At(1.05, 0.02);
 
         [Test]
-        public void Restart_OfTheSource_GivesBackWhatTheGripperHeld([Values(0, 1)] int value)
+        public void Restart_Source_ReturnsTheHeldObjectToItsSource([Values(0, 1)] int value)
         {
             var (cell, grip) = NewCell("box");
             var back = 0.0;
@@ -31,12 +33,12 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Close + 3);
 
             Assert.That(grip.Held, Is.Null);
-            Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "where its source puts it");
-            Assert.That(grip.Fault, value == 1 ? Does.Contain("what it holds is unknown") : (NUnit.Framework.Constraints.IResolveConstraint)Is.Null);
+            Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "the pose that its source reports");
+            Assert.That(grip.Fault, value == 1 ? Does.Contain("held object is unknown") : (NUnit.Framework.Constraints.IResolveConstraint)Is.Null);
         }
 
         [Test]
-        public void Restart_OfTheSourceWhileClosed_IsAFaultUntilTheNextChange()
+        public void Restart_SourceWhileGripperClosed_ReportsAFaultUntilTheNextChange()
         {
             var (cell, grip) = NewCell("box");
             var (back, value) = (0.0, 1);
@@ -60,7 +62,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         [TestCase(true)]
         [TestCase(false)]
-        public void Restart_AfterTheRelease_GivesTheObjectBack(bool isOfSignal)
+        public void Restart_SourceAfterTheRelease_ReturnsTheObjectToItsSource(bool isOfSignal)
         {
             var (cell, _) = NewCell("box");
             var back = 0.0;
@@ -78,11 +80,11 @@ namespace Nowpose.Tests.Core.Session.Cell
             back = Back;
             Until(cell, Open + 3);
 
-            Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "where its source puts it");
+            Assert.That(Distance(Find(cell, "box").World, Place), Is.LessThan(1e-6), "the pose that its source reports");
         }
 
         [Test]
-        public void Restart_OfTheControlClock_KeepsTheObjectAndReportsIt()
+        public void Restart_ControlClock_KeepsTheObjectAndReportsAFault()
         {
             var (cell, grip) = NewCell("box");
             cell.Sampling = t => SendAll(cell, t + cell.ClockStep, t);
@@ -95,7 +97,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
             Assert.That(grip.Held, Is.EqualTo("box"));
             Assert.That(Distance(ToolOf(cell).Inverse * Find(cell, "box").World, inHand), Is.LessThan(1e-6));
-            Assert.That(grip.Fault, Does.Contain("what it holds is unknown"), "it may have opened and closed meanwhile");
+            Assert.That(grip.Fault, Does.Contain("held object is unknown"), "the gripper may have opened and closed during the restart");
             var opened = cell.Now;
             cell.Send("grip", opened + cell.ClockStep, 0);
             Until(cell, opened + 1);

@@ -16,11 +16,11 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         public static double AngleOf(in RigidTransform a, in RigidTransform b) => UnitQuaternion.Of(a.Inverse * b).Log().Length;
 
-        /// <summary>The tool of the straight arm, 1 m long, turned by the shoulder.</summary>
+        /// <summary>Returns the tool pose of the straight arm, 1 m long, for a shoulder angle in rad.</summary>
         public static RigidTransform Tool(double shoulder) =>
             RigidTransform.FromXyzRpy(Math.Cos(shoulder), Math.Sin(shoulder), 0, 0, 0, shoulder);
 
-        // The arm passes the angle 0 at the stamp at which it closes, and turns on.
+        // Returns the shoulder angle in rad. The arm turns at constant speed and passes 0 rad when the gripper closes.
         public static double Shoulder(double t) => Rate * (t - Close);
 
         public static (CellSession Cell, ReachGrip Grip) NewCell(params string[] objects)

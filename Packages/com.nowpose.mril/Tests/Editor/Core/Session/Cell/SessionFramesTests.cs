@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y) + (a.Z - b.Z) * (a.Z - b.Z));
 
         [Test]
-        public void Frame_MovingEvenly_IsShownWhereItIsAtTheDisplayTime()
+        public void Frame_ConstantSpeed_IsShownAtThePoseOfTheDisplayTime()
         {
             var cell = new CellSession();
             cell.Session.Frames.Need("box");
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Frame_OfNoObject_IsNotPredicted()
+        public void Frame_NotNeeded_IsNotPredicted()
         {
             var cell = new CellSession();
             cell.Sampling = t => cell.Send("world", "elsewhere", t, Along(t));
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Frame_WithParents_NeedsThemToo()
+        public void Need_FrameWithParents_TracksTheParentsToo()
         {
             var cell = new CellSession();
             cell.Sampling = t =>
@@ -145,7 +145,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Frame_SentBeforeTheClockIsKnown_WaitsForIt()
+        public void Frame_SentBeforeTheClockIsKnown_WaitsForTheClock()
         {
             var cell = new CellSession(isClockKnown: false);
             cell.Session.Frames.Need("box");

@@ -8,7 +8,10 @@ using static Nowpose.Tests.Core.Session.Cell.GripScene;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
-    /// <summary>Objects that no source attaches to the gripper: its reach at the stamp of its signal decides.</summary>
+    /// <summary>
+    /// Tests objects that no source attaches to the gripper. The gripper takes the nearest object within its reach at the stamp of its
+    /// signal.
+    /// </summary>
     public class SessionGripsTests
     {
         [Test]
@@ -35,7 +38,7 @@ namespace Nowpose.Tests.Core.Session.Cell
                 Assert.That(grip.Held, Is.EqualTo("box"));
                 var inHand = ToolOf(cell).Inverse * Find(cell, "box").World;
                 var expected = Tool(0).Inverse * At(1.05, 0.02);
-                Assert.That(Distance(inHand, expected), Is.LessThan(1e-6), "as it was at the stamp, in the tool");
+                Assert.That(Distance(inHand, expected), Is.LessThan(1e-6), "the pose in the tool is that at the stamp");
                 Assert.That(AngleOf(inHand, expected), Is.LessThan(1e-6));
                 Assert.That(cell.Session.Frames.StateOf(Find(cell, "box")), Is.EqualTo(PoseState.Current));
                 Assert.That(Find(cell, "far").Parent, Is.EqualTo("world"));
@@ -46,7 +49,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         public void Close_SeveralObjectsInReach_TakesTheNearestAtTheStamp()
         {
             var (cell, grip) = NewCell("left", "right");
-            // The nearer object changes while the message about the signal is on its way.
+            // The left object becomes the nearest one while the message of the signal is in flight.
             cell.Sampling = t =>
             {
                 cell.SendJoints(t, 0, 0);
@@ -58,14 +61,15 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Send("grip", Close - 0.05, 1);
             Until(cell, Close + 0.5);
 
-            // At the stamp: left at 0.04, right at 0.028.
+            // At the stamp, the left object is 0.04 m from the tool and the right object 0.028 m.
             Assert.That(grip.Held, Is.EqualTo("right"));
         }
 
         [Test]
         public void Close_MotionChangesAfterTheStamp_HasTheSameResultOnEveryHeadset()
         {
-            // The belt stops at the stamp. Prediction continues, so what is displayed first depends on the latency; the samples do not.
+            // The belt stops at the stamp, but the prediction continues its motion. Therefore the pose that is displayed at first depends on
+            // the latency, but the final pose depends only on the samples.
             double X(double t) => 1.02 + 0.5 * (Math.Min(t, Close) - Close);
             var poses = new RigidTransform[2];
             for (var headset = 0; headset < 2; headset++)
@@ -91,7 +95,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_Displayed_JumpsNeitherAtTheGripNorAtTheRelease()
+        public void CloseAndOpen_DisplayedObject_DoesNotJump()
         {
             var (cell, _) = NewCell("box");
             cell.Send("world", "box", 20, At(1.05, 0.02), isStationary: true);
@@ -105,14 +109,15 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 1, _ =>
             {
                 var box = Find(cell, "box").World;
-                Assert.That(Distance(before, box), Is.LessThan(0.007), "0.3 rad/s · 1.05 m · 1/60 s is 5.3 mm, and such a difference fades out");
+                Assert.That(Distance(before, box), Is.LessThan(0.007),
+                    "the tool moves 5.3 mm per frame (0.3 rad/s · 1.05 m / 60 Hz), and a correction fades out");
                 before = box;
             });
             Assert.That(Distance(before, At(1.05, 0.02)), Is.GreaterThan(0.5));
         }
 
         [Test]
-        public void Open_ObjectHeld_StaysWhereTheToolWasAtTheStamp()
+        public void Open_ObjectHeld_StaysAtTheToolPoseOfTheStamp()
         {
             var (cell, grip) = NewCell("box");
             cell.Sampling = t =>
@@ -136,7 +141,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Open_SourceMovesTheObjectAfterwards_SourceDecides()
+        public void Open_SourceMovesTheObjectAfterwards_FollowsTheSource()
         {
             var (cell, _) = NewCell("box");
             cell.Sampling = t =>
@@ -157,7 +162,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_SourceGivesTheObjectAParent_SourceDecides()
+        public void Close_SourceAttachesTheObjectToTheTool_FollowsTheSource()
         {
             var (cell, grip) = NewCell("box");
             cell.Sampling = t =>
@@ -171,7 +176,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Send("grip", Close, 1);
             Until(cell, Close + 1);
 
-            Assert.That(grip.Held, Is.Null, "it is held by its source");
+            Assert.That(grip.Held, Is.Null, "its source attaches it to the tool");
             Assert.That(Distance(ToolOf(cell).Inverse * Find(cell, "box").World, At(0.01, 0)), Is.LessThan(1e-9));
         }
 
@@ -191,7 +196,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_BeforeTheSessionHadSamples_IsUnknown()
+        public void Close_BeforeTheFirstSample_ReportsAFault()
         {
             var (cell, grip) = NewCell("box");
             cell.Send("world", "box", 20, At(1, 0), isStationary: true);
@@ -200,7 +205,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Close);
 
             Assert.That(grip.Held, Is.Null);
-            Assert.That(grip.Fault, Does.Contain("what it holds is unknown"));
+            Assert.That(grip.Fault, Does.Contain("held object is unknown"));
 
             cell.Send("grip", Close, 0);
             Until(cell, Close + 1);
@@ -208,7 +213,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_TwoGrippers_TheLastOneTakesTheObjectFromTheFirst()
+        public void Close_SecondGripper_TakesTheObjectFromTheFirst()
         {
             var (cell, first) = NewCell("box");
             var robot = cell.Session.Robots[0];
@@ -232,7 +237,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_RobotStandsOnTheObject_IsNotTaken()
+        public void Close_RobotStandsOnTheObject_DoesNotTakeTheObject()
         {
             var (cell, grip) = NewCell("cart");
             cell.Sampling = t => cell.SendJoints(t, 0, 0);
@@ -248,7 +253,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Remove_HeldObject_IsGivenBackToItsSource()
+        public void Remove_HeldObject_ReturnsToItsSource()
         {
             var (cell, grip) = NewCell("box");
             cell.Send("world", "box", 20, At(1, 0), isStationary: true);
@@ -266,7 +271,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Held_OfGrippedObject_IsInTheUncompensatedTool()
+        public void HeldOf_GrippedObject_IsInTheUncompensatedTool()
         {
             var (cell, _) = NewCell("box");
             cell.Send("world", "box", 20, At(1.05, 0), isStationary: true);

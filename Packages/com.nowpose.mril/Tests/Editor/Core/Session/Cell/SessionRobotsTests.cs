@@ -28,12 +28,12 @@ namespace Nowpose.Tests.Core.Session.Cell
                 Assert.That(main.Joints[0], Is.EqualTo(0.1 * (light - 20)).Within(1e-6));
                 Assert.That(second.Frame.Joints[0], Is.EqualTo(-0.2 * (light - 20)).Within(1e-6));
                 Assert.That(second.Frame.Joints[1], Is.EqualTo(1).Within(1e-6));
-                Assert.That(second.Frame.DisplayTime, Is.EqualTo(main.DisplayTime), "one time for the whole cell");
+                Assert.That(second.Frame.DisplayTime, Is.EqualTo(main.DisplayTime), "the whole cell has one display time");
             });
         }
 
         [Test]
-        public void Robot_WithoutSamples_IsNotCurrentWhileTheOtherIs()
+        public void Robot_WithoutSamples_IsIncompleteWhileTheOtherIsCurrent()
         {
             var cell = new CellSession();
             var second = cell.Session.Robots.Add("arm2", TestRobot.Model);
@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Session_OfANamespace_ReceivesThatRobotOnly()
+        public void Session_WithNamespace_ReceivesOnlyItsRobot()
         {
             var cell = new CellSession(robotNamespace: "arm1");
             cell.Sampling = t =>
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Reports_OfQualifiedJoints_BelongToTheirRobot()
+        public void StatusReceived_QualifiedJoint_AppliesOnlyToItsRobot()
         {
             var cell = new CellSession();
             var second = cell.Session.Robots.Add("arm2", TestRobot.Model);
@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void RootPose_RootLinkIsAFrame_FollowsIt()
+        public void RootPose_RootLinkIsAFrame_FollowsTheFrame()
         {
             var cell = new CellSession();
             var second = cell.Session.Robots.Add("cart", TestRobot.Model);
@@ -114,7 +114,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Add_SameAgain_IsTheKnownOne()
+        public void Add_SameRobotAgain_ReturnsTheExistingRobot()
         {
             var session = new CellSession().Session;
 

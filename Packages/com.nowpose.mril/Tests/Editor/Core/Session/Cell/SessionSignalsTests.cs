@@ -8,12 +8,12 @@ namespace Nowpose.Tests.Core.Session.Cell
 {
     public class SessionSignalsTests
     {
-        // A message ahead of its stamp is one of a control system that knows the change in advance.
+        // With a negative delay, the control system sends the change before its stamp.
         [TestCase(-0.08)]
         [TestCase(0)]
         [TestCase(0.06)]
         [TestCase(0.25)]
-        public void Signal_AnyDelayOfTheMessage_IsShownInTheFrameOfItsStampOrItsArrival(double delay)
+        public void Signal_AnyMessageDelay_IsShownInTheFirstPossibleFrame(double delay)
         {
             const double frame = 1 / 60.0;
             double[] stamps = { 20.7, 20.96, 21.313, 21.32, 21.8 };
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Signal_BeforeTheClockIsKnown_WaitsForIt()
+        public void Signal_BeforeTheClockIsKnown_WaitsForTheClock()
         {
             var cell = new CellSession(isClockKnown: false);
             cell.Send("grip", 19.5, 1);
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             var cell = new CellSession(isClockKnown: false);
             cell.Send("grip", 15, 0);
             cell.Send("grip", 15.2, 1);
-            cell.Send("grip", 15.1, 0); // overtaken
+            cell.Send("grip", 15.1, 0); // arrives after a newer message
             cell.Send("door", 15, 1);
             for (var k = 0; k < 3000; k++) cell.Send("speed", 16 + 0.001 * k, k);
             cell.Run(0.2);

@@ -1,0 +1,22 @@
+namespace Nowpose.Editor.Messages
+{
+    /// <summary>Instructions for settings that the set-up window cannot correct.</summary>
+    static class CheckFixes
+    {
+        public static string BuildSupport(string player) =>
+            $"Unity could not switch: add the module '{player} Build Support' to this editor in Unity Hub.";
+
+        public const string OpenScene = "Open a scene with a main camera first.";
+        public const string BuildTarget = "Switch the build target first.";
+
+        public static string InputHandling(string name) =>
+            $"Project Settings, Player, Other Settings, Active Input Handling: {name}; Unity restarts for it.";
+
+        public static string Feature(string feature) => $"Project Settings, XR Plug-in Management, OpenXR: tick {feature}.";
+
+        public static string OpenXrLoader(string player) =>
+            $"Project Settings, XR Plug-in Management, tab {player}: tick OpenXR and the feature group of your headset.";
+
+        public static string OpenXrOption(string option, string value) => $"Project Settings, XR Plug-in Management, OpenXR: {option} {value}.";
+    }
+}

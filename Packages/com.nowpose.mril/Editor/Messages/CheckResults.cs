@@ -1,0 +1,57 @@
+using System;
+
+namespace Nowpose.Editor.Messages
+{
+    /// <summary>Results of the checks in the set-up window.</summary>
+    static class CheckResults
+    {
+        public static string Architecture(string architecture) => $"the app is built for {architecture}";
+        public static string BuildTarget(string target) => $"the project is built for {target}";
+
+        public const string NoCamera = "the open scenes have no enabled camera with the tag MainCamera; open the scene of the headset";
+        public const string CameraBackground = "the camera clears to a skybox or to another colour";
+        public const string NoGraphicsApi = "Unity names no graphics API for this player, because its module is not installed; add it in Unity Hub";
+
+        public static string AutomaticApi(string api) => $"automatic, which is {api} in this version of Unity";
+
+        public const string OtherBuildTarget = "Unity shows this setting for the active build target only; switch the build target first";
+        public const string NoInputHandling = "not found in the project's settings; see Project Settings, Player, Other Settings";
+
+        public static string InputHandlingOnAndroid(string name) => $"{name}, which Unity does not support on Android";
+
+        public const string InternetAccess = "the app requests the permission";
+
+        public static string NearClip(string found, double millimetres, double metres) =>
+            FormattableString.Invariant($"{found}; one step of the depth is {millimetres:0.##} mm at {metres} m");
+
+        public static string FarNearClip(string found) => $"{found}; objects closer to the eyes are not drawn";
+
+        public const string NoFeature = "the project does not have this feature yet: its package adds it when OpenXR is ticked";
+        public const string NoLoader = "no plug-in or another one is ticked";
+        public const string NoXrSettings = "the project has no settings for XR plug-ins yet";
+        public const string NoOpenXrSettings = "the project has no settings of OpenXR yet";
+
+        public static string OrNewer(Version below) => $" or newer, but older than {below}";
+
+        public const string ChoosePipeline = "choose URP or none under Project Settings, Graphics and Quality";
+        public const string BuiltIn = "built-in render pipeline; the shaders' built-in SubShader is used";
+
+        public static string Urp(string asset) => $"URP ({asset}); the shaders' SubShader for URP is used";
+        public static string Hdrp(string asset, string choose) => $"HDRP ({asset}): the package has no shaders for it; {choose}";
+        public static string OtherPipeline(string asset, string choose) => $"{asset}: the package's shaders do not support it; {choose}";
+
+        public const string ScriptingBackend = "another backend is chosen";
+
+        public static string UnityVersion(string version) => $"{version}: the version cannot be read";
+
+        public static string NotInstalled(string packages, int count) =>
+            $"{packages} {Are(count)} not installed; close Unity and run `nowpose unity PATH --mrtk3`, or get the tarballs from the releases of "
+            + "github.com/MixedRealityToolkit/MixedRealityToolkit-Unity";
+
+        public static string NotSupported(string packages, int count, string supported) =>
+            $"{packages} {Are(count)} not supported; close Unity and run `nowpose unity PATH --mrtk3 --on-conflict replace`, or write {supported} "
+            + "into Packages/manifest.json";
+
+        static string Are(int count) => count == 1 ? "is" : "are";
+    }
+}

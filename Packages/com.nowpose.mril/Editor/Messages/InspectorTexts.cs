@@ -1,0 +1,39 @@
+namespace Nowpose.Editor.Messages
+{
+    /// <summary>Labels and values in inspectors.</summary>
+    static class InspectorTexts
+    {
+        public const string StrokeShare = "Share of the stroke";
+        public const string BasePosition = "Base in the room, m";
+        public const string BaseRotation = "Turned to the left";
+        public const string MovedByLock = "Moved by the newest lock";
+        public const string MovedByDevice = "Moved by the device since";
+        public const string HeldByDevice = "Held by the device";
+        public const string MarkerContradicted = "not used: the other markers contradict it";
+        public const string MarkerMoved = "not at its expected position";
+        public const string MarkerInLock = "part of the lock";
+        public const string NoHead = "nothing: Head is empty, and no camera is tagged MainCamera";
+        public const string Disabled = "nothing; the component is disabled";
+        public const string ReadClipboard = "Read the code on the clipboard";
+        public const string GhostGap = "Gap to the displayed tool";
+        public const string AxisSpeed = "Speed along the axis";
+        public const string NoProfile = "none; the settings apply";
+        public const string FindProfile = "Look for a profile";
+        public const string OneObject = "Live values are shown for one object at a time.";
+        public const string ComponentDisabled = "this component is disabled";
+        public const string LoadUrdf = "Load a URDF file …";
+        public const string LoadUrdfTitle = "Load a URDF, xacro expanded";
+
+        public static string UrdfUnreadable(string asset, string path, string reason) => $"[Nowpose] '{asset}': {path} cannot be read; {reason}";
+
+        public const string HasLinks = "The rig already has links. Delete them to build the robot again.";
+        public const string Capacity = "capacity must be 2 or more";
+        public const string Seconds = "seconds must be more than 0";
+        public const string Predicted = "predicted by the runtime";
+        public const string FingerWithoutJoint = "A finger without a joint";
+
+        public static string NoFingerJoint(string robot) => $"robot '{robot}' has no such joint; the finger does not move";
+        public static string NoFinger(string position) => $"{position}, but no finger is assigned";
+        public static string MovedByRig(string position) => $"{position}, moved by the rig itself";
+    }
+}

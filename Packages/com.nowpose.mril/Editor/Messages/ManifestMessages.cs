@@ -1,0 +1,45 @@
+namespace Nowpose.Editor.Messages
+{
+    /// <summary>Errors of Packages/manifest.json, with what to do.</summary>
+    static class ManifestMessages
+    {
+        public const string AfterObject = "nothing is expected after the object";
+        public const string NoValue = "a value is expected";
+
+        public static string TooDeep(string max) => $"nested more than {max} deep";
+
+        public const string NoName = "a name in double quotes is expected";
+        public const string StringEnd = "the string does not end, or has a character that must be escaped";
+
+        public static string ReadOnly(string file) =>
+            $"{file}: the file is read-only; make it writable, or check it out of version control, and try again";
+
+        public static string TooLong(string file, string bytes) => $"{file}: the file has {bytes} bytes; the limit is 1 MiB";
+        public static string ChangedMeanwhile(string file) => $"{file}: another program has changed the file; try again";
+
+        public static string NotWritten(string file, string reason, string backup) =>
+            $"{file}: not written completely ({reason}); copy {backup} over it, and try again";
+
+        public static string NotUtf8(string file) => $"{file}: the file is not UTF-8; save it as UTF-8";
+
+        public static string VersionUnreadable(string package, string version, string needed) =>
+            $"{package} is kept at {version}: its version cannot be read there; {needed} is needed";
+
+        public static string Scopes(string place) => $"{place}: scopes must be an array";
+        public static string NotAString(string place, string name) => $"{place}: {name} must be a string: a version or an address";
+
+        public static string NotJson(string file, string line, string reason, bool isComment) => isComment
+            ? $"{file}:{line}: not a JSON object: {reason} (JSON has no comments)"
+            : $"{file}:{line}: not a JSON object: {reason}";
+
+        /// <param name="url">Address of the registry in use; null for none.</param>
+        /// <param name="isShared">Whether the registry in use has other scopes too.</param>
+        public static string OtherRegistry(string place, string package, string url, string needed, bool isShared)
+        {
+            if (url == null) return $"{place}: {package} comes from a registry without url; {needed} is needed";
+            return isShared
+                ? $"{place}: {package} comes from the registry {url}; {needed} is needed; the registry has other scopes too, so its url is kept"
+                : $"{place}: {package} comes from the registry {url}; {needed} is needed";
+        }
+    }
+}

@@ -1,0 +1,16 @@
+namespace Nowpose.Editor.Messages
+{
+    /// <summary>Texts of the set-up window and of the menu, and failures of its actions.</summary>
+    static class SetupTexts
+    {
+        public static string PrefabMissing(string prefab, string guid) =>
+            $"The prefab '{prefab}' (GUID {guid}) is not in this project; reinstall the package com.nowpose.mril.";
+
+        public static string PackageNotAdded(string package, string reason) => $"{package} could not be added: {reason}";
+
+        public const string AndroidHeadset = "Android headset (Quest, Magic Leap 2)";
+        public const string AddToScene = "Add to the scene, below the selected object";
+
+        public static string Complete(string headset) => $"Nothing is missing for {headset}.";
+    }
+}

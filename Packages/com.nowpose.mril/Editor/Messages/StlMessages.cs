@@ -1,0 +1,45 @@
+namespace Nowpose.Editor.Messages
+{
+    /// <summary>Errors in STL files, with what to do.</summary>
+    static class StlMessages
+    {
+        public static string HeaderCut(string file, int offset, int headerBytes) =>
+            $"{file}, byte {offset}: the file ends within its header of {headerBytes} bytes; it is not an STL file, or it is incomplete; export "
+            + "it again";
+
+        public static string NotFinite(string file, int offset, int triangle) =>
+            $"{file}, byte {offset}: triangle {triangle} has a corner that is not a finite number; export it again";
+
+        public const string SolidInSolid = "a solid is inside another solid";
+        public const string EndSolid = "endsolid without a solid, or inside a facet";
+        public const string EndLoop = "endloop outside a facet";
+
+        public static string NotAKeyword(string word) => $"'{word}' is not a keyword of the STL format";
+
+        public const string FacetOutside = "a facet is outside a solid, or inside another facet";
+        public const string EndFacet = "endfacet without a facet";
+
+        public static string Corners(int count) => $"the facet has {count} corners; it needs 3";
+
+        public const string VertexOutside = "a vertex is outside a facet";
+        public const string FourthCorner = "the facet has a fourth corner; it needs 3";
+
+        public static string VertexNumbers(int count) => $"a vertex has {count} numbers; it needs 3";
+
+        public const string NoEndSolid = "the file ends without endsolid; it is incomplete, export it again";
+
+        public static string NotANumber(string word) => $"'{word}' is not a finite number";
+        public static string FileTooLong(string file, long bytes, long max) => $"{file}: {bytes} bytes; the maximum is {max}; simplify the mesh";
+
+        public const string NoTriangles = "the mesh has no triangles";
+
+        public static string NoArea(int count) => $"none of its {count} triangles has an area";
+
+        public static string TooMany(string file, long count, int max) =>
+            $"{file}: {count} triangles or more; the maximum is {max}; simplify the mesh";
+
+        public static string OtherLength(string file, int offset, uint triangles, long expected, long actual) => actual < expected
+            ? $"{file}, byte {offset}: {triangles} triangles take {expected} bytes, the file has {actual}; it is incomplete, export it again"
+            : $"{file}, byte {offset}: {triangles} triangles take {expected} bytes, the file has {actual}; export it again";
+    }
+}

@@ -1,0 +1,51 @@
+namespace Nowpose.Messages
+{
+    /// <summary>The state of a base and of its markers in one line, with what to do.</summary>
+    static class BaseStatusMessages
+    {
+        public const string BeingPlaced = "being placed by hand";
+
+        public static string Conflict(string first, string second, string difference) =>
+            $"{first} and {second} contradict each other by {difference}: measure their poses again";
+
+        public static string Scatters(string marker, string spread) => $"the poses of {marker} scatter by {spread}: move closer and keep still";
+        public static string Gathers(int inView, int count) => $"{inView} of {count} markers in view: keep looking at them";
+        public static string Moving(string marker) => $"{marker} is moving: keep it and the robot still";
+
+        public const string Lost = "the headset has lost the position of the base: look around";
+
+        public static string TooFar(string maxMetres) => $"is too far away: go within {maxMetres} m";
+
+        public const string TooOblique = "is seen too obliquely: stand in front of it";
+        public const string Behind = "is behind you: look at it";
+        public const string OtherSize = "does not have the configured size: correct the size of the marker, or print it in this size";
+        public const string TwoPlaces = "is in two places: cover one of the two";
+        public const string NotInView = "is no longer in view: look at it";
+        public const string NotPlaced = "has no position from the headset yet: look at it";
+
+        public static string ConflictOfLock(string marker, int mm, string degrees) =>
+            $"; {marker} is {mm} mm, {degrees}° from where the other markers place it";
+
+        public static string Corrected(int mm, string degrees) => $"; moved by the headset by {mm} mm, {degrees}°";
+
+        /// <param name="isBlind">Whether no code of any kind was reported for a long time.</param>
+        /// <param name="problem">Problem of the source of markers; null for none.</param>
+        public static string Looking(bool isBlind, string problem) =>
+            isBlind ? "looking for markers; allow the camera if it is blocked" : "looking for markers" + Because(problem);
+
+        /// <param name="marker">The marker with the largest difference.</param>
+        public static string Moved(int markers, string marker, string difference) => markers > 1
+            ? $"{markers} markers have moved, the worst is {marker}, {difference} from its expected position: put them back, or lock again"
+            : $"{marker}, {difference} from its expected position: put it back, or lock again";
+
+        public static string Restored(bool hasMarkers, string problem) =>
+            (hasMarkers ? "as in an earlier run: look at a marker to confirm it" : "as in an earlier run: lock it to confirm it") + Because(problem);
+
+        public static string Elsewhere(string metres, bool hasMarkers) => hasMarkers
+            ? $"the headset now reports the base {metres} m elsewhere, which is not followed: look around, or lock again"
+            : $"the headset now reports the base {metres} m elsewhere, which is not followed: look around, or place it again";
+
+        /// <summary>Returns the end of a line with a problem; empty for null.</summary>
+        public static string Because(string problem) => problem == null ? "" : "; " + problem;
+    }
+}

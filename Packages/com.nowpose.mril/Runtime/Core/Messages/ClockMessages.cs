@@ -1,0 +1,16 @@
+using System;
+
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of clocks and times.</summary>
+    static class ClockMessages
+    {
+        public const string NotSynchronised = "the headset clock is not synchronised: no control time is known yet; check State first";
+        public const string SecondsOutOfRange = "seconds must be finite and within ±9.2e11 s";
+
+        public static string UnknownEstimator(string name, string allowed) => $"clock estimator '{name}' is unknown; allowed: {allowed}";
+
+        public static string InlierBound(double ms) =>
+            FormattableString.Invariant($"inlier bound: {ms} ms is out of range; allowed: more than 0 to 1000 ms");
+    }
+}

@@ -1,0 +1,81 @@
+using System.Security.Authentication;
+using Nowpose.Protocol;
+using Nowpose.Sync;
+
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of the connection to a gateway or a rosbridge, with what to do.</summary>
+    static class ConnectionMessages
+    {
+        public static string NotAHost(string host) =>
+            $"host: '{host}' is neither a host name nor an address; enter the gateway's name or IP address";
+
+        public static string TokenUnencrypted(string host) =>
+            $"token: would be sent unencrypted to {host}; use a pin or a device-trusted certificate";
+
+        public static string PlainNotAllowed(string host) =>
+            $"host: {host} is not this machine; enter the gateway's pin, or allow unencrypted connections in a trusted network (insecure LAN)";
+
+        public static string HeadsetName(int length, int max) => $"headset name: is {length} characters long; allowed: 1 to {max}";
+        public static string UnknownClockSource(int source) => $"clock source: {source} is unknown; allowed: 0 (clock sync) and 1 (ROS time)";
+
+        public const string TokenCharacter =
+            "token: contains a character that is not allowed in an HTTP header; use ASCII letters, digits and punctuation";
+
+        public static string TlsVersion(SslProtocols version) =>
+            $"TLS: the gateway supports only {version}; 1.2 or 1.3 is needed; enable one of them on the gateway";
+
+        public const string NotHttp = "the answer is not HTTP/1.1; check that host and port are those of a gateway";
+
+        public static string HeadTooLong(int max) =>
+            $"the head of the answer is longer than {max} bytes; check that host and port are those of a gateway";
+
+        public const string ClosedBeforeAnswer = "the gateway closed the connection before it had answered; see its log";
+
+        public static string NothingSent(double seconds) => $"nothing could be sent for {seconds} s; check the network";
+
+        public const string RosTimeZero = "the time is zero; with use_sim_time, start the node that publishes /clock";
+
+        public static string RosTimeMissing(DropReason fault) =>
+            $"the answer contains no time ({fault}); check that rosapi has the service get_time";
+
+        public static string StartRosapi(string reason) => $"{reason}; start the node rosapi beside rosbridge, as rosbridge's launch file does";
+        public static string RosClockStopped(string service) => $"{service}: the clock does not advance; continue the simulation if it is paused";
+
+        public static string NoAnswer(string service, double seconds) =>
+            $"{service} did not answer within {seconds} s; check the network and rosbridge";
+
+        public static string UnusableAnswers(string service, int count, SyncExchangeFault fault) =>
+            $"{service}: {count} unusable answers in a row, the last: {fault}; check that it is the time of ROS";
+
+        public const string JointsClosed = "joint positions: the gateway closed the connection";
+
+        public static string UnusableReplies(int count, SyncExchangeFault fault) =>
+            $"{count} unusable replies in a row, the last: {fault}; check that host and sync port are those of a gateway";
+
+        public const string TokenNotAccepted = "the gateway does not accept this headset's token; pair again or correct the token";
+        public const string Closed = "the gateway closed the connection";
+
+        public static string NotASyncFrame(SyncFrameFault fault) =>
+            $"the reply is not a sync frame: {fault}; check that host and sync port are those of a gateway";
+
+        public static string OtherSyncFrame(SyncFrameKind kind, SyncFrameKind expected) =>
+            $"the reply is a frame of kind {kind}, expected {expected}; check that host and sync port are those of a gateway";
+
+        public static string MessageTooLong(int max) => $"a message of more than {max} bytes";
+        public static string MessageTooSlow(double seconds) => $"a message that was not complete within {seconds} s";
+
+        public const string TokenNotAcceptedByHttp = "the gateway does not accept this headset's token (401); pair again or correct the token";
+
+        public const string OriginRefused =
+            "the gateway refuses requests from another origin (403); use the address that the gateway was started with";
+
+        public static string UpgradeRefused(string status) =>
+            $"the gateway answered the WebSocket request with status {status}; check that host and port are those of a gateway";
+
+        public const string NotAWebSocket = "the server does not accept the WebSocket request; check that it is a gateway";
+
+        public static string OtherVersion(string name, string version, string self, string ownVersion) =>
+            $"{name} has version {version}, {self} has {ownVersion}; install the same version";
+    }
+}

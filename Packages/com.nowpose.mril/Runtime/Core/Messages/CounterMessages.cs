@@ -1,0 +1,15 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Reasons why the performance counter of Windows cannot be used.</summary>
+    static class CounterMessages
+    {
+        public static string Missing(string reason) => $"this platform has no performance counter of Windows ({reason}); disable Display Time";
+        public static string WentBack(int readings) => $"the performance counter went back in all of {readings} readings; restart the device";
+
+        public static string NotWorking(string frequency) =>
+            $"the performance counter does not work: its frequency is {frequency}; restart the device";
+
+        public static string FrequencyImplausible(string frequency) =>
+            $"the frequency of the performance counter is implausible: {frequency}; restart the device";
+    }
+}

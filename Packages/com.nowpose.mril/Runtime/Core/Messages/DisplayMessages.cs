@@ -1,0 +1,38 @@
+using System;
+using System.Globalization;
+using Nowpose.Session;
+
+namespace Nowpose.Messages
+{
+    /// <summary>Messages about display problems that leave the pose current. Each message contains the action to take.</summary>
+    static class DisplayMessages
+    {
+        const string Implausible = "display times of the runtime are implausible";
+
+        const string WhatToDo =
+            "L_visu is as calibrated. Restart the application; if it happens again, disable Display Time and report the line of the "
+            + "performance counter in the log";
+
+        const string Warning = Implausible + "; " + WhatToDo;
+
+        /// <summary>Returns the message about implausible display times, with the newest value; allocates.</summary>
+        /// <param name="ahead">Display time minus the frame's start; null if it is no longer known.</param>
+        public static string ImplausibleTimes(TimeSpan? ahead) => ahead.HasValue
+            ? Implausible + ": " + ahead.Value.TotalMilliseconds.ToString("0.#", CultureInfo.InvariantCulture)
+                + " ms after the start of the frame; 0 to 500 ms are possible. " + WhatToDo
+            : Warning;
+
+        /// <summary>Returns a message about the current display problem. Allocates nothing.</summary>
+        /// <param name="statistics">Null without a session.</param>
+        /// <returns>Null if there is no problem.</returns>
+        public static string ProblemOf(SessionStatistics statistics)
+        {
+            if (statistics == null) return null;
+            return statistics.BeyondLimits?.Words ?? (statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionMessages.ProblemOf(statistics.DepthSubmission))
+                ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null);
+        }
+
+        /// <summary>Returns whether the profile in use was measured under other conditions.</summary>
+        public static bool IsMismatched(SessionStatistics statistics) => statistics.ProfileMismatches.Count > 0 && !statistics.IsLightPredicted;
+    }
+}

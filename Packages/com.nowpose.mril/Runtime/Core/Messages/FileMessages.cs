@@ -1,0 +1,9 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of files.</summary>
+    static class FileMessages
+    {
+        public static string TooLong(string path, long bytes, int max) => $"{path}: file has {bytes} bytes; the limit is {max}";
+        public static string NotSaved(string path, string what, string reason) => $"{path}: the {what} cannot be saved: {reason}";
+    }
+}

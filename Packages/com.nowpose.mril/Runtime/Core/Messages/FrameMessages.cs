@@ -1,0 +1,26 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of frames, of grips and of the file of stationary frames.</summary>
+    static class FrameMessages
+    {
+        public static string NotFinite(double time, double x, double y, double z, double order) =>
+            $"time, position and order must be finite; they are {time} s, ({x}, {y}, {z}) m, {order} s";
+
+        public const string RotationLength = "the rotation has length 0; a unit quaternion is needed";
+        public const string ClosedAtUnknownTime = "the gripper closed at an unknown time, so the held object is unknown; open and close it";
+
+        public const string SignalRestarted =
+            "the gripper's signal restarted while the gripper was closed, so the held object is unknown; open and close it";
+
+        public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close it";
+        public const string List = "list of stationary frames";
+
+        public static string NotUnitQuaternion(string tolerance) => $"a rotation must be a quaternion with the norm 1 within {tolerance}";
+
+        public const string FileNumber = "a number must be finite";
+        public const string OwnParent = "a frame is its own parent; correct its header.frame_id";
+        public const string FieldMissing = "a field is missing";
+
+        public static string NotTransforms(DropReason fault) => $"is not a tf2_msgs/TFMessage as JSON ({fault})";
+    }
+}

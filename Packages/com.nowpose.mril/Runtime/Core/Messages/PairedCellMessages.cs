@@ -1,0 +1,28 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Errors in the list of paired cells.</summary>
+    static class PairedCellMessages
+    {
+        public static string CodeCount(int codes, int max) => $"paired cell: {codes} codes; allowed: 1 to {max}";
+
+        public const string SameCode = "paired cell: two codes are the same";
+        public const string SeveralCells = "paired cell: the codes belong to several cells or gateways";
+
+        public static string CellCount(int cells, int max) => $"paired cells: {cells} cells; allowed: up to {max}";
+
+        public const string SameName = "paired cells: two have the same name";
+        public const string UsedNotInList = "paired cells: the cell in use is not in the list";
+        public const string List = "list of paired cells";
+        public const string NotComplete = "it is not a complete JSON object";
+
+        public static string Unusable(string file, string reason) => $"{file}: cannot be used as a list of paired cells: {reason}";
+        public static string Field(DropReason fault) => $"a field is missing, occurs twice, or has the wrong type ({fault})";
+        public static string OtherFormat(string format) => $"its format is not '{format}'";
+        public static string NewerVersion(long version, int max) => $"it has version {version}; this Nowpose reads version {max}; update Nowpose";
+
+        /// <param name="copy">Path of the kept copy; null for none.</param>
+        public static string Lost(string reason, string copy) => copy == null
+            ? $"{reason}; look at the codes again"
+            : $"{reason}; kept as {copy}; look at the codes again";
+    }
+}

@@ -1,0 +1,18 @@
+namespace Nowpose.Messages
+{
+    /// <summary>A gateway's answers to a pairing code, with what to do.</summary>
+    static class PairingAnswerMessages
+    {
+        public static string Unencrypted(string host) => $"pairing: the code's token would be sent unencrypted to {host}; use a pin";
+
+        public const string NotAccepted = "the gateway does not accept this code, because it was used or is too old; look at the current code";
+        public const string NotStarted = "the gateway does not pair headsets; start it with --pairing";
+        public const string TooManyWrong = "the gateway has received too many wrong codes; try again in a minute";
+        public const string NotSaved = "the gateway cannot save this headset's token; see its log";
+
+        public static string Status(string status) => $"the gateway answered the code with status {status}; see its log";
+        public static string TooLong(int max) => $"the gateway's answer to the code is of unknown length or longer than {max} bytes";
+
+        public const string NoToken = "the gateway's answer to the code contains no valid token";
+    }
+}

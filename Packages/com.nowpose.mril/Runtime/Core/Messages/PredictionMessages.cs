@@ -1,0 +1,28 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of samples, plans and predictors.</summary>
+    static class PredictionMessages
+    {
+        public static string History(int max) => $"must be from the degree to {max}";
+
+        public const string UnknownDerivatives = "velocity, acceleration and jerk must be known";
+        public const string NegativeSeconds = "must be 0 s or more";
+
+        public static string NotFinite(double time, double position, double order) =>
+            $"time, position and order must be finite; they are {time} s, {position}, {order} s";
+
+        public static string PositionCount(int positions, int times) =>
+            $"{positions} positions for {times} times; the numbers must be equal and at least 1";
+
+        public static string DerivativeCount(int times) => $"the numbers of velocities and accelerations must equal that of the times, {times}";
+        public static string TimeOrder(int index, double time, double earlier) => $"time {index}: {time} s is not later than {earlier} s";
+        public static string LimitOrder(double lower, double upper) => $"position limits {lower} to {upper}: lower must not exceed upper";
+
+        public const string NotPositiveSeconds = "must be more than 0 s";
+
+        public static string NotPositive(string unit) => $"must be more than 0 {unit}";
+
+        public static string UnknownPredictor(string name, string allowed) =>
+            $"predictor '{name}' is unknown; allowed: {allowed}, and linear, quadratic and cubic with -h and a history, for example linear-h4";
+    }
+}

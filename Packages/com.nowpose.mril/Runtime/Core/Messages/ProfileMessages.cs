@@ -1,0 +1,24 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of latency profiles. The reader adds the file.</summary>
+    static class ProfileMessages
+    {
+        public const string LimitWithoutSource = "render time limit: state the source of the render times from which it was determined";
+
+        public static string OtherFormat(string format, string expected) =>
+            $"it is not a latency profile: its format is '{format}', not '{expected}'; choose a file that calibrate has written";
+
+        public static string NewerVersion(int version, int max) =>
+            $"the latency profile has version {version}; this Nowpose reads up to version {max}; update Nowpose or calibrate again";
+
+        public static string Version(int version, int allowed) => $"version: {version} is not supported; allowed: {allowed}; calibrate again";
+        public static string UnknownMethod(string name, string allowed) => $"method: '{name}' is unknown; allowed: {allowed}";
+
+        public const string NotComplete = "it is not a complete JSON object; calibrate again";
+
+        public static string NotANumber(string field) => $"{field} must be a number";
+        public static string NotWhole(string field) => $"{field} must be a whole number";
+        public static string NotAText(string field) => $"{field} must be a string";
+        public static string NotADate(string field, string text) => $"{field}: '{text}' is not a date; write it as 2026-11-20T13:00:00Z";
+    }
+}

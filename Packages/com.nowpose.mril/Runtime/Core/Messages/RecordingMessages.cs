@@ -1,0 +1,11 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of recordings.</summary>
+    static class RecordingMessages
+    {
+        public static string MaxSize(string path, string megabytes) =>
+            $"recording {path} has stopped: it has reached its maximum size of {megabytes} MB; start a new recording or increase the maximum";
+
+        public const string NoPath = "recording: no file is named; enter a path";
+    }
+}

@@ -1,0 +1,36 @@
+using System;
+
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of robots and of their joint values.</summary>
+    static class RobotMessages
+    {
+        public static string PoseCount(int poses, int links) => $"{poses} poses were passed for {links} links; pass one pose for each link";
+
+        public static string BeyondLimits(string joint, double position, string unit, double lower, double upper, string otherUnit) =>
+            FormattableString.Invariant($"joint '{joint}': {position:0.###} {unit} is outside its limits {lower:0.###} to {upper:0.###} ")
+            + FormattableString.Invariant($"{unit}, and is drawn at the limit; check that the robot description belongs to this robot and that ")
+            + FormattableString.Invariant($"the source sends {unit}, not {otherUnit}");
+
+        public static string ValueCount(int values, int joints) =>
+            $"{values} values were passed for {joints} moving joints; pass one value for each moving joint";
+
+        public static string NoMovingJoint(string robot) => $"robot {robot}: has no moving joint; choose another robot";
+
+        public static string WaypointOutOfLimits(string robot, int waypoint, string joint, double position, double lower, double upper) =>
+            FormattableString.Invariant($"robot {robot}: waypoint {waypoint} puts {joint} at {position}; its limits are {lower} to {upper}; ")
+            + "choose another robot";
+
+        public static string TooManyJoints(string robot, int joints, int max) =>
+            $"robot {robot}: has {joints} moving joints; a message carries at most {max}; make some of them fixed";
+
+        public static string NamespaceTaken(string name, string robot) =>
+            $"robot namespace '{name}': robot {robot} already has it; give each robot its own namespace";
+
+        public static string TooManyRobots(string name, int max) =>
+            $"robot namespace '{name}': the cell already has {max} robots, which is the maximum; remove one of them";
+
+        public static string NamespaceInvalid(string name, int max) =>
+            $"robot namespace: is '{name}'; allowed: a letter, then letters, digits and underscores, up to {max} characters";
+    }
+}

@@ -1,0 +1,17 @@
+using System;
+
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of settings.</summary>
+    static class SettingMessages
+    {
+        public const string NotPositive = "must be positive and finite";
+        public const string Vertices = "must be 0 to a billion vertices";
+
+        public static string OutOfRange(string name, double value, string suffix, double min, double max) =>
+            FormattableString.Invariant($"{name}: {value}{suffix} is out of range; allowed: {min} to {max}{suffix}");
+
+        public static string UnknownLinkProfile(string name, string allowed) => $"link profile: '{name}' is unknown; allowed: {allowed}";
+        public static string UnknownNetwork(string name, string allowed) => $"network: '{name}' is unknown; allowed: {allowed}";
+    }
+}

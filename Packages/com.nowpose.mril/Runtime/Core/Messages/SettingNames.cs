@@ -1,0 +1,30 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Names of settings in error messages.</summary>
+    static class SettingNames
+    {
+        public const string MarkersOfBase = "markers of a base";
+        public const string ToolSpeed = "speed of the tool";
+        public const string DeviceModel = "the name of a model";
+        public const string VisualisationSpread = "spread of the visualisation latency";
+        public const string MaxRenderTime = "maximum render time measured";
+        public const string BuildingTime = "time for building per frame";
+        public const string HeadMotionUncertainty = "uncertainty of the head motion latency";
+        public const string MaxSweepLoad = "maximum load of the sweep, vertices";
+        public const string SweepSteps = "steps of the sweep";
+        public const string SettlingTime = "time for a load to settle";
+        public const string LoadTime = "time of a load";
+        public const string CodeMarkerSize = "cell code: marker size";
+        public const string CodeSyncPort = "cell code: sync port";
+        public const string CodeWebSocketPort = "cell code: WebSocket port";
+        public const string CodeMarkerOffset = "cell code: marker offset";
+        public const string MaxRecordingSize = "maximum size of the recording";
+        public const string UrdfVelocityShare = "of the URDF's velocity";
+        public const string Latch = "latch before the refresh";
+        public const string EmptySceneRenderTime = "render time of an empty scene";
+        public const string RenderTimePerVertices = "render time per million vertices";
+        public const string RenderTimeScatter = "scatter of the render time";
+        public const string SlowFrameChance = "chance of a slow frame";
+        public const string VisualisationInTime = "visualisation latency of frames in time";
+    }
+}

@@ -1,0 +1,10 @@
+namespace Nowpose.Messages
+{
+    /// <summary>Errors of calls for statistics.</summary>
+    static class StatisticsMessages
+    {
+        public const string WindowSize = "window must be 1 or more";
+        public const string Empty = "no length was added yet; check Count first";
+        public const string Fraction = "fraction must be 0 to 1";
+    }
+}

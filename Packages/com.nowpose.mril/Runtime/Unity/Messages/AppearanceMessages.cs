@@ -1,0 +1,22 @@
+namespace Nowpose.Unity.Messages
+{
+    /// <summary>Parts whose material cannot show the state of the pose, with what to do.</summary>
+    static class AppearanceMessages
+    {
+        public const string AssignMaterial = "assign a material to the part";
+        public const string ChangeShader = "add NowposePose.hlsl to the shader; the manual's page Pose Appearance has an example";
+
+        public static string NoMaterial(string part) => $"a material of '{part}' is missing";
+
+        public static string NotFadeable(string material, string part) =>
+            $"material '{material}' of '{part}' is opaque, not blended by its alpha, or one of several, and its shader lacks _Hatch or _Fade";
+
+        public static string Substituted(string component, string problem, string substitute, string remedy) =>
+            $"pose appearance '{component}': {problem}. While the pose is not current, the part is drawn with '{substitute}'. "
+            + $"To keep its own look, {remedy}";
+
+        public static string Hidden(string component, string problem, string remedy) =>
+            $"pose appearance '{component}': {problem}. While the pose is not current, the part is hidden. "
+            + $"Assign a Substitute with _Fade and _Hatch, or {remedy}";
+    }
+}

@@ -1,0 +1,18 @@
+using UnityEngine;
+
+namespace Nowpose.Unity.Messages
+{
+    /// <summary>Errors and states of the base.</summary>
+    static class BaseMessages
+    {
+        public static string PositionNotFinite(Vector3 position) => $"position {position} is not finite; pass three finite lengths in m";
+        public static string RotationInvalid(Quaternion rotation) => $"rotation {rotation} is not a rotation; pass a quaternion of length 1";
+
+        public const string FollowsMarker = "the base follows a marker that is being moved";
+        public const string NotLocated = "no marker has located the base";
+        public const string Restored = "the base has its pose from an earlier run; look at a marker to confirm it";
+        public const string MovedLabel = "base or marker moved";
+        public const string Moved = "a marker is not at its expected position";
+        public const string Lost = "the headset has lost its position";
+    }
+}

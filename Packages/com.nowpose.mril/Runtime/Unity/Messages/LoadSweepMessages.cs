@@ -1,0 +1,31 @@
+using System;
+using Nowpose.Latency;
+using Nowpose.Latency.Sweep;
+
+namespace Nowpose.Unity.Messages
+{
+    /// <summary>Errors and results of a load sweep.</summary>
+    static class LoadSweepMessages
+    {
+        public static string StoppedWithLog(string path) => $"load sweep stopped; its log is {path}";
+        public static string NoGenerator(string component) => $"load sweep '{component}' has lost its load generator; its log is kept";
+
+        public static string GeneratorOff(string generator) =>
+            $"load generator '{generator}' is switched off; the sweep needs it, so switch it on and sweep again";
+
+        public static string Done(string verdict, string path) => $"load sweep done: {verdict}; log: {path}";
+
+        public const string WaitingForClock = "waiting for the clock", Stopped = "sweep stopped", Judging = "sweep done, evaluating";
+
+        public static string Building(int vertices) => $"building {vertices} vertices";
+
+        public static string Showing(SweepRun run, SweepPlan plan) =>
+            $"load {run.Index + 1} of {plan.Loads.Count}: {run.Vertices} vertices";
+
+        public static string Begun(SweepPlan plan, string path) => FormattableString.Invariant(
+            $"load sweep of {plan.Loads.Count} loads up to {plan.MaxLoad} vertices, {plan.Duration.TotalSeconds:0} s and the time to build them, to {path}");
+
+        public static string Changed(ConditionMismatch change) =>
+            $"load sweep stopped: {change.Label} changed from '{change.Calibrated}' to '{change.Actual}' during the sweep; do not change it and sweep again";
+    }
+}

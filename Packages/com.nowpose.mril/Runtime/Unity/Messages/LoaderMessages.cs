@@ -1,0 +1,12 @@
+namespace Nowpose.Unity.Messages
+{
+    /// <summary>Errors of latency profiles on the device.</summary>
+    static class LoaderMessages
+    {
+        public static string InArchive(string path) =>
+            "latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the profile as a text "
+            + $"asset, or copy it to {path}";
+
+        public const string Unkept = "a calibration that is not kept";
+    }
+}

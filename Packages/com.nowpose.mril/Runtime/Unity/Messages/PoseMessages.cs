@@ -1,0 +1,27 @@
+using Nowpose.Session;
+
+namespace Nowpose.Unity.Messages
+{
+    /// <summary>States of a pose, and reasons why a pose is not current.</summary>
+    static class PoseMessages
+    {
+        public const string GripperUnattached = "the gripper is disabled or is not attached to a link of a moving rig";
+        public const string RigDisabled = "the rig is disabled or cannot show the robot";
+        public const string SessionPaused = "the session is disabled or paused";
+        public const string NotPlaced = "neither a hand nor a source has placed it";
+
+        /// <summary>Returns the state of a pose in a few words, the same beside the robot and on the status panel.</summary>
+        public static string Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
+        {
+            if (pose == PoseState.OutsideRange && outsideRange == OutsideRangeResponse.Hold) return "held: outside range";
+            switch (pose)
+            {
+                case PoseState.Current: return "current";
+                case PoseState.OutsideRange: return "outside range";
+                case PoseState.Held: return "held";
+                case PoseState.Unsynchronised: return "not synchronised";
+                default: return "no positions yet";
+            }
+        }
+    }
+}

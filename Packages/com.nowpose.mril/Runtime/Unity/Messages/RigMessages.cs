@@ -1,0 +1,36 @@
+namespace Nowpose.Unity.Messages
+{
+    /// <summary>Errors of rigs and of the objects below them.</summary>
+    static class RigMessages
+    {
+        public static string NoDescription(string robot, string rig) =>
+            $"robot namespace '{robot}': its rig '{rig}' has no robot description; assign a Robot Description to the rig";
+
+        public static string NoRootLink(string robot, string rig, string root, string drawn) =>
+            $"robot '{robot}': no object below '{rig}' has the name of its root link '{root}', but '{drawn}' is drawn there; name an object "
+            + "after each link of the URDF, or remove this object so that the rig builds the robot";
+
+        public static string MovedBetween(string robot, string between, string parent, string link) =>
+            $"robot '{robot}': '{between}' is between the links '{parent}' and '{link}' and is moved, turned or scaled; reset its transform";
+
+        public static string ScaledLink(string robot, string link) =>
+            $"robot '{robot}': link '{link}' is scaled, and so are its children; scale the visible object instead";
+
+        public static string MissingLink(string robot, string parent, string rig, string link, string joint, string where) =>
+            $"robot '{robot}': below link '{parent}' in '{rig}' link '{link}' of joint '{joint}' {where}; name an object after each link of the "
+            + "URDF and nest the objects in the same way";
+
+        public static string NoUrdf(string asset) => $"'{asset}': contains no URDF; load the URDF of the robot";
+        public static string NotBound(string rig) => $"rig '{rig}': bind it to a robot before joints are applied";
+
+        public static string ValueCount(string rig, int values, int joints) =>
+            $"rig '{rig}': {values} values for {joints} moving joints; pass one value for each moving joint";
+
+        /// <param name="hasShader">Whether the build contains the shader that replaces the material.</param>
+        public static string NoMaterial(string rig, bool hasShader) => hasShader
+            ? $"rig '{rig}' has no material for the robot that it built, so the robot is drawn by the shader Nowpose/Hologram; "
+                + "assign Arm Material and Tool Material"
+            : $"rig '{rig}' has no material for the robot that it built, so the robot is magenta, because this build does not contain the shader "
+                + "Nowpose/Hologram; assign Arm Material and Tool Material";
+    }
+}

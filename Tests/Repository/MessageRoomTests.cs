@@ -1,0 +1,63 @@
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Repository;
+
+/// <summary>The texts of a product for users are in its message catalogue, the folder Messages of its sources.</summary>
+public sealed class MessageRoomTests
+{
+    const int MaxWords = 3;
+    const string Runtime = RepositoryFiles.Package + "/Runtime/";
+    const string Core = Runtime + "Core/";
+
+    static readonly string[] Products = [Runtime, RepositoryFiles.Package + "/Editor/", "Gateway/", "Cli/"];
+
+    /// <summary>Calls whose arguments describe an option, a verb or a metric, beside its name.</summary>
+    static readonly string[] Help = ["Command", "RootCommand", "NumberOption.Create"];
+
+    /// <summary>Files with longer texts and the number of these texts.</summary>
+    static readonly Dictionary<string, int> Elsewhere = new()
+    {
+        // The heads of HTTP requests.
+        [Core + "Network/WebSocketUpgrade.cs"] = 1,
+        [Core + "Pairing/PairingRequest.cs"] = 1,
+    };
+
+    static IEnumerable<string> Sources => RepositoryFiles.All.Where(file => file.EndsWith(".cs", StringComparison.Ordinal)
+        && Products.Any(product => file.StartsWith(product, StringComparison.Ordinal)) && !file.Contains("/Messages/", StringComparison.Ordinal));
+
+    [Test]
+    public void Texts_OfProducts_AreInTheirCatalogue()
+    {
+        var found = Sources.Select(file => (File: file, Texts: LongTexts(RepositoryFiles.Read(file)).ToList()))
+            .Where(source => source.Texts.Count != Elsewhere.GetValueOrDefault(source.File))
+            .Select(source => $"{source.File}: {source.Texts.Count} texts:\n  {string.Join("\n  ", source.Texts)}");
+
+        Assert.That(found, Is.Empty, $"move texts of more than {MaxWords} words to the folder Messages of the product");
+    }
+
+    [Test]
+    public void Elsewhere_AllFiles_Exist() => Assert.That(Elsewhere.Keys.Except(Sources), Is.Empty);
+
+    [TestCase("throw new E(\"a file has no end\");", "a file has no end")]
+    [TestCase("throw new E(\"no end\");", null)]
+    [TestCase("var a = \"file \" + Name(x) + \" has \" + n + \" bytes too many\";", "file 0 has 0 bytes too many")]
+    [TestCase("var a = x + \" has no end yet\";", "0 has no end yet")]
+    [TestCase("var a = $\"file {Name(\"x\")} has {n:0.0} bytes too {{many}}\";", "file 0 has 0 bytes too {many}")]
+    [TestCase("var a = isOn ? \"it is on\" : \"it is off\";", null)]
+    [TestCase("Call(\"one two\", \"three four\");", null)]
+    [TestCase("[Tooltip(\"the length of the arm\")] int _length;", null)]
+    [TestCase("int _a; [SerializeField, Tooltip(\"the length of the arm\")] int _length;", null)]
+    [TestCase("string[] a = [\"a list of four words\"];", "a list of four words")]
+    [TestCase("// the length of \"the arm is one metre\"", null)]
+    [TestCase("var c = '\"'; var a = \"the arm is long\";", "the arm is long")]
+    [TestCase("var a = @\"the \"\"arm\"\" is long\";", "the \"arm\" is long")]
+    [TestCase("new Command(\"demo\", \"shows how the product works\")", null)]
+    [TestCase("new Option<int>(\"--x\") { Description = \"the length of the arm\", }", null)]
+    [TestCase("Log($\"{(isOn ? \"the arm is on now\" : \"off\")}\");", "the arm is on now")]
+    public void LongTexts_Sample_AreFound(string source, string expected) =>
+        Assert.That(LongTexts(source), expected == null ? Is.Empty : Is.EqualTo(new[] { expected }));
+
+    static IEnumerable<string> LongTexts(string source) => SourceTexts.In(source)
+        .Where(text => !Help.Contains(text.Call) && text.Assigned != "Description")
+        .Select(text => text.Text).Where(text => SourceTexts.WordsIn(text) > MaxWords);
+}
