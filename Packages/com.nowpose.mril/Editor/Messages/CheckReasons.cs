@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Reasons for the checks in the set-up window.</summary>
+    /// <summary>Texts in the set-up window that give the purpose of each check.</summary>
     static class CheckReasons
     {
         public const string ApiLevel = "The package is built and tested with it, and the app is smaller.";

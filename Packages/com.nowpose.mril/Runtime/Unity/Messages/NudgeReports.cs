@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors and results of the calibration by eye.</summary>
+    /// <summary>Error messages and results of the calibration by eye.</summary>
     static class NudgeReports
     {
         public const string NotSteady = "nudge: the tool does not move steadily; mark while it moves at constant speed";

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors and states of the cell's objects.</summary>
+    /// <summary>Error messages about objects of the cell, and names of their states.</summary>
     static class ObjectMessages
     {
         public const string ParentUnknown = "its parent is unknown";
@@ -15,7 +15,7 @@ namespace Nowpose.Unity.Messages
 
         public const string NotPlaced = "not placed; place it by hand, or publish its frame on /tf_static";
 
-        /// <param name="copy">Path of the kept copy of the file; null for none.</param>
+        /// <param name="copy">Path of the saved copy of the invalid file; null if it could not be saved.</param>
         public static string PlacesLost(string reason, string copy) => copy == null
             ? $"{reason}; place the objects again"
             : $"{reason}; kept as {copy}; place the objects again";
