@@ -43,7 +43,7 @@ namespace Nowpose.ArFoundation
             _next = 0;
         }
 
-        public void Renounce(string name)
+        public void RemoveName(string name)
         {
             if (KeptAs == name) KeptAs = null;
             if (_wanted == name) _wanted = null;
@@ -69,7 +69,7 @@ namespace Nowpose.ArFoundation
         {
             Problem = null;
             KeptAs = _wanted;
-            _owner.Renounce(_wanted, _anchor);
+            _owner.RemoveName(_wanted, _anchor);
             _wanted = null;
         }
 

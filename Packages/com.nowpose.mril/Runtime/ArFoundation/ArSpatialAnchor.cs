@@ -11,7 +11,7 @@ namespace Nowpose.ArFoundation
     sealed class ArSpatialAnchor : ISpatialAnchor
     {
         /// <summary>Timeout for the creation of an anchor. The device takes some seconds to scan a new room.</summary>
-        const float PatienceSeconds = 10;
+        const float CreationTimeoutSeconds = 10;
 
         /// <summary>
         /// Maximum distance from the last pose at which a pose at the session's origin counts as measured, and not as the default of the device.
@@ -75,7 +75,7 @@ namespace Nowpose.ArFoundation
 
         public bool IsOf(ArSpatialAnchor other) => _anchor != null && ReferenceEquals(_anchor, other._anchor);
 
-        public void Renounce(string name) => _keeping.Renounce(name);
+        public void RemoveName(string name) => _keeping.RemoveName(name);
 
         /// <summary>Updates state and pose from the device. Call once per frame.</summary>
         public void Follow()
@@ -98,7 +98,7 @@ namespace Nowpose.ArFoundation
             Track();
         }
 
-        bool IsLate => Time.unscaledTime - _since > PatienceSeconds;
+        bool IsLate => Time.unscaledTime - _since > CreationTimeoutSeconds;
 
         void Begin()
         {

@@ -12,7 +12,7 @@ namespace Nowpose.ArFoundation
     sealed class OriginManager<T> where T : MonoBehaviour
     {
         /// <summary>Delay before a problem is reported. The scene and the runtime take some time to start.</summary>
-        const float PatienceSeconds = 3;
+        const float ReportDelaySeconds = 3;
 
         static readonly List<XRDisplaySubsystem> Displays = new List<XRDisplaySubsystem>();
 
@@ -61,14 +61,16 @@ namespace Nowpose.ArFoundation
             if (Manager != null && subsystem == null) TryAgainWhenXrStarts();
             var fault = FaultOf(assigned, subsystem);
             if (fault == OriginFault.None) _since = null;
-            else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < PatienceSeconds) return false;
+            else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < ReportDelaySeconds) return false;
             if (fault == _fault) return false;
             _fault = fault;
             Problem = WordsOf(fault);
             return true;
         }
 
-        /// <summary>Returns whether a position is the origin of the device's session. Devices report this position for objects of unknown pose.</summary>
+        /// <summary>
+        /// Returns whether a position is the origin of the device's session. Devices report this position for objects of unknown pose.
+        /// </summary>
         /// <remarks>The origin of the session is not always the origin of the scene, because the XR Origin may be moved.</remarks>
         /// <param name="world">Position in the scene, in metres.</param>
         public bool IsSessionOrigin(Vector3 world)

@@ -40,13 +40,13 @@ namespace Nowpose.Mrtk3
         string _shown = "";
         float _shownAt;
 
-        /// <summary>Accepts the gateway. Does nothing in the first half second after the question appears. The accept button calls it.</summary>
+        /// <summary>Accepts the gateway, for the accept button. Does nothing in the first half second after the question appears.</summary>
         public void Accept()
         {
             if (IsRead) _pairing.Accept();
         }
 
-        /// <summary>Declines the gateway. Does nothing in the first half second after the question appears. The decline button calls it.</summary>
+        /// <summary>Declines the gateway, for the decline button. Does nothing in the first half second after the question appears.</summary>
         public void Refuse()
         {
             if (IsRead) _pairing.Refuse();

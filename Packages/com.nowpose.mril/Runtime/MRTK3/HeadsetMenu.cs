@@ -47,13 +47,13 @@ namespace Nowpose.Mrtk3
         int _shownOpacity = int.MinValue, _shownNudge = int.MinValue;
         bool _isShowing;
 
-        /// <summary>Sets the gripper's opacity. The event of the opacity slider calls it.</summary>
+        /// <summary>Sets the gripper's opacity. The event of the opacity slider must call this method.</summary>
         public void SlideOpacity(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetOpacity(data.NewValue);
         }
 
-        /// <summary>Sets the correction of L_visu. The event of the nudge slider calls it.</summary>
+        /// <summary>Sets the correction of L_visu. The event of the nudge slider must call this method.</summary>
         public void SlideNudge(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetNudgeMs(data.NewValue);

@@ -25,7 +25,7 @@ namespace Nowpose.Mrtk3
         /// Delay before a problem is reported. Speech recognition starts some seconds after the scene; without microphone or package it never
         /// starts.
         /// </summary>
-        const float PatienceSeconds = 10;
+        const float ReportDelaySeconds = 10;
 
         // _registered holds the event of each registered keyword; _own holds the keywords that only this component registered.
         readonly Dictionary<string, UnityEvent> _registered = new Dictionary<string, UnityEvent>();
@@ -59,7 +59,7 @@ namespace Nowpose.Mrtk3
         {
             Unregister();
             _recognition = XRSubsystemHelpers.KeywordRecognitionSubsystem;
-            if (_recognition != null || _isReported || Time.unscaledTime - _since <= PatienceSeconds) return;
+            if (_recognition != null || _isReported || Time.unscaledTime - _since <= ReportDelaySeconds) return;
             _isReported = true;
             ConsoleLog.Info(this, "voice commands '" + name + "': keyword recognition does not run; use the menu instead");
         }

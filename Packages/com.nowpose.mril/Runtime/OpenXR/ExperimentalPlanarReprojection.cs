@@ -79,7 +79,8 @@ namespace Nowpose.OpenXR
             Problem = Paused;
         }
 
-        // The rig calls this after each computed pose: once in Update and, if the session does so, again right before rendering.
+        // The rig calls this method after each computed pose: once per frame or, if the session computes the pose again right before rendering,
+        // twice.
         void Ask()
         {
             if (_isMissing) return;
