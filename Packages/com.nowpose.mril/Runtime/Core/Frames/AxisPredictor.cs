@@ -3,17 +3,17 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Frames
 {
-    /// <summary>One component of a vector, which is predicted from its first change on.</summary>
+    /// <summary>Predicts one component of a vector, from its first change on.</summary>
     /// <remarks>
     /// Many components never change: the height of a workpiece on a conveyor, two of the three angles of a turntable. Their value needs no
     /// prediction. Allocates nothing after construction.
     /// </remarks>
     sealed class AxisPredictor
     {
-        /// <summary>Maximum difference from the first value that is rounding, m or rad.</summary>
+        /// <summary>Maximum difference from the first value that counts as rounding, in m or rad.</summary>
         const double Rounding = 1e-9;
 
-        /// <summary>Number of samples before the first change that the prediction needs: a start from rest is not a continued motion.</summary>
+        /// <summary>Number of samples kept before the first change, which show the predictor that the motion starts from rest.</summary>
         const int Kept = 8;
 
         readonly JointPredictor _predictor;
@@ -48,7 +48,7 @@ namespace Nowpose.Frames
                 return DropReason.None;
             }
             _hasChanged = true;
-            // Each kept sample gets the display time of its own, or it would count as one that was predicted far ahead.
+            // Each kept sample is added with the display time at its arrival, because the predictor estimates the horizon from it.
             for (var age = _count - 1; age >= 0; age--) _predictor.Add(_newestFirst[age], displayed - (sample.Time - _newestFirst[age].Time));
             return _predictor.Add(sample, displayed);
         }

@@ -94,8 +94,8 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Discards all samples for another parent. The first sample in it predicts an object at rest there, up to the horizon cap: a gripper
-        /// or a fixture holds what it has taken. Its speed is known from the second sample on.
+        /// Discards all samples, because the parent has changed. The first sample in the new parent predicts an object at rest there, up to the
+        /// horizon cap, as in a gripper or a fixture. The speed is known from the second sample on.
         /// </summary>
         public void ChangeParent()
         {
@@ -103,7 +103,7 @@ namespace Nowpose.Frames
             _restsBeforeSecondSample = true;
         }
 
-        /// <summary>Discards all samples and what was learned from them, after a restart of the source.</summary>
+        /// <summary>Discards all samples and all estimates from them, after a restart of the source.</summary>
         public void Reset()
         {
             _restsBeforeSecondSample = false;

@@ -44,7 +44,9 @@ namespace Nowpose.Frames
         /// <summary>Whether the displayed pose is one of /tf_static.</summary>
         public bool IsStationary => _isStationary && _reach == null;
 
-        /// <summary>The place that a gripper has given the object, from the next display frame on; null if its own source places it.</summary>
+        /// <summary>
+        /// The place of the object that a gripper determines, from the next display frame on; null if its own source determines it.
+        /// </summary>
         public ReachPlace Reach => _isReachWaiting ? _nextReach : _reach;
 
         /// <summary>Whether another parent waits for the next display frame.</summary>
@@ -85,8 +87,8 @@ namespace Nowpose.Frames
             return DropReason.None;
         }
 
-        /// <summary>Gives the object a place by a gripper's reach from the next display frame on, as for a change of the parent.</summary>
-        /// <param name="place">Null: the object's own source places it again.</param>
+        /// <summary>Sets the place of the object that a gripper determines, from the next display frame on, as for a change of the parent.</summary>
+        /// <param name="place">Null if the object's own source determines the place again.</param>
         public void Put(ReachPlace place)
         {
             if (Reach == null && place != null) (_sourceRest ??= new SourceRest()).Begin();
@@ -145,7 +147,7 @@ namespace Nowpose.Frames
             _hasPose = true;
         }
 
-        /// <summary>The parent is unknown: keeps the pose that was shown last.</summary>
+        /// <summary>Keeps the displayed pose, because the parent is unknown.</summary>
         public void Orphan() => State = FrameState.Orphan;
 
         /// <summary>Discards the poses of a tracked frame, because their times are no longer valid. The displayed pose is kept.</summary>
@@ -163,7 +165,7 @@ namespace Nowpose.Frames
             _newest = null;
         }
 
-        // A source without information about the gripper repeats the pose from before the grip.
+        // A source that does not know the gripper repeats the pose from before the grip.
         bool IsMovedBy(in FrameTransform pose)
         {
             if (Reach == null || pose.Stamp <= _newest) return false;

@@ -4,27 +4,28 @@ namespace Nowpose.Frames
 {
     /// <summary>Limits the distance of forecasts from the line through the two newest samples.</summary>
     /// <remarks>
-    /// A motion that breaks off, such as a vehicle that stops to turn within one sample, makes polynomials through samples before and after the break
-    /// overshoot by a multiple of all their earlier errors. The line has the shortest window, so a forecast much further from it than
-    /// any before is not used as it is. The maximum includes the forecasts that were limited: a new kind of motion is limited for few samples only.
+    /// When a motion breaks off, for example because a vehicle stops within one sample, polynomials through the samples before and after
+    /// overshoot by a multiple of their earlier errors. The line has the shortest window, so a forecast that is much further from the line
+    /// than all before is moved towards it. The maximum includes the forecasts that were limited, so that a new kind of motion is limited for
+    /// few samples only.
     /// </remarks>
     sealed class DistanceLimit
     {
         /// <summary>Maximum distance relative to the recent maximum: 1 and 2.5 gave the same mean errors within 0.2 %.</summary>
         const double Growth = 1.5;
 
-        readonly double _memory;
+        readonly double _timeConstant;
         double _max;
 
-        /// <param name="memory">Time constant in which the maximum is forgotten, s.</param>
-        public DistanceLimit(double memory)
+        /// <param name="timeConstant">Time constant of the decay of the maximum, in s.</param>
+        public DistanceLimit(double timeConstant)
         {
-            _memory = memory;
+            _timeConstant = timeConstant;
             Clear();
         }
 
-        /// <summary>Share of the distance that is used until the next sample, 0 to 1.</summary>
-        public double Share { get; private set; }
+        /// <summary>Factor of the distance from the line, 0 to 1, until the next sample.</summary>
+        public double Factor { get; private set; }
 
         /// <summary>Adds the distance of the forecast after a sample.</summary>
         /// <param name="interval">Time since the sample before, s.</param>
@@ -32,10 +33,10 @@ namespace Nowpose.Frames
         public void Add(double interval, double distance)
         {
             var max = Growth * _max;
-            Share = max > 0 && distance > max ? max / distance : 1;
-            if (double.IsFinite(distance)) _max = Math.Max(_max * Math.Exp(-Math.Max(interval, 0) / _memory), distance);
+            Factor = max > 0 && distance > max ? max / distance : 1;
+            if (double.IsFinite(distance)) _max = Math.Max(_max * Math.Exp(-Math.Max(interval, 0) / _timeConstant), distance);
         }
 
-        public void Clear() => (_max, Share) = (0, 1);
+        public void Clear() => (_max, Factor) = (0, 1);
     }
 }

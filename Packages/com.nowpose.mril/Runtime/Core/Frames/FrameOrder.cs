@@ -6,14 +6,14 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
 {
-    /// <summary>The order in which frames are evaluated, parents first, and where each one finds its parent's pose.</summary>
+    /// <summary>Determines the order in which frames are evaluated, parents first, and the source of each parent's pose.</summary>
     sealed class FrameOrder
     {
         readonly List<CellFrame> _frames;
         readonly Dictionary<string, int> _indices;
         readonly List<IRobotLinks> _robots = new List<IRobotLinks>();
         readonly List<string> _rootNames = new List<string>();
-        // By their names as parents, so that a change of the structure allocates nothing.
+        // The links by their qualified names, because composing a name allocates memory.
         readonly Dictionary<string, (int Robot, int Link)> _links = new Dictionary<string, (int, int)>(StringComparer.Ordinal);
         readonly List<int> _roots = new List<int>();
         Place[] _places = Array.Empty<Place>();

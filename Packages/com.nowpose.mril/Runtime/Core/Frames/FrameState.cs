@@ -1,6 +1,6 @@
 namespace Nowpose.Frames
 {
-    /// <summary>Whether a frame is shown where it is now.</summary>
+    /// <summary>State of a frame's displayed pose.</summary>
     enum FrameState
     {
         /// <summary>No pose has been received; the displayed pose is a placeholder.</summary>
@@ -12,10 +12,10 @@ namespace Nowpose.Frames
         /// <summary>The newest pose is too old to be predicted.</summary>
         Held,
 
-        /// <summary>The frame itself is known, but one above it is not current.</summary>
+        /// <summary>The pose in the parent is that at the display time, but the pose of the parent is not current.</summary>
         ParentNotCurrent,
 
-        /// <summary>The pose is that at the display time.</summary>
+        /// <summary>The displayed pose is that at the display time.</summary>
         Current,
     }
 }

@@ -48,7 +48,7 @@ namespace Nowpose.Frames
         /// <summary>Adds a received pose.</summary>
         /// <param name="pose">Validated, apart from the limits of the tree.</param>
         /// <param name="isStationary">Whether it comes from /tf_static. The newest message decides.</param>
-        /// <returns>Why it was dropped; <see cref="DropReason.None"/> if it was used.</returns>
+        /// <returns>Drop reason; <see cref="DropReason.None"/> if the pose was used.</returns>
         public DropReason Add(in FrameTransform pose, bool isStationary)
         {
             var index = IndexOf(pose.Child);
@@ -79,7 +79,7 @@ namespace Nowpose.Frames
             _isHandedOver = true;
         }
 
-        /// <summary>Lets all objects that a gripper holds or has released be placed by their own sources.</summary>
+        /// <summary>Returns all objects that a gripper holds or has released to their own sources.</summary>
         public void TakeFrom(ReachGrip gripper)
         {
             for (var i = 0; i < _frames.Count; i++)

@@ -6,7 +6,7 @@ namespace Nowpose.Frames
     /// <summary>The links of a displayed robot, to which frames can be attached.</summary>
     interface IRobotLinks
     {
-        /// <summary>The robot's namespace; empty for the robot without one.</summary>
+        /// <summary>The robot's namespace; empty for a robot without one.</summary>
         string Namespace { get; }
 
         RobotModel Robot { get; }
@@ -14,13 +14,13 @@ namespace Nowpose.Frames
         /// <summary>Whether the poses are those at the display time.</summary>
         bool IsCurrent { get; }
 
-        /// <summary>Poses of all links in the robot's root link, right-handed, metres, in the order of the robot's links.</summary>
+        /// <summary>Poses of all links relative to the robot's root link, right-handed, in m, in the order of the robot's links.</summary>
         ReadOnlySpan<RigidTransform> Poses { get; }
 
-        /// <summary>The same for the newest samples, which a display without compensation shows.</summary>
+        /// <summary>As <see cref="Poses"/>, from the newest samples, which a display without compensation shows.</summary>
         ReadOnlySpan<RigidTransform> HeldPoses { get; }
 
-        /// <summary>Returns the pose of a link in the robot's root link at a time other than the displayed one.</summary>
+        /// <summary>Returns the pose of a link relative to the robot's root link at a time other than the displayed one.</summary>
         RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin);
     }
 }

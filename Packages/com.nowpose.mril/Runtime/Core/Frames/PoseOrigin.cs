@@ -1,6 +1,6 @@
 namespace Nowpose.Frames
 {
-    /// <summary>Origin of a pose at a given time, the least certain one of all positions from which it was computed.</summary>
+    /// <summary>Origin of a pose at a given time: the least certain origin of all positions from which it was computed.</summary>
     enum PoseOrigin
     {
         /// <summary>No data for that time.</summary>

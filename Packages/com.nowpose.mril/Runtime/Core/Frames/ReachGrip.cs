@@ -9,15 +9,14 @@ namespace Nowpose.Frames
 {
     /// <summary>A gripper that takes the object within its reach when its signal changes, if no source reports what it grips.</summary>
     /// <remarks>
-    /// The poses at the stamp of the change decide, not those at the arrival of its message. At first they are predicted, because the
-    /// display time is ahead of the samples; as soon as there are samples from after the stamp, these decide, so that every headset that
-    /// receives the same samples takes the same object in the same place. A source that gives the object a parent itself has priority. A
-    /// released object stays in the world where it was at the stamp of the release, until its source moves it. Use it on the frame's
-    /// thread.
+    /// The poses at the stamp of the change decide, not those at the arrival of its message. At first these poses are predicted, because the
+    /// display time is ahead of the samples. As soon as samples from after the stamp have arrived, they decide, so that all headsets with
+    /// the same samples take the same object in the same place. A source that gives the object a parent itself has priority. A released
+    /// object stays in the world at its pose at the stamp of the release, until its source moves it. Use it on the frame's thread.
     /// </remarks>
     sealed class ReachGrip
     {
-        /// <summary>Time after which a change is decided with the data at hand, s: longer than every latency worth compensating.</summary>
+        /// <summary>Time after which a change is decided with the available data, in s: longer than every latency worth compensating.</summary>
         const double Patience = 1;
 
         readonly FrameTree _tree;
@@ -49,7 +48,7 @@ namespace Nowpose.Frames
         /// <summary>Name of the held object; null for none.</summary>
         public string Held => _isClosed == true && IsMine ? _tree[_held].Name : null;
 
-        /// <summary>Why it is unknown what the gripper holds, in one line; null if it is known.</summary>
+        /// <summary>Reason why the held object is unknown, in one line; null if it is known.</summary>
         public string Fault { get; private set; }
 
         // False once the object's source or another gripper has taken it.
@@ -70,13 +69,13 @@ namespace Nowpose.Frames
         /// <param name="light">Display time.</param>
         public void Decide(ControlTime light) => Decide(isLast: ClockTicks.Seconds(light - _since) > Patience);
 
-        /// <summary>Decides a change with what is known, because the times of the control system become invalid.</summary>
+        /// <summary>Decides a change with the available data, because the times of the control system become invalid.</summary>
         public void Settle() => Decide(isLast: true);
 
         /// <summary>Handles a restart of its signal, in which the gripper may have opened and closed unnoticed.</summary>
         /// <param name="isOfSource">
-        /// Whether the source of the signal has restarted: then all that the gripper held or released before is given back. Otherwise only the
-        /// times of the control system have become invalid, and objects stay where they are until the next change.
+        /// Whether the source of the signal has restarted: then all objects that the gripper held or released are returned to their sources.
+        /// Otherwise only the times of the control system have become invalid, and the objects stay until the next change.
         /// </param>
         public void Restart(bool isOfSource)
         {
@@ -89,7 +88,7 @@ namespace Nowpose.Frames
             if (_isClosed == true) Fault = FrameMessages.SignalRestarted;
         }
 
-        /// <summary>Gives a held object back to its source.</summary>
+        /// <summary>Returns a held object to its source.</summary>
         public void Leave()
         {
             if (IsMine) _tree.Put(_held, null);

@@ -3,16 +3,15 @@ using Nowpose.Kinematics;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Place of an object that a gripper determines instead of the object's own source: in the gripper, or where the gripper has released
-    /// it.
+    /// Place of an object that a gripper determines instead of the object's own source: in the gripper, or at the position of its release.
     /// </summary>
     sealed class ReachPlace
     {
-        /// <param name="gripper">The gripper that has put it there.</param>
+        /// <param name="gripper">The gripper that determines the place.</param>
         /// <param name="parent">The gripper's link, or the world.</param>
         /// <param name="pose">Pose of the object in the parent, constant.</param>
         /// <param name="since">Stamp of the signal's change.</param>
-        /// <param name="isReleased">Whether it ends when the object's source reports another pose than before.</param>
+        /// <param name="isReleased">Whether the gripper has released the object, which stays until its source reports another pose.</param>
         public ReachPlace(ReachGrip gripper, string parent, in RigidTransform pose, ControlTime since, bool isReleased)
         {
             Gripper = gripper;
@@ -32,7 +31,7 @@ namespace Nowpose.Frames
 
         public bool IsReleased { get; }
 
-        /// <summary>The same place after the times of the control system have become invalid: before every later pose.</summary>
+        /// <summary>Returns the same place with a time before all poses, because the times of the control system have become invalid.</summary>
         public ReachPlace WithoutTime() => new ReachPlace(Gripper, Parent, Pose, default, IsReleased);
     }
 }

@@ -10,7 +10,7 @@ namespace Nowpose.Frames
         readonly double _maximumGap;
 
         /// <param name="capacity">Number of samples to keep.</param>
-        /// <param name="maximumGap">Interval that starts again with one sample, s.</param>
+        /// <param name="maximumGap">Maximum interval between two samples, in s; after a longer one, only the newest sample is kept.</param>
         public RecentVectors(int capacity, double maximumGap)
         {
             _times = new double[capacity];
@@ -20,14 +20,14 @@ namespace Nowpose.Frames
 
         public int Count { get; private set; }
 
-        /// <summary>Mean interval between the samples, s; 0 before two.</summary>
+        /// <summary>Mean interval between the samples, in s; 0 before the second sample.</summary>
         public double MeanInterval => Count < 2 ? 0 : (_times[0] - _times[Count - 1]) / (Count - 1);
 
         public double TimeOf(int age) => _times[age];
 
         public ref readonly Vector3D this[int age] => ref _vectors[age];
 
-        /// <summary>Adds a sample newer than all before; errors of stamps may still put its time before theirs.</summary>
+        /// <summary>Adds a sample newer than all others. With errors of stamps, its time may still be before theirs.</summary>
         public void Add(double time, in Vector3D vector)
         {
             if (Count > 0 && !(Math.Abs(time - _times[0]) <= _maximumGap)) Count = 0;

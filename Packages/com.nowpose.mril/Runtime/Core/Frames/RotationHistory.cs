@@ -1,10 +1,10 @@
 using System;
+using Nowpose.Prediction;
 
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// The newest rotations of a frame, each with its angles: the sum of the rotation vectors from sample to sample, about the parent's
-    /// axes.
+    /// Keeps the newest rotations of a frame and their angles: the sums of the rotation vectors from sample to sample, about the parent's axes.
     /// </summary>
     /// <remarks>
     /// The angles α are three coordinates without a bound and without a singularity, in which a constant angular velocity is a line:
@@ -16,9 +16,6 @@ namespace Nowpose.Frames
     {
         /// <summary>More than the longest history of a forecaster.</summary>
         const int Capacity = 128;
-
-        /// <summary>Samples whose times differ by less count as simultaneous, in s; only the first of them is kept.</summary>
-        const double SameSeconds = 1e-6;
 
         /// <summary>Rotations below this, in rad, are rounding errors.</summary>
         const double Rounding = 1e-14;
@@ -57,7 +54,7 @@ namespace Nowpose.Frames
         /// <summary>Discards all rotations.</summary>
         public void Clear() => Count = 0;
 
-        bool IsAsOld(int age, double order) => age >= 0 && age < Count && Math.Abs(_newestFirst[age].Order - order) < SameSeconds;
+        bool IsAsOld(int age, double order) => age >= 0 && age < Count && JointSample.IsSameTime(_newestFirst[age].Order, order);
 
         // A repeated sample gets exactly the angles of the first one.
         static Vector3D AnglesRelativeTo(in Entry entry, in UnitQuaternion rotation)

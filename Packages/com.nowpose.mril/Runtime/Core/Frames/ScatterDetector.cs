@@ -2,11 +2,11 @@ using System;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Detects samples that only scatter about a place, like those of a noisy tracker whose object is at rest.</summary>
+    /// <summary>Detects samples that only scatter about a position, such as those of a noisy tracker whose object is at rest.</summary>
     /// <remarks>
-    /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion
-    /// has small second differences. The lengths of vectors decide, so three components give more evidence than one. Allocates nothing
-    /// after construction.
+    /// The rule is that of <see cref="Prediction.Forecasting.RestDetector.IsOnlyNoise"/>, with lengths of vectors: for white noise, the mean
+    /// second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small second
+    /// differences. Three components give more evidence than one, so a shorter window is sufficient. Allocates nothing after construction.
     /// </remarks>
     sealed class ScatterDetector
     {
@@ -17,13 +17,13 @@ namespace Nowpose.Frames
         const double MaxProgress = 0.7, MinRoughness = 1.0;
 
         /// <summary>
-        /// Minimum distance from the mean of scattering samples, and from the last of them, at which a sample does not belong to them, relative
-        /// to their mean first difference. Noise in one component exceeds it once in 40 000 samples, noise in three practically never.
-        /// A shorter last step would have a direction of noise.
+        /// Minimum distance of the first sample of a motion from the mean of the scattering samples, and from the last of them, relative to
+        /// their mean first difference. Noise in one component exceeds it once in 40 000 samples, noise in three practically never. The
+        /// direction of a shorter last step would be that of the noise.
         /// </summary>
-        const double LeavesAbove = 4;
+        const double MinStartRatio = 4;
 
-        /// <summary>Share of a new window in <see cref="Noise"/>.</summary>
+        /// <summary>Weight of a new window in <see cref="Noise"/>.</summary>
         const double Smoothing = 1 / 16.0;
 
         readonly Vector3D[] _newestFirst = new Vector3D[Window];
@@ -34,7 +34,7 @@ namespace Nowpose.Frames
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
 
-        /// <summary>Whether the newest sample has left the place about which those before it only scattered: a motion starts.</summary>
+        /// <summary>Whether a motion starts: the newest sample has left the position about which the samples before scattered.</summary>
         public bool HasLeft { get; private set; }
 
         /// <summary>Mean distance of consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
@@ -43,7 +43,7 @@ namespace Nowpose.Frames
         /// <summary>Adds a sample newer than all before.</summary>
         public void Add(in Vector3D position)
         {
-            HasLeft = Scatters && Math.Min((position - Mean()).Length, (position - _newestFirst[0]).Length) > LeavesAbove * _meanStep;
+            HasLeft = Scatters && Math.Min((position - Mean()).Length, (position - _newestFirst[0]).Length) > MinStartRatio * _meanStep;
             for (var i = Window - 1; i > 0; i--) _newestFirst[i] = _newestFirst[i - 1];
             _newestFirst[0] = position;
             _count = Math.Min(_count + 1, Window);

@@ -4,16 +4,16 @@ using Nowpose.Kinematics;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// The poses that the source of an object reports while a gripper determines the object's place. Distinguishes another pose from a
-    /// tracker's noise about the pose at the release.
+    /// Detects when the source of an object, whose place a gripper determines, reports another pose than that at the release. Distinguishes
+    /// another pose from the noise of a tracker.
     /// </summary>
     /// <remarks>
-    /// The noise is measured from the grip on, by <see cref="ScatterDetector"/>. The limit for white noise with the standard deviation σ in each
-    /// component is 13.5 σ for three components and 6.8 σ for one; the difference of two samples has √2 σ. Allocates nothing after construction.
+    /// <see cref="ScatterDetector"/> measures the noise from the grip on. For white noise with the standard deviation σ in each component, the
+    /// limit is 13.5 σ for three components and 6.8 σ for one; the difference of two samples has √2 σ. Allocates nothing after construction.
     /// </remarks>
     sealed class SourceRest
     {
-        /// <summary>Differences up to these are rounding, m and rad.</summary>
+        /// <summary>Maximum differences that are rounding, in m and rad.</summary>
         const double SamePosition = 1e-6, SameRotation = 1e-6;
 
         /// <summary>Maximum difference of two samples of one pose, relative to the mean difference of consecutive ones.</summary>
@@ -37,7 +37,7 @@ namespace Nowpose.Frames
             _isFirst = true;
         }
 
-        /// <summary>Takes the noise until now as that of the pose at the release.</summary>
+        /// <summary>Stores the pose at the release, and the noise measured so far.</summary>
         /// <param name="rest">Newest pose of the source.</param>
         public void Release(in RigidTransform rest)
         {
@@ -56,7 +56,7 @@ namespace Nowpose.Frames
             _rotations.Add(UnitQuaternion.Of(_first.Inverse * pose).Log());
         }
 
-        /// <summary>Returns whether the source has left the pose of the release, with a pose after it. Call it once for each pose.</summary>
+        /// <summary>Returns whether a pose after the release shows that the source has left the pose at the release. Call it once for each pose.</summary>
         public bool IsLeftBy(in RigidTransform pose)
         {
             var difference = _rest.Inverse * pose;

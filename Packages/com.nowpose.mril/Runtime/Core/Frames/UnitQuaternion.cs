@@ -95,9 +95,9 @@ namespace Nowpose.Frames
             a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z);
 
         /// <summary>Interpolates at a constant rate along the shorter way (spherical linear interpolation).</summary>
-        /// <param name="share">0 for the first rotation, 1 for the second; other values extrapolate.</param>
-        public static UnitQuaternion Slerp(in UnitQuaternion from, in UnitQuaternion to, double share) =>
-            from * Exp((from.Inverse * to).Log() * share);
+        /// <param name="fraction">0 for the first rotation, 1 for the second; other values extrapolate.</param>
+        public static UnitQuaternion Slerp(in UnitQuaternion from, in UnitQuaternion to, double fraction) =>
+            from * Exp((from.Inverse * to).Log() * fraction);
 
         /// <summary>Returns the angle between two rotations, 0 to π rad.</summary>
         public static double AngleBetween(in UnitQuaternion a, in UnitQuaternion b) => (a.Inverse * b).Log().Length;

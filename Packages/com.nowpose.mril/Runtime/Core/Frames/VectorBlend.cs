@@ -1,62 +1,51 @@
 using System;
+using Nowpose.Prediction;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Keeps a displayed vector continuous when a sample changes its prediction: the difference at the last displayed moment decays.</summary>
-    /// <remarks>The same as for a joint, with the lengths of vectors in place of displacements. Allocates nothing.</remarks>
+    /// <summary>Keeps a displayed vector continuous when a sample changes its prediction: a <see cref="SectionBlend"/> with vectors.</summary>
+    /// <remarks>Allocates nothing.</remarks>
     sealed class VectorBlend
     {
-        /// <summary>Maximum time constant, as a share of the sampling interval: as for a joint.</summary>
-        const double MaxShareOfInterval = 0.2;
-
-        /// <summary>
-        /// Maximum difference that is blended, relative to the maximum speed times the age of the displayed prediction: as for a joint. A larger
-        /// one comes from an object that was moved elsewhere.
-        /// </summary>
-        const double MaxError = 4;
-
-        readonly double _timeConstant;
+        readonly SectionBlend _blend;
         Vector3D _residual;
-        double _residualFrom, _residualTimeConstant, _lastDisplayed, _sectionOf, _maxSpeed;
-        bool _isOpen;
+        double _maxSpeed;
+        bool _isActive;
 
-        /// <param name="timeConstant">s; 0: no blending, the vector jumps.</param>
-        public VectorBlend(double timeConstant)
-        {
-            _timeConstant = timeConstant;
-            Clear();
-        }
+        /// <param name="timeConstant">Maximum time constant in s; 0 for no blend.</param>
+        public VectorBlend(double timeConstant) => _blend = new SectionBlend(timeConstant);
 
-        /// <summary>Whether a vector displayed at a time is needed when a sample comes.</summary>
-        public bool IsNeededAt(double displayed) => _timeConstant > 0 && !double.IsNaN(displayed);
+        /// <inheritdoc cref="SectionBlend.IsNeeded"/>
+        public bool IsNeeded(double displayed) => _blend.IsNeeded(displayed);
 
         /// <summary>Starts from the vector that was displayed before the newest sample.</summary>
-        /// <param name="shown">What was displayed.</param>
-        /// <param name="predicted">What the newest prediction gives at the same time.</param>
-        /// <param name="before">Time of the newest sample of the displayed prediction, s.</param>
-        /// <param name="recent">The samples with the newest one.</param>
+        /// <param name="displayed">The last displayed moment, in s.</param>
+        /// <param name="shown">The vector displayed at that moment.</param>
+        /// <param name="predicted">Vector that the newest prediction gives for that moment.</param>
+        /// <param name="before">Time of the newest sample of the displayed prediction, in s.</param>
+        /// <param name="recent">The samples, including the newest one.</param>
         public void Start(double displayed, in Vector3D shown, in Vector3D predicted, double before, RecentVectors recent)
         {
-            // If several samples arrive between two frames, the displayed prediction is the one before the first of them.
-            if (displayed != _lastDisplayed) (_lastDisplayed, _sectionOf) = (displayed, before);
-            Measure(recent);
+            _blend.Replace(displayed, before);
+            UpdateMaxSpeed(recent);
             _residual = shown - predicted;
-            (_residualFrom, _residualTimeConstant) = (displayed, Math.Min(_timeConstant, MaxShareOfInterval * recent.MeanInterval));
-            _isOpen = _residualTimeConstant > 0 && _residual.Length <= MaxError * _maxSpeed * (displayed - _sectionOf);
+            _isActive = _blend.TryStart(displayed, _residual.Length, _maxSpeed, recent.MeanInterval);
         }
 
+        /// <summary>Returns the displayed vector.</summary>
         /// <param name="predicted">The newest prediction for the time.</param>
-        public Vector3D At(double time, in Vector3D predicted) =>
-            _isOpen ? predicted + _residual * Math.Exp(-Math.Abs(time - _residualFrom) / _residualTimeConstant) : predicted;
+        public Vector3D At(double time, in Vector3D predicted) => _isActive ? predicted + _residual * _blend.RemainderAt(time) : predicted;
 
+        /// <summary>Discards the displayed prediction and the maximum speed.</summary>
         public void Clear()
         {
-            (_lastDisplayed, _sectionOf, _maxSpeed) = (double.NaN, double.NegativeInfinity, 0);
-            _isOpen = false;
+            _blend.Reset();
+            _maxSpeed = 0;
+            _isActive = false;
         }
 
-        // One interval is not enough, because an object that was moved elsewhere has any speed in it.
-        void Measure(RecentVectors recent)
+        // A single interval is not sufficient, because an object that was moved elsewhere has any speed in it.
+        void UpdateMaxSpeed(RecentVectors recent)
         {
             if (recent.Count < 3) return;
             double interval = recent.TimeOf(0) - recent.TimeOf(1), intervalBefore = recent.TimeOf(1) - recent.TimeOf(2);

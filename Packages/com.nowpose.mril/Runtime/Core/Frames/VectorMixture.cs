@@ -5,24 +5,27 @@ using Nowpose.Prediction.Mixing;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Predicts a vector: by one predictor per component, or by the sum of that and several polynomials with common weights for the three
-    /// components.
+    /// Predicts a vector by one predictor per component, alone or in a mixture with polynomials of the vector. The weights are common to the
+    /// three components.
     /// </summary>
     /// <remarks>
-    /// The predictor of the components is the prior: it has all the weight until samples have shown its error. Each sample gives the errors of the
-    /// forecasts made one horizon before it; the weights minimise the mean square over the last 20 s (<see cref="MixtureWeights"/>).
-    /// The components of a vector share noise and motion, so they learn the weights three times as fast as a joint, and a forecast
-    /// that is bad for this frame loses its weight within a second. Allocates nothing after construction.
+    /// The predictors of the components are the prior: they have all the weight until samples have shown their error. Each sample shows the
+    /// errors of the forecasts made one horizon before it; the weights minimise the mean square over the last 20 s
+    /// (<see cref="MixtureWeights"/>). The three components have common noise and motion, so the weights are estimated three times as fast as
+    /// for a joint, and an inaccurate forecast loses its weight within a second. Allocates nothing after construction.
     /// </remarks>
     sealed class VectorMixture
     {
-        /// <summary>Regularisation towards the first forecast: with 0.05 or 0.4, the largest errors grow.</summary>
+        /// <summary>Regularisation towards the prior: with 0.05 or 0.4, the maximum errors are larger.</summary>
         const double Regularisation = 0.2;
 
         /// <summary>Weight of the prior relative to that for a joint, because successive errors of a component are similar.</summary>
         const double PriorWeight = 8;
 
-        /// <summary>Share of the memory that must be filled before the weights are used for samples that only scatter: one second.</summary>
+        /// <summary>
+        /// Minimum evidence (<see cref="MixtureWeights.Evidence"/>) for the use of the weights while samples only scatter: one second of
+        /// samples.
+        /// </summary>
         const double MinEvidence = 0.05;
 
         /// <summary>Maximum interval in which samples are interpolated to score a forecast, s.</summary>
@@ -39,7 +42,7 @@ namespace Nowpose.Frames
 
         const int Components = 3, Hold = 1, Line = 2;
 
-        /// <summary>Number of samples that blending needs.</summary>
+        /// <summary>Number of samples that the blend needs.</summary>
         const int MinRecent = 3;
 
         readonly VectorPolynomial[] _polynomials;
@@ -50,7 +53,7 @@ namespace Nowpose.Frames
         readonly double[] _prior;
         readonly double[] _errors;
         readonly ScatterDetector _scatter = new ScatterDetector();
-        readonly DistanceLimit _distance = new DistanceLimit(Mixer.Memory);
+        readonly DistanceLimit _distance = new DistanceLimit(Mixer.TimeConstant);
 
         // Forecasts that wait for their time.
         readonly RecyclingQueue<Expected> _waiting;
@@ -84,7 +87,7 @@ namespace Nowpose.Frames
         /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
         public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
-            var isBlended = _blend.IsNeededAt(displayed) && _recent.Count > 0;
+            var isBlended = _blend.IsNeeded(displayed) && _recent.Count > 0;
             var (shown, before) = (isBlended ? At(displayed) : default, Main.NewestTime);
             var reason = Main.Add(time, position, order, displayed);
             // Late samples improve the prior; the polynomials are valid without them.
@@ -106,7 +109,7 @@ namespace Nowpose.Frames
             var sum = default(Vector3D);
             for (var i = 0; i < _prior.Length; i++)
                 if (_weights.Values[i] != 0) sum += Forecast(i, time) * _weights.Values[i];
-            if (_distance.Share < 1) sum = Forecast(Line, time) * (1 - _distance.Share) + sum * _distance.Share;
+            if (_distance.Factor < 1) sum = Forecast(Line, time) * (1 - _distance.Factor) + sum * _distance.Factor;
             if (!double.IsFinite(sum.X + sum.Y + sum.Z)) return Main.Hold;
             return _scatter.Scatters ? Bounded(sum) : sum;
         }
@@ -114,7 +117,7 @@ namespace Nowpose.Frames
         Vector3D Forecast(int index, double time) =>
             index == 0 ? Main.At(time) : _polynomials[index - 1].At(Math.Min(time - _newestTime, _horizonCap));
 
-        // A rare large difference of two noisy samples looks like a change point to the first forecast, which extrapolates it.
+        // A rare large difference of two noisy samples can be taken for a change point by the prior, which extrapolates it.
         Vector3D Bounded(in Vector3D position)
         {
             var hold = Main.Hold;
@@ -153,7 +156,7 @@ namespace Nowpose.Frames
             Expect(time + Main.Horizon, interval);
         }
 
-        // The weights learned from noise at rest do not suit a first motion; after a horizon, they have learned from it.
+        // The weights that result from noise at rest do not suit a first move; after one horizon, its errors are included.
         bool IsFirstMove(double interval, in Vector3D position)
         {
             var displacement = (position - _newest).Length * Main.Horizon / interval;
@@ -176,26 +179,26 @@ namespace Nowpose.Frames
         void Score(double time, in Vector3D position)
         {
             var interval = time - _newestTime;
-            var keeping = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.Memory));
+            var forgettingFactor = Math.Exp(-Math.Max(interval, 0) / (Components * Mixer.TimeConstant));
             var hasScored = false;
             for (; _waiting.Count > 0 && _waiting[0].Due <= time; _waiting.DropFirst())
             {
                 var expected = _waiting[0];
                 if (!(interval < MaxInterval) || expected.Due < _newestTime) continue;
-                var share = (expected.Due - _newestTime) / interval;
-                hasScored |= Score(expected.Forecasts, _newest + (position - _newest) * share, keeping);
+                var fraction = (expected.Due - _newestTime) / interval;
+                hasScored |= Score(expected.Forecasts, _newest + (position - _newest) * fraction, forgettingFactor);
             }
-            if (hasScored) _weights.Solve(_prior, PriorWeight * (1 - keeping));
+            if (hasScored) _weights.Solve(_prior, PriorWeight * (1 - forgettingFactor));
         }
 
-        bool Score(Vector3D[] forecasts, in Vector3D truth, double keeping)
+        bool Score(Vector3D[] forecasts, in Vector3D truth, double forgettingFactor)
         {
             foreach (var forecast in forecasts)
                 if (!((forecast - truth).Length < MaxError)) return false;
             for (var component = 0; component < Components; component++)
             {
                 for (var i = 0; i < _prior.Length; i++) _errors[i] = (forecasts[i] - truth)[component];
-                _weights.Learn(_errors, keeping);
+                _weights.Learn(_errors, forgettingFactor);
             }
             return true;
         }

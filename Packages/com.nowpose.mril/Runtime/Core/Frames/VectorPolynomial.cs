@@ -7,13 +7,16 @@ namespace Nowpose.Frames
     /// h &gt; n.
     /// </summary>
     /// <remarks>
-    /// The components have their samples at the same times, so the polynomials 1, u and u² − au − b, which are orthogonal on these times, serve
-    /// all three. Fewer samples lower the degree; degree 0 is hold.
+    /// All components are sampled at the same times, so they have one basis: the polynomials 1, u and u² − au − b, which are orthogonal on
+    /// these times. Fewer samples lower the degree; degree 0 is hold.
     /// </remarks>
     sealed class VectorPolynomial
     {
-        /// <summary>Three times that are not distinct determine no parabola: minimum square of its values, relative to the times.</summary>
-        const double MinShare = 1e-12;
+        /// <summary>
+        /// Minimum sum of squares of the third basis polynomial, relative to the squares of the times: times that coincide determine no
+        /// parabola.
+        /// </summary>
+        const double MinSquareRatio = 1e-12;
 
         readonly int _degree, _samples;
         double _centre, _slope, _constant;
@@ -71,7 +74,7 @@ namespace Nowpose.Frames
                 squares += value * value;
                 _quadratic += (recent[age] - _mean) * value;
             }
-            _quadratic *= squares > MinShare * _constant * _constant ? 1 / squares : 0;
+            _quadratic *= squares > MinSquareRatio * _constant * _constant ? 1 / squares : 0;
         }
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Messages;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Planning;
 using Nowpose.Prediction.Samples;
@@ -8,35 +7,18 @@ namespace Nowpose.Prediction
 {
     /// <summary>Predicts one joint's position at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
-    /// A sample that arrives in order passes through the buffer, and the forecaster solves for it. Its forecast until the next sample is
-    /// the section (Schnierle &amp; Röck 2022, Eq. 8); a new section is blended with the displayed one. Times are seconds of control time
-    /// since an epoch that the caller chooses near them (within 1e6 s, rounding is negligible). One thread at a time. Allocates nothing
-    /// after construction.
+    /// <see cref="Add"/> puts a sample into order and into the buffer, updates the state of the motion, and solves the forecaster for it. The
+    /// forecast until the next sample is the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the
+    /// joint follows one, and the rest of the difference to the previous section. Times are seconds of control time since an epoch that the
+    /// caller chooses near them (within 1e6 s, rounding is negligible). One thread at a time. Allocates nothing after construction.
     /// </remarks>
     public sealed class JointPredictor
     {
-        /// <summary>
-        /// Maximum time constant of the blend, relative to the sampling interval: residuals of several sections add up, and beyond a
-        /// fifth the RMS error grows by more than 5 % (display-reference.md).
-        /// </summary>
-        const double MaxBlendRatio = 0.2;
-
-        /// <summary>
-        /// Maximum residual that is blended, relative to the maximum speed times the age of the section. A larger residual comes from a
-        /// repositioned joint or an angle that wrapped, and blending would show it as a motion. The value must exceed 3: when a joint
-        /// reverses at full speed, the ratio is 2, and a polynomial that overshoots adds half of that or more.
-        /// </summary>
-        const double MaxResidualRatio = 4;
-
-        /// <summary>
-        /// Time constant, in s, of the decay of the seam: short compared with every latency worth compensating.
-        /// </summary>
+        /// <summary>Time constant of the decay of the seam, in s: short compared with every latency worth compensating.</summary>
         const double SeamTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
-
-        // Time constant of the blend as configured, s; 0 for no blend.
-        readonly double _blend;
+        readonly SectionBlend _blend;
         readonly ArrivalOrder _arrivals;
         readonly SampleBuffer _buffer;
         readonly MotionState _motion;
@@ -45,14 +27,11 @@ namespace Nowpose.Prediction
         readonly PlanFollower _plan = new PlanFollower();
         bool _isSolved;
 
-        // The seam: distance of a forecast from the newest sample, where the interpolation before the sample ends. It decays ahead of it.
+        // Distance of the forecast from the newest sample at its time, where the interpolation ends. It decays ahead of the sample.
         double _seam;
 
-        // The residual: difference between the previous section and the newest one at the last displayed moment. It decays from then on.
-        double _residual, _residualFrom, _residualTimeConstant;
-
-        // The last displayed moment, and the stamp of the newest sample of the section that was displayed then.
-        double _lastDisplayed, _displayedSection;
+        // Difference between the previous section and the newest one at the last displayed moment; 0 if it is not blended.
+        double _residual;
 
         /// <param name="forecaster">Forecaster of this joint only.</param>
         /// <param name="kept">Number of samples to keep.</param>
@@ -61,11 +40,9 @@ namespace Nowpose.Prediction
         /// </param>
         internal JointPredictor(Forecaster forecaster, int kept, PredictionParts parts, PredictionLimits limits, double blend)
         {
-            if (!(blend >= 0) || double.IsPositiveInfinity(blend))
-                throw new ArgumentOutOfRangeException(nameof(blend), blend, PredictionMessages.NegativeSeconds);
             _limits = limits ?? throw new ArgumentNullException(nameof(limits));
             _forecaster = forecaster;
-            _blend = blend;
+            _blend = new SectionBlend(blend);
             _arrivals = new ArrivalOrder(limits.IsEndless);
             _buffer = new SampleBuffer(
                 kept, limits.IsEndless, (parts & PredictionParts.StampCorrection) != 0, (parts & PredictionParts.Thinning) != 0);
@@ -164,8 +141,7 @@ namespace Nowpose.Prediction
         {
             Clear();
             _plan.Reset();
-            _lastDisplayed = double.NaN;
-            _displayedSection = double.NegativeInfinity;
+            _blend.Reset();
         }
 
         void Use(in JointSample sample, double displayed)
@@ -182,8 +158,7 @@ namespace Nowpose.Prediction
             if (isNewest) _plan.Add(sample.Time, sample.Position + _buffer.Shift);
             if (hasChanged)
             {
-                // If several samples arrive between two frames, the displayed section is the one before the first of them.
-                if (displayed != _lastDisplayed) (_lastDisplayed, _displayedSection) = (displayed, before);
+                _blend.Replace(displayed, before);
                 _motion.Add(_buffer.History.NewestTime > newest, displayed);
                 Solve();
             }
@@ -216,20 +191,15 @@ namespace Nowpose.Prediction
         }
 
         // Only blending needs the displayed position.
-        JointPrediction ShownAt(double displayed) => _blend == 0 || double.IsNaN(displayed) ? default : UnwrappedAt(displayed);
-
-        double BlendTimeConstant => Math.Min(_blend, MaxBlendRatio * _motion.MeanInterval);
+        JointPrediction ShownAt(double displayed) => _blend.IsNeeded(displayed) ? UnwrappedAt(displayed) : default;
 
         // What is left of the previous residual is part of the displayed position, and therefore of the new residual.
         void StartBlend(double displayed, in JointPrediction shown)
         {
             _residual = 0;
             if (shown.Kind == PredictionKind.None) return;
-            var timeConstant = BlendTimeConstant;
             var residual = shown.Position - UnwrappedAt(displayed).Position;
-            var maxResidual = MaxResidualRatio * _motion.MaxSpeed * (displayed - _displayedSection);
-            if (!(timeConstant > 0) || !(Math.Abs(residual) <= maxResidual)) return;
-            (_residual, _residualFrom, _residualTimeConstant) = (residual, displayed, timeConstant);
+            if (_blend.TryStart(displayed, Math.Abs(residual), _motion.MaxSpeed, _motion.MeanInterval)) _residual = residual;
         }
 
         JointPrediction UnwrappedAt(double time)
@@ -240,13 +210,13 @@ namespace Nowpose.Prediction
             if (_plan.HasPlan)
             {
                 var newest = NewestTime;
-                var weight = _plan.WeightAt(time, newest, newest + _limits.HorizonCap, BlendTimeConstant, out var holds);
+                var weight = _plan.WeightAt(time, newest, newest + _limits.HorizonCap, _blend.TimeConstant(_motion.MeanInterval), out var holds);
                 var planned = weight > 0 ? position + weight * (_plan.At(time) - position) : position;
                 if (double.IsFinite(planned)) (position, kind) = (planned, holds ? PredictionKind.Planned : kind);
             }
             if (_residual != 0)
             {
-                var blended = position + _residual * Math.Exp(-Math.Abs(time - _residualFrom) / _residualTimeConstant);
+                var blended = position + _residual * _blend.RemainderAt(time);
                 if (double.IsFinite(blended)) position = blended;
             }
             return new JointPrediction(_limits.Clamp(position), kind);
@@ -256,9 +226,9 @@ namespace Nowpose.Prediction
         {
             var (newest, held) = (_buffer.History.NewestTime, _buffer.History.NewestPosition);
             var ahead = time - newest;
-            if (_interpolates && ahead <= 0 && _motion.Connected > 1)
+            if (_interpolates && ahead <= 0 && _motion.ConnectedSamples > 1)
             {
-                var curve = new SampleCurve(_buffer.History, _motion.Connected);
+                var curve = new SampleCurve(_buffer.History, _motion.ConnectedSamples);
                 return new JointPrediction(curve.At(Math.Max(time, curve.Start)), time < curve.Start ? PredictionKind.Held : PredictionKind.Interpolated);
             }
             var kind = ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
@@ -279,7 +249,7 @@ namespace Nowpose.Prediction
             get
             {
                 var oldest = 0.0;
-                for (var age = 1; age < Math.Min(_motion.Connected, _forecaster.Samples); age++)
+                for (var age = 1; age < Math.Min(_motion.ConnectedSamples, _forecaster.Samples); age++)
                     oldest = Math.Min(oldest, _buffer.History[age].Time - _buffer.History.NewestTime);
                 return oldest;
             }

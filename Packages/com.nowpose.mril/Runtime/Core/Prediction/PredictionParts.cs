@@ -18,7 +18,7 @@ namespace Nowpose.Prediction
         /// <summary>Interpolates the position between samples.</summary>
         Interpolation = 4,
 
-        /// <summary>Treatment of samples by all predictors except the paper's polynomials.</summary>
+        /// <summary>All parts that prepare samples; the paper's polynomials use none of them.</summary>
         Samples = StampCorrection | Thinning | Interpolation,
 
         /// <summary>The quadratic through five samples.</summary>
@@ -47,7 +47,7 @@ namespace Nowpose.Prediction
         /// <summary>Limits errors by an outlier threshold.</summary>
         OutlierThreshold = 2048,
 
-        /// <summary>A motion much faster than any before starts with a line and continues with the prior weights.</summary>
+        /// <summary>A first move, much faster than the motion before, starts with a line and continues with the prior weights.</summary>
         FirstMoves = 4096,
 
         All = Samples | Quadratic | Cubic | Process | Reported | Repetition | Profiles | ChangePoints | RestWeights | OutlierThreshold | FirstMoves

@@ -4,7 +4,7 @@ using System.Globalization;
 using Nowpose.Messages;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.Mixing;
-using Nowpose.Prediction.Repetition;
+using Nowpose.Prediction.Candidates;
 
 namespace Nowpose.Prediction
 {
@@ -26,14 +26,16 @@ namespace Nowpose.Prediction
         /// <summary>Weight of the line in the prior: on first moves of real machines, a Gaussian process alone overshoots more.</summary>
         const double LinePrior = 0.4;
 
-        /// <summary>Prior weight of the forecast from reported velocity and acceleration, if they are reported.</summary>
+        /// <summary>Prior weight of <see cref="ParabolaForecaster"/> for samples with velocity and acceleration.</summary>
         const double ReportedPrior = 0.7;
 
         const string HistoryMark = "-h";
 
         static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
 
-        /// <summary>All names: the polynomials in the order of their degree, then the predictors that learn from the motion.</summary>
+        /// <summary>
+        /// All names: the polynomials in the order of their degree, then those with longer histories, then the predictors that learn.
+        /// </summary>
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[]
         {
             "hold", "linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4", "gp", "adaptive"
@@ -56,7 +58,7 @@ namespace Nowpose.Prediction
             return new JointPredictor(new PolynomialForecaster(degree, history), history + 1, PredictionParts.None, limits, blend);
         }
 
-        /// <summary>Creates the mixture and its candidates; prediction.md lists the effect of each part.</summary>
+        /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
         /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
         internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, double blend = 0, params Forecaster[] more)
         {

@@ -4,7 +4,7 @@ using Nowpose.Motion;
 namespace Nowpose.Signals
 {
     /// <summary>
-    /// The position of a part that a signal drives, such as the jaw of a gripper: from one end to the other in a known time.
+    /// Computes the position of a part that a signal drives, such as the jaw of a gripper, and whose stroke takes a known time.
     /// </summary>
     /// <remarks>
     /// Each change starts a seven-phase move at its stamp, from the position at that time, so the part is in phase although the message
@@ -34,7 +34,7 @@ namespace Nowpose.Signals
 
         /// <summary>Starts the move to a value.</summary>
         /// <param name="since">Stamp of the change.</param>
-        /// <remarks>The first value after construction or <see cref="Forget"/> has no move: the part is where the value puts it.</remarks>
+        /// <remarks>The first value after construction or <see cref="Forget"/> sets the position without a move.</remarks>
         public void Change(double value, ControlTime since)
         {
             var to = _atZero + Math.Max(0, Math.Min(1, value)) * (_atOne - _atZero);
@@ -48,7 +48,7 @@ namespace Nowpose.Signals
         /// <summary>Returns the position at a display time.</summary>
         public double At(ControlTime at) => _start.HasValue ? _from + _move.PositionAt(ClockTicks.Seconds(at - _start.Value)) : _from;
 
-        /// <summary>Forgets the value, because its time is no longer valid. The position is kept.</summary>
+        /// <summary>Discards the value, because its time is no longer valid. The position is kept.</summary>
         public void Forget(ControlTime? at)
         {
             if (at.HasValue) _from = At(at.Value);

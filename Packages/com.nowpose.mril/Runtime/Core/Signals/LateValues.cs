@@ -1,21 +1,19 @@
 using System;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Signals
 {
     /// <summary>
-    /// Consecutive late values of one signal: older than the newest stamp, and each newer than the previous one. Several of them show that the
-    /// source's clock went back; fewer were overtaken on the network.
+    /// Detects that the clock of a signal's source went back, by several consecutive late values: older than the newest stamp, and each newer
+    /// than the one before. Fewer late values were overtaken on the network.
     /// </summary>
     sealed class LateValues
     {
-        /// <summary>Sufficient number of late values.</summary>
-        const int Capacity = 5;
+        /// <summary>Sufficient number of late values, as for samples.</summary>
+        const int Capacity = ArrivalOrder.MaxLate;
 
-        /// <summary>Sufficient number if the last is late by more than <see cref="MaxDelay"/>.</summary>
+        /// <summary>Sufficient number if the last is late by more than <see cref="ArrivalOrder.MaxDelay"/>.</summary>
         const int MinFarBehind = 3;
-
-        /// <summary>Maximum delay of a message relative to later ones on a usable network.</summary>
-        static readonly TimeSpan MaxDelay = TimeSpan.FromMilliseconds(250);
 
         readonly (ControlTime Stamp, double Value)[] _oldestFirst = new (ControlTime, double)[Capacity];
         int _count;
@@ -23,7 +21,7 @@ namespace Nowpose.Signals
         /// <summary>The values, oldest first.</summary>
         public ReadOnlySpan<(ControlTime Stamp, double Value)> All => _oldestFirst.AsSpan(0, _count);
 
-        /// <summary>Adds a received value; one that is not late shows that the earlier ones were overtaken.</summary>
+        /// <summary>Adds a received value. A value that is not late shows that the late ones before were overtaken.</summary>
         /// <param name="newest">Newest stamp of the signal; null for none.</param>
         /// <returns>Whether the source's clock went back. Then call <see cref="Clear"/> after use of the values.</returns>
         public bool Add(ControlTime stamp, double value, ControlTime? newest)
@@ -36,7 +34,7 @@ namespace Nowpose.Signals
                 return false;
             }
             _oldestFirst[_count++] = (stamp, value);
-            return _count == Capacity || (_count >= MinFarBehind && newest.Value - stamp > MaxDelay);
+            return _count == Capacity || (_count >= MinFarBehind && ClockTicks.Seconds(newest.Value - stamp) > ArrivalOrder.MaxDelay);
         }
 
         public void Clear() => _count = 0;

@@ -5,7 +5,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Signals
 {
-    /// <summary>All signals of the cell: piecewise constant in control time, read at the display time.</summary>
+    /// <summary>Keeps all signals of the cell, which are piecewise constant in control time, and shows their values at the display time.</summary>
     /// <remarks>Use it on the frame's thread. Allocates only for a signal's first value.</remarks>
     sealed class SignalTable
     {
@@ -13,13 +13,13 @@ namespace Nowpose.Signals
         readonly Dictionary<string, int> _indices = new Dictionary<string, int>(StringComparer.Ordinal);
 
         /// <summary>
-        /// Raised within <see cref="Evaluate"/> when a change becomes visible, with the signal, which already has the new value. Changes of
-        /// one signal come in the order of their stamps, even if several become visible at once.
+        /// Raised within <see cref="Evaluate"/> when a change becomes visible. The signal already has the new value. If several changes of one
+        /// signal become visible at once, the event is raised for each of them, in the order of their stamps.
         /// </summary>
         public event Action<SignalTrack> Changed;
 
         /// <summary>
-        /// Raised when the times of a signal are no longer valid, with the signal, whose visible value stays, see <see cref="SignalTrack.Restarted"/>.
+        /// Raised when the times of a signal are no longer valid; see <see cref="SignalTrack.Restarted"/>.
         /// </summary>
         public event Action<SignalTrack> Restarted;
 
@@ -32,7 +32,7 @@ namespace Nowpose.Signals
 
         /// <summary>Adds a received value.</summary>
         /// <param name="stamp">Control cycle from which the signal has the value.</param>
-        /// <returns>Why it was dropped; <see cref="DropReason.None"/> if it was used.</returns>
+        /// <returns>Drop reason; <see cref="DropReason.None"/> if the value was used.</returns>
         public DropReason Add(ControlTime stamp, in SignalValue value)
         {
             var index = IndexOf(value.Name);
@@ -55,7 +55,7 @@ namespace Nowpose.Signals
                 while (signal.Next(at)) Changed?.Invoke(signal);
         }
 
-        /// <summary>Forgets all times, because they are no longer valid, see <see cref="SignalTrack.Restart"/>.</summary>
+        /// <summary>Discards all times, because they are no longer valid; see <see cref="SignalTrack.Restart"/>.</summary>
         public void Restart()
         {
             foreach (var signal in _signals) signal.Restart();

@@ -3,16 +3,16 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Signals
 {
-    /// <summary>One signal: its changes in control time, of which the newest at or before the display time is visible.</summary>
+    /// <summary>Keeps the changes of one signal in control time; the newest change at or before the display time is visible.</summary>
     sealed class SignalTrack
     {
-        /// <summary>Maximum number of kept changes; more than a second of a signal that changes in each 60th of a second.</summary>
+        /// <summary>Maximum number of changes kept: more than a second of a signal that changes 60 times per second.</summary>
         const int Capacity = 64;
 
         /// <summary>Stamp of a value whose time is no longer valid: before all stamps, which are positive.</summary>
         static ControlTime Always => default;
 
-        // Oldest first. The first is the visible one, once a display time has reached it.
+        // Oldest first. The first change is the visible one if the display time has reached it.
         readonly Change[] _changes = new Change[Capacity];
         readonly LateValues _late = new LateValues();
         int _count;
@@ -22,32 +22,34 @@ namespace Nowpose.Signals
 
         public string Name { get; }
 
-        /// <summary>Raised when all times are no longer valid. <see cref="Value"/> stays, and <see cref="Since"/> becomes null.</summary>
+        /// <summary>Raised when all times have become invalid. <see cref="Value"/> is kept, and <see cref="Since"/> becomes null.</summary>
         public event Action<SignalTrack> Restarted;
 
         /// <summary>Whether a change is visible.</summary>
         public bool IsKnown => _isVisible;
 
-        /// <summary>The visible value; 0 while none is.</summary>
+        /// <summary>The visible value; 0 while there is none.</summary>
         public double Value => _isVisible ? _changes[0].Value : 0;
 
-        /// <summary>Control time from which the signal has had the visible value; null while none is visible, or after <see cref="Restart"/>.</summary>
+        /// <summary>
+        /// Control time since which the signal has had the visible value; null while there is none, or after <see cref="Restart"/>.
+        /// </summary>
         public ControlTime? Since => _isVisible && _changes[0].Stamp > Always ? _changes[0].Stamp : (ControlTime?)null;
 
-        /// <summary>Stamp of the newest message, changed or not; null before the first.</summary>
+        /// <summary>Stamp of the newest message, with or without a change; null before the first.</summary>
         public ControlTime? Newest { get; private set; }
 
         /// <summary>Adds a received value, which may repeat the one before.</summary>
-        /// <remarks>When the stamps show that the source's clock went back, the signal restarts with the values that showed it.</remarks>
+        /// <remarks>If late stamps show that the source's clock went back, the signal restarts with the late values.</remarks>
         public DropReason Add(ControlTime stamp, double value)
         {
             if (!_late.Add(stamp, value, Newest)) return Place(stamp, value);
-            StartAnew();
+            RestartWithLateValues();
             return DropReason.None;
         }
 
         /// <summary>Makes the next change visible if the display time has reached it.</summary>
-        /// <returns>Whether one has become visible. Call again until there is none, so that no change is missed.</returns>
+        /// <returns>Whether a change has become visible. Call the method until it returns false, so that no change is missed.</returns>
         public bool Next(ControlTime at)
         {
             while (_isVisible && _count > 1 && _changes[1].Stamp <= at && _changes[1].Value == Value)
@@ -63,8 +65,8 @@ namespace Nowpose.Signals
         }
 
         /// <summary>
-        /// Forgets all times, because they are no longer valid. The newest value becomes the visible one: it is still the last that is known,
-        /// and a source that publishes changes only will not repeat it.
+        /// Discards all times, because they are no longer valid. The newest value becomes the visible one, because a source that publishes
+        /// only changes does not repeat it.
         /// </summary>
         public void Restart()
         {
@@ -78,8 +80,8 @@ namespace Nowpose.Signals
             Restarted?.Invoke(this);
         }
 
-        // The visible value stays until the display time reaches the first of the late ones; the others are of a past time line.
-        void StartAnew()
+        // The visible value is kept until the display time reaches the first late value. The other values have times before the restart.
+        void RestartWithLateValues()
         {
             _count = 0;
             if (_isVisible) _changes[_count++] = new Change(Always, _changes[0].Value);

@@ -7,12 +7,13 @@ namespace Nowpose.Prediction.Forecasting
     /// The kernel gives the growth of the standard deviation with the horizon, not its scale: the motion of a robot is not stationary.
     /// The quadratic form of the newest samples underestimates the errors of fast moves by a third, and grows only after the error.
     /// Therefore each new sample is compared with the forecast made one horizon before it. The scale is the mean of the squared errors,
-    /// each divided by the variance of the unscaled process at that horizon. prediction-reference.md lists the share of errors within the deviation.
+    /// each divided by the variance of the unscaled process at that horizon. prediction-reference.md lists the fraction of errors within the deviation.
     /// </remarks>
     sealed class CalibratedProcess : Forecaster
     {
         /// <summary>
-        /// Forgetting time constant of the errors, s. Between 1 s and 10 s it changes the shares of errors within the deviations by at most 3 %.
+        /// Time constant of the mean of the squared errors, in s. Between 1 s and 10 s, the fractions of errors within the deviations change by at
+        /// most 3 %.
         /// </summary>
         const double ErrorTimeConstant = 3;
 
@@ -59,7 +60,7 @@ namespace Nowpose.Prediction.Forecasting
         int AgeAtHorizon(MotionState motion)
         {
             double Distance(int age) => Math.Abs(motion.Samples[0].Time - motion.Samples[age].Time - motion.Horizon);
-            var oldest = motion.Connected - Samples;
+            var oldest = motion.ConnectedSamples - Samples;
             if (oldest < 1) return 0;
             var best = 1;
             while (best < oldest && Distance(best + 1) < Distance(best)) best++;

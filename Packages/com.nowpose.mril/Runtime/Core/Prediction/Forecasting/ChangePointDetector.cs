@@ -2,30 +2,34 @@ using System;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Detects change points, at which a motion breaks off and earlier samples give no information about later ones.</summary>
+    /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
-    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity faster than any of the
-    /// last seconds. If the next sample confirms that the machine has started rather than stopped, all samples are used again.
+    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all
+    /// others of the last seconds. If it increased the speed, and the next sample confirms the new speed, all samples are used again: the
+    /// samples of a joint at rest do not harm the forecast of its start.
     /// </remarks>
     sealed class ChangePointDetector
     {
         /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent one.</summary>
         const double MinAccelerationRatio = 1.5;
 
-        /// <summary>Forgetting time constant of the maximum acceleration and the maximum speed, in s: several moves of most machines.</summary>
+        /// <summary>
+        /// Forgetting time constant of the maximum acceleration and the maximum speed, in s: several moves of most machines. It is independent
+        /// of the forgetting factor of the weights; with 10 or 40 s, the errors change by at most 0.5 %.
+        /// </summary>
         const double TimeConstant = 20;
 
         /// <summary>Minimum change of velocity, relative to the maximum recent speed.</summary>
         const double MinChangeRatio = 0.25;
 
-        /// <summary>Minimum speed after a start is confirmed, relative to the speed at the start.</summary>
+        /// <summary>Minimum speed of the sample that confirms a start, relative to the speed at the start.</summary>
         const double MinConfirmationRatio = 0.9;
 
         double _maxAcceleration;
         double _maxSpeed;
 
-        /// <summary>Number of newest samples that belong to one motion.</summary>
-        public int Available { get; private set; }
+        /// <summary>Number of samples since the newest change point, including the sample at which it was detected.</summary>
+        public int SamplesSince { get; private set; }
 
         /// <summary>Whether the newest change point increased the speed.</summary>
         public bool SpeedIncreased { get; private set; }
@@ -33,23 +37,23 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of change points since the start.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Processes the two intervals before the newest sample, in the samples' unit and s.</summary>
+        /// <summary>Adds a sample: the speeds in the two intervals before it, in the samples' unit per second, and the intervals, in s.</summary>
         /// <param name="samples">Number of samples, including the newest.</param>
-        /// <param name="speed">Increment ÷ interval before the newest sample; 0 if there is none.</param>
+        /// <param name="speed">Displacement ÷ interval before the newest sample; 0 if there is none.</param>
         /// <param name="speedBefore">Speed in the previous interval.</param>
         public void Add(int samples, double interval, double speed, double intervalBefore, double speedBefore)
         {
-            Available++;
+            SamplesSince++;
             if (samples >= 3)
             {
                 var change = Math.Abs(speed - speedBefore);
                 var acceleration = change / (0.5 * (interval + intervalBefore));
                 var isSameDirection = speed * speedBefore > 0;
-                if (Available == 2 && SpeedIncreased && isSameDirection && Math.Abs(speed) >= MinConfirmationRatio * Math.Abs(speedBefore))
-                    Available = samples;
+                if (SamplesSince == 2 && SpeedIncreased && isSameDirection && Math.Abs(speed) >= MinConfirmationRatio * Math.Abs(speedBefore))
+                    SamplesSince = samples;
                 else if (acceleration > MinAccelerationRatio * _maxAcceleration && change >= MinChangeRatio * _maxSpeed)
                 {
-                    Available = 1;
+                    SamplesSince = 1;
                     SpeedIncreased = Math.Abs(speed) > Math.Abs(speedBefore) && speed * speedBefore >= 0;
                     Count++;
                 }
@@ -61,7 +65,7 @@ namespace Nowpose.Prediction.Forecasting
         public void Reset()
         {
             _maxAcceleration = _maxSpeed = 0;
-            Available = Count = 0;
+            SamplesSince = Count = 0;
             SpeedIncreased = false;
         }
     }

@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <inheritdoc cref="Solve(MotionState)"/>
         public bool Solve(MotionState motion, int age)
         {
-            if (motion.Connected < age + Newest) return false;
+            if (motion.ConnectedSamples < age + Newest) return false;
             ref readonly var newest = ref motion.Samples[age];
             // The exponentials of samples this far apart underflow.
             if ((newest.Time - motion.Samples[age + Newest - 1].Time) * PerSecond > MaxSpan) return false;

@@ -4,7 +4,7 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>
-    /// State of one joint that all forecasters share: newest samples, sampling interval, rest, change points and the prediction horizon.
+    /// State of one joint, as input of all forecasters: newest samples, sampling interval, rest, change points and the prediction horizon.
     /// </summary>
     sealed class MotionState
     {
@@ -51,10 +51,10 @@ namespace Nowpose.Prediction.Forecasting
         public bool IsNewest { get; private set; }
 
         /// <summary>Number of newest samples without a gap above the maximum.</summary>
-        public int Connected { get; private set; }
+        public int ConnectedSamples { get; private set; }
 
-        /// <summary>Number of newest samples that belong to one motion.</summary>
-        public int OfOneMotion => Math.Min(Connected, ChangePoints.Available);
+        /// <summary>Number of newest samples of one motion: without a gap, and after the newest change point.</summary>
+        public int SamplesOfOneMotion => Math.Min(ConnectedSamples, ChangePoints.SamplesSince);
 
         /// <summary>Interval before the newest sample, in s; 0 before two samples.</summary>
         public double Interval { get; private set; }
@@ -77,13 +77,13 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Mean time from the newest sample to the display time, in s.</summary>
         public double Horizon { get; private set; }
 
-        /// <summary>Processes the sample that the buffer added last.</summary>
+        /// <summary>Updates the state after the buffer has added a sample.</summary>
         /// <param name="isNewest">False if newer samples have overtaken it.</param>
         /// <param name="displayed">The last displayed moment, in s; NaN if nothing is displayed.</param>
         public void Add(bool isNewest, double displayed)
         {
             IsNewest = isNewest;
-            Connected = Samples.CountWithoutGap(_maximumGap);
+            ConnectedSamples = Samples.CountWithoutGap(_maximumGap);
             var (intervalBefore, speedBefore) = (Interval, Speed);
             if (Samples.Count >= 2) UpdateSpeed();
             if (!isNewest) return;
@@ -101,7 +101,7 @@ namespace Nowpose.Prediction.Forecasting
             Rest.Reset();
             ChangePoints.Reset();
             Interval = Speed = MeanInterval = Start = MaxSpeed = 0;
-            Connected = 0;
+            ConnectedSamples = 0;
             Horizon = Math.Min(FirstHorizon, _maxHorizon);
         }
 

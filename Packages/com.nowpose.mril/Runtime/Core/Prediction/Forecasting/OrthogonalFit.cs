@@ -32,14 +32,14 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        // Removes the share of the newest polynomial from the positions.
+        // Projects the positions onto the newest polynomial, adds the result to the fit, and leaves the residuals.
         void Project(double[] positions, int count, double norm, double[] coefficients)
         {
-            var (values, powers, share) = (_values, _powers, 0.0);
-            for (var i = 0; i < count; i++) share += positions[i] * values[i];
-            share /= norm;
-            for (var i = 0; i < count; i++) positions[i] -= share * values[i];
-            for (var k = 0; k < powers.Length; k++) coefficients[k] += share * powers[k];
+            var (values, powers, coefficient) = (_values, _powers, 0.0);
+            for (var i = 0; i < count; i++) coefficient += positions[i] * values[i];
+            coefficient /= norm;
+            for (var i = 0; i < count; i++) positions[i] -= coefficient * values[i];
+            for (var k = 0; k < powers.Length; k++) coefficients[k] += coefficient * powers[k];
         }
 
         // Returns the squared norm of the next polynomial, (t - centre) * newest - ratio * the one before.

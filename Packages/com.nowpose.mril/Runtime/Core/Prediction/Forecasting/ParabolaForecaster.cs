@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public override bool Solve(MotionState motion)
         {
-            if (motion.Connected < Samples) return false;
+            if (motion.ConnectedSamples < Samples) return false;
             if (!double.IsNaN(motion.Samples[0].Velocity)) TakeReported(motion);
             else TakeThree(motion);
             _stop = _speed * _bend < 0 ? -_speed / (2 * _bend) : double.PositiveInfinity;

@@ -50,7 +50,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <returns>False if the stamps determine no velocity.</returns>
         public override bool Solve(MotionState motion)
         {
-            var count = Math.Min(motion.Connected, Samples);
+            var count = Math.Min(motion.ConnectedSamples, Samples);
             Array.Clear(_coefficients, 0, _coefficients.Length);
             Localise(motion.Samples, count);
             var degree = Math.Min(_degree, DistinctTimes(count) - 1);

@@ -3,20 +3,25 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Distinguishes rest, including noise, from motion, because the weights of the mixture differ at rest.</summary>
+    /// <summary>Detects rest with and without noise. The weights of the mixture, and the records of candidates, are separate at rest.</summary>
     /// <remarks>
-    /// Rest begins when the range of the newest four samples is within a small multiple of the noise, and ends at a larger distance from
-    /// the position where it began. The noise is the low decile of these ranges over time, from a quantile tracker. A joint that never
-    /// rests raises it to the slowest tenth of its motion; samples that all move in one direction therefore begin a rest only if they move
-    /// far more slowly than the fastest ones of the last seconds, as at the end of a motion.
+    /// There are three questions, each with one answer:
+    /// 1. Does the joint stand still (<see cref="StillSamples"/>)? Two samples differ by at most a thousandth of the recent maximum. This is
+    /// true for sources without noise only, but known after one sample; candidates, which predict the start of a motion, use it.
+    /// 2. Is it at rest (<see cref="IsAtRest"/>)? Rest begins when the range of the newest four samples is within a small multiple of the
+    /// noise, and ends at a larger distance from the position where it began. The mixture uses it.
+    /// 3. Are the samples at rest only noise (<see cref="IsOnlyNoise"/>), or does the joint move slowly? Then the mixture holds the position.
+    /// The noise is the low decile of the ranges over time, from a quantile tracker. A joint that never rests raises it to the slowest tenth
+    /// of its motion; samples that all move in one direction therefore begin a rest only if they are much slower than the fastest ones of
+    /// the last seconds, as at the end of a motion.
     /// </remarks>
     sealed class RestDetector
     {
-        /// <summary>Number of samples in a range: the range of fewer samples is within the noise by chance.</summary>
+        /// <summary>Number of samples in a range: fewer samples of a motion can be within the noise by chance.</summary>
         const int Window = 4;
 
         /// <summary>
-        /// Quantile of the ranges that counts as noise: every machine is assumed to rest for at least this part of the time.
+        /// Quantile of the ranges that counts as noise: a machine is assumed to rest for at least a tenth of the time.
         /// </summary>
         const double Quantile = 0.1;
 
@@ -24,27 +29,27 @@ namespace Nowpose.Prediction.Forecasting
         const double TrackerRate = 3;
 
         /// <summary>
-        /// Rest begins with a range below the first value and ends at a distance above the second, both as multiples of the noise. The
-        /// hysteresis prevents flickering.
+        /// Maximum range at which rest begins, and maximum distance at which it continues, as multiples of the noise. The hysteresis prevents
+        /// frequent changes.
         /// </summary>
-        const double EntersBelow = 3, LeavesAbove = 4;
+        const double MaxRangeRatio = 3, MaxDistanceRatio = 4;
 
         /// <summary>Maximum displacement per sample of a motion in one direction at which rest begins, relative to the recent maximum.</summary>
         const double MaxCreepRatio = 0.1;
 
-        /// <summary>Minimum ratio of progress to path length of a motion; below it, the motion per sample is under a third of the noise.</summary>
+        /// <summary>Minimum ratio of progress to path length of a motion; below it, the motion per sample is less than a third of the noise.</summary>
         const double MinProgress = 0.35;
 
         /// <summary>Minimum ratio of second to first differences: √3 for white noise, near 0 for a smooth reversal.</summary>
         const double MinRoughness = 1.3;
 
-        /// <summary>Minimum range relative to the maximum so far, because the tracker would never recover from the logarithm of zero.</summary>
+        /// <summary>Minimum range, relative to the maximum so far: without it, the tracker would not recover from the logarithm of zero.</summary>
         const double MinRangeRatio = 1e-6;
 
         /// <summary>Number of samples used to distinguish noise from a slow motion.</summary>
         const int NoiseWindow = 12;
 
-        /// <summary>Standstill threshold: displacement relative to the recent maximum.</summary>
+        /// <summary>Maximum displacement between two samples at a standstill, relative to the recent maximum.</summary>
         const double StillRatio = 1e-3;
 
         /// <summary>Forgetting factor of the maximum displacement per sample: 1/e after 500 samples.</summary>
@@ -58,10 +63,10 @@ namespace Nowpose.Prediction.Forecasting
         // Position where the rest began.
         double _anchor;
 
-        /// <summary>Whether the joint rests: its positions only scatter, or it hardly moves compared with its recent motion.</summary>
+        /// <summary>Whether the joint is at rest: its positions scatter, or it moves very slowly compared with its recent motion.</summary>
         public bool IsAtRest { get; private set; }
 
-        /// <summary>Whether the samples at rest fluctuate around a position, so that their differences are only noise.</summary>
+        /// <summary>Whether the joint is at rest and the differences of its samples are only noise.</summary>
         public bool IsOnlyNoise { get; private set; }
 
         /// <summary>Maximum displacement between two samples of a joint that stands still, in the samples' unit.</summary>
@@ -132,9 +137,9 @@ namespace Nowpose.Prediction.Forecasting
         void UpdateRest(SampleHistory history, double range, double mean, bool isOneWay)
         {
             var (newest, noise) = (history.NewestPosition, Math.Exp(_logarithm));
-            if (IsAtRest && Math.Abs(newest - _anchor) > LeavesAbove * noise) IsAtRest = false;
+            if (IsAtRest && Math.Abs(newest - _anchor) > MaxDistanceRatio * noise) IsAtRest = false;
             var isMoving = isOneWay && range > MaxCreepRatio * (Window - 1) * MaxDisplacement;
-            if (!IsAtRest && !isMoving && history.Count >= Window && range <= EntersBelow * noise) (IsAtRest, _anchor) = (true, mean);
+            if (!IsAtRest && !isMoving && history.Count >= Window && range <= MaxRangeRatio * noise) (IsAtRest, _anchor) = (true, mean);
         }
 
         // White noise makes no progress, and its second differences are √3 times its first; a smooth motion that reverses also makes no

@@ -59,7 +59,7 @@ namespace Nowpose.Prediction.Mixing
             /// <summary>Whether the joint was at rest, including noise.</summary>
             public bool WasAtRest { get; set; }
 
-            /// <summary>Whether the newest sample had the same position as the one before.</summary>
+            /// <summary>Whether the joint stood still (<see cref="RestDetector.StillSamples"/>).</summary>
             public bool WasStill { get; set; }
 
             /// <summary>The tables of <see cref="ForecastTable"/>, one after another.</summary>

@@ -12,8 +12,8 @@ namespace Nowpose.Prediction.Mixing
     sealed class MixtureWeights
     {
         /// <summary>
-        /// Pairwise steps per solve; few are enough, because each solve starts from the previous weights. Ten change the errors on
-        /// recordings by 0.02 %.
+        /// Maximum number of steps per solve, each of which moves weight from one forecast to another. Few are sufficient, because each solve
+        /// starts from the previous weights: ten change the errors on recordings by 0.02 %.
         /// </summary>
         const int Steps = 5;
 
@@ -58,7 +58,7 @@ namespace Nowpose.Prediction.Mixing
         public double MeanSquare(int forecast) => _products[forecast * (_count + 1)] / Math.Max(Evidence, Positive);
 
         /// <summary>Adds the errors of all forecasts at one moment.</summary>
-        /// <param name="forgettingFactor">Of one sample, 0 to 1.</param>
+        /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
         public void Learn(double[] errors, double forgettingFactor)
         {
             // The error that the present weights would have made.
@@ -75,7 +75,7 @@ namespace Nowpose.Prediction.Mixing
 
         /// <summary>Solves for the weights.</summary>
         /// <param name="prior">Weights towards which the solution is regularised.</param>
-        /// <param name="gain">Of one sample: one minus the forgetting factor.</param>
+        /// <param name="gain">One minus the forgetting factor of one sample.</param>
         public void Solve(double[] prior, double gain)
         {
             var min = double.PositiveInfinity;

@@ -4,21 +4,21 @@ namespace Nowpose.Prediction.Planning
 {
     /// <summary>Estimates the delay and the offset with which a joint follows its plan. Detects when it does not follow.</summary>
     /// <remarks>
-    /// A Kalman filter of both, because they appear as one difference and the delay only while the joint moves. Position of the joint =
-    /// plan(t − delay) + offset. The initial standard deviation of the delay is 0.1 s; the joint's first moves determine it.
+    /// Position of the joint = plan(t − delay) + offset. A Kalman filter estimates the two together, because each sample shows only their
+    /// joint effect, and that of the delay only in motion. The initial standard deviation of the delay is 0.1 s; the first moves determine it.
     /// </remarks>
     sealed class PlanDelay
     {
         /// <summary>Standard deviation of an unknown delay, s.</summary>
         const double UnknownDelay = 0.1;
 
-        /// <summary>Standard deviation of an unknown offset, as a share of the path's range.</summary>
+        /// <summary>Standard deviation of an unknown offset, relative to the path's range.</summary>
         const double UnknownOffset = 0.02;
 
-        /// <summary>Residual of a plan that is followed: a share of its range (the drive's own dynamics), and a sensor's noise.</summary>
+        /// <summary>Standard deviation of the residual of a plan that is followed: relative to its range (the drive's dynamics), plus the sensor's noise.</summary>
         const double NoiseRatio = 0.005, MinNoise = 1e-4;
 
-        /// <summary>Drift per second of the delay, s, and of the offset, as a share of its unknown deviation.</summary>
+        /// <summary>Drift per second of the delay, in s, and of the offset, relative to the standard deviation of an unknown offset.</summary>
         const double DelayDrift = 0.005, OffsetDrift = 0.2;
 
         /// <summary>Maximum residual in standard deviations; beyond it, the joint does not follow.</summary>

@@ -2,14 +2,16 @@ using System;
 
 namespace Nowpose.Prediction.Planning
 {
-    /// <summary>Computes a joint's position from its plan, with the delay and offset of its samples. Detects whether it follows the plan.</summary>
+    /// <summary>
+    /// Computes a joint's position from its plan, with the delay and the offset with which the joint follows it. Detects whether it does.
+    /// </summary>
     /// <remarks>Allocates nothing after construction; one thread. Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
         /// <summary>Number of consistent samples in motion after which a plan that was not followed is used again.</summary>
         const int AgreementsToReturn = 5;
 
-        /// <summary>Standstill at the plan's end after which samples replace the plan, in s.</summary>
+        /// <summary>Time after the plan's end during which it is used, if it ends at rest, until samples after its end arrive, in s.</summary>
         const double Settling = 0.1;
 
         readonly PlanDelay _delay = new PlanDelay();
@@ -64,7 +66,7 @@ namespace Nowpose.Prediction.Planning
         }
 
         /// <summary>
-        /// Returns the weight of the plan in the displayed position: it rises from 0 to 1 after the plan's start and falls after its end.
+        /// Returns the weight of the plan in the displayed position: it rises from 0 to 1 after the plan's start and falls to 0 after its end.
         /// </summary>
         /// <param name="newest">Time of the newest sample.</param>
         /// <param name="lastTime">Time after which the samples are too old for any plan.</param>

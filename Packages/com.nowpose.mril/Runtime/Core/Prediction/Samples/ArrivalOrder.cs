@@ -6,18 +6,18 @@ namespace Nowpose.Prediction.Samples
     /// Distinguishes samples that were overtaken on the network from those of a clock that went back.
     /// </summary>
     /// <remarks>
-    /// In both cases the stamp is not newer than the newest. If a sample of a stepped clock is taken for an overtaken one, the section
-    /// is wrong; if an overtaken one is taken for a stepped clock, all learned state is lost. Therefore late samples wait, at most five.
-    /// When a newer sample arrives, or a late one that is not newer than the last that waits, they were overtaken and are inserted. When
-    /// their number, or positions that contradict the other samples, show that time went back, the history restarts with them. Allocates
-    /// nothing after construction.
+    /// In both cases the stamp is not newer than the newest. If a sample of a clock that went back is taken for an overtaken one, the
+    /// section is wrong; in the opposite case, all learned state is lost. Therefore late samples wait, at most five. The next newer sample,
+    /// or a late one that is not newer than the last that waits, shows that they were overtaken, and they are inserted. If their number, or
+    /// positions that contradict the other samples, show that the clock went back, the history restarts with them. Allocates nothing after
+    /// construction.
     /// </remarks>
     sealed class ArrivalOrder
     {
         /// <summary>
         /// Number of consecutive late samples that proves a clock that went back: at 20 ms, WiFi swaps two samples every few seconds.
         /// </summary>
-        const int MaxLate = 5;
+        public const int MaxLate = 5;
 
         /// <summary>
         /// Sufficient number if the neighbouring samples show that the joint was elsewhere, or if the samples are late by more than
@@ -26,7 +26,7 @@ namespace Nowpose.Prediction.Samples
         const int MinLate = 2;
 
         /// <summary>Maximum delay of a sample relative to later ones on a usable network, in s.</summary>
-        const double MaxDelay = 0.25;
+        public const double MaxDelay = 0.25;
 
         readonly RecentSamples _recent;
         readonly JointSample[] _ready = new JointSample[MaxLate + 1];
@@ -46,7 +46,7 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         public ReadOnlySpan<JointSample> Ready => _ready.AsSpan(0, _readyCount);
 
-        /// <summary>Number of times that the samples showed that time went back; all earlier samples are void then.</summary>
+        /// <summary>Number of times that the samples showed that the clock went back; all earlier samples are invalid then.</summary>
         public int Restarts { get; private set; }
 
         /// <param name="oldest">
@@ -69,7 +69,7 @@ namespace Nowpose.Prediction.Samples
             if (_recent.Contradict(sample)) _contradicted++;
             _isOnlyEvidence[_lateCount] = reason != DropReason.None;
             _late[_lateCount++] = sample;
-            if (!HasTimeGoneBack) return reason;
+            if (!HasClockGoneBack) return reason;
             Restarts++;
             _recent.Clear();
             _newest = double.NegativeInfinity;
@@ -84,7 +84,7 @@ namespace Nowpose.Prediction.Samples
             _readyCount = _lateCount = _contradicted = 0;
         }
 
-        bool HasTimeGoneBack => _lateCount == MaxLate || _contradicted == MinLate
+        bool HasClockGoneBack => _lateCount == MaxLate || _contradicted == MinLate
             || (_lateCount >= MinLate && _newest - _late[_lateCount - 1].Order > MaxDelay);
 
         // The stamp alone is not sufficient: a clock that goes back by whole sampling intervals repeats earlier stamps with other positions.

@@ -3,12 +3,12 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Keeps the recent samples of a joint, to recognise a repeated sample and one that contradicts them. Allocates
-    /// nothing after construction.
+    /// Keeps the recent samples of a joint, to recognise a repeated sample and a sample that contradicts its neighbours. Allocates nothing
+    /// after construction.
     /// </summary>
     sealed class RecentSamples
     {
-        /// <summary>A quarter of a second at 1 kHz, 2.5 s at 100 Hz.</summary>
+        /// <summary>Number of samples kept: a quarter of a second at 1 kHz, 2.5 s at 100 Hz.</summary>
         const int Capacity = 256;
 
         /// <summary>

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// One joint's samples: sorted, without duplicates, angles unwrapped, stamps corrected, and thinned.
+    /// Prepares one joint's samples: sorts them, drops duplicates, unwraps angles, corrects stamps, and thins the samples.
     /// </summary>
     /// <remarks>Allocates nothing after construction.</remarks>
     sealed class SampleBuffer

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Prediction.Samples
 {
-    /// <summary>The newest samples of one joint, sorted by time; index 0 is the newest.</summary>
+    /// <summary>Keeps the newest samples of one joint, sorted by time; index 0 is the newest.</summary>
     sealed class SampleHistory
     {
         readonly JointSample[] _newestFirst;

@@ -12,14 +12,15 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Minimum standard deviation of stamps to correct, in s; less scatter is harmless.</summary>
         const double MinDeviation = 0.3e-3;
 
-        /// <summary>Stamps with a smaller standard deviation are not occasionally late, in s.</summary>
+        /// <summary>Maximum standard deviation of the stamps of a source that does not delay them now and then, in s.</summary>
         const double CleanDeviation = 1e-3;
 
         /// <summary>Maximum distance from the line, in standard deviations; uniform scatter stays within two.</summary>
         const double MaxScatter = 3;
 
         /// <summary>
-        /// Number of consecutive stamps beyond two deviations on the same side, which is unlikely for scatter: the period has changed.
+        /// Number of consecutive stamps off the line on the same side that restarts the line: this is unlikely for scatter, so the period has
+        /// changed.
         /// </summary>
         const int InARow = 3;
 
@@ -27,9 +28,9 @@ namespace Nowpose.Prediction.Samples
         const double Deviations = 2;
 
         readonly StampLine _line = new StampLine();
-        readonly StampJudge _judge = new StampJudge();
+        readonly SmoothnessTest _smoothness = new SmoothnessTest();
 
-        // Number of consecutive newest stamps that are off the line, with the sign of their side.
+        // Number of consecutive newest stamps off the line on one side; negative for early ones.
         int _offLine;
 
         /// <summary>Returns the corrected time of a sample.</summary>
@@ -39,15 +40,15 @@ namespace Nowpose.Prediction.Samples
             if (isNewest) UpdateLine(stamp);
             if (!_line.IsKnown) return stamp;
             var onLine = isNewest ? _line.NewestOnLine : _line.Nearest(stamp);
-            if (isNewest) _judge.Add(stamp, onLine, position);
+            if (isNewest) _smoothness.Add(stamp, onLine, position);
             var isScattered = _line.Deviation > MinDeviation && !_line.IsTooScattered;
-            return isScattered && !IsPeriodChange(stamp - onLine) && _judge.PrefersLine ? onLine : stamp;
+            return isScattered && !IsPeriodChange(stamp - onLine) && _smoothness.PrefersLine ? onLine : stamp;
         }
 
         public void Reset()
         {
             _line.Reset();
-            _judge.Reset();
+            _smoothness.Reset();
             _offLine = 0;
         }
 
@@ -55,7 +56,7 @@ namespace Nowpose.Prediction.Samples
         bool IsPeriodChange(double off)
         {
             if (Math.Abs(off) <= MaxScatter * _line.Deviation) return false;
-            // A delay makes a stamp late by any time, but not early; it is rare in clean stamps, and rarely the second in a row.
+            // A delay can make a stamp late by any time, but not early. Of a source with clean stamps, or of two stamps in a row, it is unlikely.
             var (isEarly, isOfCleanSource, isInARow) = (off < 0, _line.Deviation < CleanDeviation, Math.Abs(_offLine) > 1);
             return isEarly || isOfCleanSource || isInARow;
         }

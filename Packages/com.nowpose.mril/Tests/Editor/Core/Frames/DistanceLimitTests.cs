@@ -15,32 +15,32 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Share_NothingToCompareWith_IsOne()
+        public void Factor_NothingToCompareWith_IsOne()
         {
-            Assert.That(After().Share, Is.EqualTo(1));
-            Assert.That(After(0, 0, 5).Share, Is.EqualTo(1));
+            Assert.That(After().Factor, Is.EqualTo(1));
+            Assert.That(After(0, 0, 5).Factor, Is.EqualTo(1));
         }
 
         [Test]
-        public void Share_DistancesAsBefore_IsOne() => Assert.That(After(1, 1.3, 0.2, 1.5, 2).Share, Is.EqualTo(1));
+        public void Factor_DistancesAsBefore_IsOne() => Assert.That(After(1, 1.3, 0.2, 1.5, 2).Factor, Is.EqualTo(1));
 
         [TestCase(3)]
         [TestCase(100)]
-        public void Share_MuchLargerDistance_LeavesOneAndAHalfTimesTheMaximum(double distance) =>
-            Assert.That(After(1, 2, 0.5, 2 * distance).Share * 2 * distance, Is.EqualTo(3).Within(0.05));
+        public void Factor_MuchLargerDistance_LeavesOneAndAHalfTimesTheMaximum(double distance) =>
+            Assert.That(After(1, 2, 0.5, 2 * distance).Factor * 2 * distance, Is.EqualTo(3).Within(0.05));
 
         [Test]
-        public void Share_LargeDistanceAgain_IsOne() => Assert.That(After(1, 100, 100).Share, Is.EqualTo(1));
+        public void Factor_LargeDistanceAgain_IsOne() => Assert.That(After(1, 100, 100).Factor, Is.EqualTo(1));
 
         [Test]
-        public void Share_AfterALongTime_DependsOnTheNewerDistances()
+        public void Factor_AfterALongTime_DependsOnTheNewerDistances()
         {
             var limit = After(100);
             for (var i = 0; i < 5 * Memory / Interval; i++) limit.Add(Interval, 0.1);
 
             limit.Add(Interval, 50);
 
-            Assert.That(limit.Share * 50, Is.EqualTo(1.5 * 100 * System.Math.Exp(-5)).Within(0.05));
+            Assert.That(limit.Factor * 50, Is.EqualTo(1.5 * 100 * System.Math.Exp(-5)).Within(0.05));
         }
 
         [TestCase(double.NaN)]
@@ -51,9 +51,9 @@ namespace Nowpose.Tests.Core.Frames
 
             limit.Add(Interval, 1);
 
-            Assert.That(limit.Share, Is.EqualTo(1));
+            Assert.That(limit.Factor, Is.EqualTo(1));
             limit.Add(Interval, 3);
-            Assert.That(limit.Share, Is.EqualTo(0.5).Within(0.01));
+            Assert.That(limit.Factor, Is.EqualTo(0.5).Within(0.01));
         }
 
         [Test]
@@ -63,9 +63,9 @@ namespace Nowpose.Tests.Core.Frames
 
             limit.Clear();
 
-            Assert.That(limit.Share, Is.EqualTo(1));
+            Assert.That(limit.Factor, Is.EqualTo(1));
             limit.Add(Interval, 1e6);
-            Assert.That(limit.Share, Is.EqualTo(1));
+            Assert.That(limit.Factor, Is.EqualTo(1));
         }
     }
 }

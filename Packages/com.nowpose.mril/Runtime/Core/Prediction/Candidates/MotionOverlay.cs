@@ -1,0 +1,145 @@
+using System;
+using Nowpose.Prediction.Samples;
+
+namespace Nowpose.Prediction.Candidates
+{
+    /// <summary>Compares the newest samples with the history at a lag, and shifts them to the best fit.</summary>
+    /// <remarks>Lags are in grid steps of the history, with fractions. Allocates nothing.</remarks>
+    sealed class MotionOverlay
+    {
+        /// <summary>Maximum distance of a match from the lag of <see cref="LagSearch"/>, s.</summary>
+        const double Reach = 0.4;
+
+        /// <summary>Ratio of mean squares below which a nearby match replaces that of the longer memory.</summary>
+        const double MuchBetter = 0.1;
+
+        /// <summary>Number of samples compared in the search near the lag: with six, the errors are the same within 0.01 %.</summary>
+        const int NearbySamples = 4;
+
+        /// <summary>Approximate maximum number of compared samples; every third of 24, for example.</summary>
+        const int ComparedSamples = 8;
+
+        /// <summary>Number of Gauss-Newton steps: the third changes the lag by less than a thousandth of a grid step.</summary>
+        const int Refinements = 3;
+
+        /// <summary>Gauss-Newton steps below this fraction of a grid step are negligible.</summary>
+        const double SmallStep = 1e-3;
+
+        readonly MotionHistory _history;
+
+        // The compared samples, newest first: grid index and position.
+        readonly double[] _indices = new double[2 * ComparedSamples];
+        readonly double[] _positions = new double[2 * ComparedSamples];
+        int _count;
+
+        // Gauss-Newton step from the lag of the last comparison.
+        double _step;
+
+        public MotionOverlay(MotionHistory history) => _history = history;
+
+        /// <summary>Mean square of the samples' distances from the history, after <see cref="Compare"/>.</summary>
+        public double MeanSquare { get; private set; }
+
+        /// <summary>Mean distance of the newest two samples from the history, after <see cref="Compare"/>.</summary>
+        public double Offset { get; private set; }
+
+        /// <summary>Sets the samples to compare with the history.</summary>
+        /// <param name="count">Number of newest samples.</param>
+        public void Take(SampleHistory newest, int count)
+        {
+            _count = 0;
+            var stride = 1 + (count - 1) / ComparedSamples;
+            for (var age = 0; age < count; age += age == 0 ? 1 : stride)
+            {
+                ref readonly var sample = ref newest[age];
+                _indices[_count] = _history.IndexOf(sample.Time);
+                _positions[_count++] = sample.Position;
+            }
+        }
+
+        /// <summary>Returns the lag at which the samples fit best.</summary>
+        /// <param name="lag">Lag of the longer memory's match.</param>
+        /// <param name="minLag">Minimum lag: the history after a match must cover a table.</param>
+        public double Find(int lag, int minLag)
+        {
+            var nearby = Nearby(lag, minLag);
+            var remembered = Settled(lag, minLag);
+            if (nearby == lag) return remembered;
+            var settled = Settled(nearby, minLag);
+            var squareNearby = Compare(settled) ? MeanSquare : double.PositiveInfinity;
+            return !Compare(remembered) || squareNearby < MuchBetter * MeanSquare ? settled : remembered;
+        }
+
+        /// <summary>Compares the samples with the history at a lag.</summary>
+        /// <returns>False if the history does not cover the lag.</returns>
+        public bool Compare(double lag)
+        {
+            MeanSquare = double.PositiveInfinity;
+            _step = 0;
+            if (!_history.Covers(_indices[0] - lag) || !_history.Covers(_indices[_count - 1] - lag)) return false;
+            var points = _history.Points;
+            double sum = 0, offset = 0, pull = 0, stiffness = 0;
+            for (var k = 0; k < _count; k++)
+            {
+                var index = _indices[k] - lag;
+                var cell = (long)index;
+                var (f, i) = (index - cell, (int)cell);
+                double p0 = points[(i - 1) & MotionHistory.Mask], p1 = points[i & MotionHistory.Mask];
+                double p2 = points[(i + 1) & MotionHistory.Mask], p3 = points[(i + 2) & MotionHistory.Mask];
+                // Catmull-Rom, as MotionHistory.At, and its derivative.
+                double a = p2 - p0, b = 2 * p0 - 5 * p1 + 4 * p2 - p3, c = 3 * (p1 - p2) + p3 - p0;
+                var error = _positions[k] - p1 - 0.5 * f * (a + f * (b + f * c));
+                var speed = 0.5 * (a + f * (2 * b + 3 * f * c));
+                sum += error * error;
+                pull += error * speed;
+                stiffness += speed * speed;
+                if (k < 2) offset += error;
+            }
+            Offset = offset / Math.Min(_count, 2);
+            MeanSquare = sum / _count;
+            if (stiffness > 0) _step = Math.Min(Math.Max(pull / stiffness, -1), 1);
+            return true;
+        }
+
+        double Settled(double lag, int minLag)
+        {
+            for (var i = 0; i < Refinements && Compare(lag); i++)
+            {
+                var refined = Math.Max(lag - _step, minLag);
+                var step = Math.Abs(refined - lag);
+                lag = refined;
+                if (step < SmallStep) break;
+            }
+            return lag;
+        }
+
+        // A dwell that was longer or shorter than last time shifts the match by the difference.
+        int Nearby(int lag, int minLag)
+        {
+            var (best, min, reach) = (lag, double.PositiveInfinity, (int)(Reach / _history.Step));
+            for (var shift = Math.Max(-reach, minLag - lag); shift <= reach; shift++)
+            {
+                var cost = Nearness(lag + shift, min);
+                // Of equal costs, the lag nearest to that of the longer memory is chosen.
+                if (cost > min || (cost == min && Math.Abs(shift) >= Math.Abs(best - lag))) continue;
+                min = cost;
+                best = lag + shift;
+            }
+            return best;
+        }
+
+        // Whole grid points are accurate enough for the search near the lag.
+        double Nearness(int lag, double enough)
+        {
+            if (!_history.Covers(_indices[0] - lag) || !_history.Covers(_indices[_count - 1] - lag)) return double.PositiveInfinity;
+            var points = _history.Points;
+            var sum = 0.0;
+            for (int k = 0, stride = 1 + (_count - 1) / NearbySamples; k < _count && sum <= enough; k += stride)
+            {
+                var error = _positions[k] - points[(int)((long)(_indices[k] + 0.5) - lag) & MotionHistory.Mask];
+                sum += error * error;
+            }
+            return sum;
+        }
+    }
+}

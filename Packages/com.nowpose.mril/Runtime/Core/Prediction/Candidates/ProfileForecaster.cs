@@ -1,0 +1,170 @@
+using System;
+using Nowpose.Messages;
+using Nowpose.Motion;
+using Nowpose.Prediction.Forecasting;
+
+namespace Nowpose.Prediction.Candidates
+{
+    /// <summary>
+    /// Forecasts by an S-curve profile (7 phases, from rest to rest) that it fits to the samples of the newest move, for axes with known
+    /// limits of the drive.
+    /// </summary>
+    /// <remarks>
+    /// The first samples of a move determine its start, because all moves under the same limits are equal until they brake
+    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that curve determines the stroke, and so the rest of the move.
+    /// Other moves are predicted wrongly, so a <see cref="CandidateGate"/> decides whether the forecast is used.
+    /// </remarks>
+    sealed class ProfileForecaster : Forecaster
+    {
+        /// <summary>Minimum lag of a move that brakes, in s: larger than the rounding of stamps.</summary>
+        const double MinLag = 0.6e-3;
+
+        /// <summary>
+        /// Maximum displacement of a sample at rest, relative to <see cref="RestDetector.StillDistance"/>: the first samples of a move are
+        /// below that distance.
+        /// </summary>
+        const double RestRatio = 0.1;
+
+        /// <summary>
+        /// Maximum distance of a sample from its move, relative to the recent maximum displacement between two samples.
+        /// </summary>
+        const double ToleranceRatio = 0.02;
+
+        /// <summary>Number of bisection steps. More steps would exceed the resolution of a double.</summary>
+        const int Bisections = 50;
+
+        readonly PredictionLimits _limits;
+        readonly double _maxStroke;
+        readonly SevenPhaseProfile _unbraked;
+        SevenPhaseProfile _move;
+        double _stillDistance, _tolerance;
+        double _newestTime;
+        double _newestPosition;
+        double _restPosition;
+        double _start;
+        double _direction;
+        bool _isKnown;
+        bool _hasBraked;
+
+        /// <param name="limits">Velocity, acceleration and jerk must be finite.</param>
+        /// <exception cref="ArgumentException">A limit of the drive is unknown.</exception>
+        public ProfileForecaster(PredictionLimits limits)
+        {
+            _limits = limits;
+            if (!HasLimits(limits)) throw new ArgumentException(PredictionMessages.UnknownDerivatives, nameof(limits));
+            // A stroke long enough that the move does not brake within a minute.
+            _maxStroke = limits.Velocity * 60;
+            _unbraked = Profile(_maxStroke);
+            Reset();
+        }
+
+        public override int Samples => 1;
+
+        /// <summary>Returns whether the limits are sufficient for this forecaster.</summary>
+        public static bool HasLimits(PredictionLimits limits) =>
+            double.IsFinite(limits.Velocity) && double.IsFinite(limits.Acceleration) && double.IsFinite(limits.Jerk);
+
+        /// <returns>False if the motion is not such a move.</returns>
+        public override bool Solve(MotionState motion)
+        {
+            if (!motion.IsNewest) return _isKnown;
+            (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
+            (_stillDistance, _tolerance) = (RestRatio * motion.Rest.StillDistance, ToleranceRatio * motion.Rest.MaxDisplacement);
+            if (motion.ConnectedSamples < 2)
+            {
+                Rest(_newestPosition);
+                return _isKnown;
+            }
+            if (IsResting(motion)) Rest(_newestPosition);
+            else if (_direction == 0) StartMove(motion.Samples[1].Time);
+            else if (_isKnown) ContinueMove(motion.Samples[1]);
+            return _isKnown;
+        }
+
+        public override double At(double ahead) =>
+            _direction == 0 ? 0 : _restPosition + _direction * _move.PositionAt(_newestTime + ahead - _start) - _newestPosition;
+
+        public override void Reset()
+        {
+            Rest(0);
+            _isKnown = false;
+        }
+
+        bool IsResting(MotionState motion) => motion.Samples.Count > 2
+            && Math.Abs(_newestPosition - motion.Samples[1].Position) <= _stillDistance
+            && Math.Abs(motion.Samples[1].Position - motion.Samples[2].Position) <= _stillDistance;
+
+        void Rest(double position)
+        {
+            _restPosition = position;
+            _direction = 0;
+            _isKnown = true;
+        }
+
+        // Samples close to rest do not determine the start accurately, so they count as rest.
+        void StartMove(double timeBefore)
+        {
+            var displacement = _newestPosition - _restPosition;
+            if (Math.Abs(displacement) <= _stillDistance) return;
+            _direction = Math.Sign(displacement);
+            _move = _unbraked;
+            _hasBraked = false;
+            _start = _newestTime - TimeTo(Math.Abs(displacement));
+            // The move cannot have begun before the last sample at rest.
+            _isKnown = _start > timeBefore - MinLag;
+        }
+
+        void ContinueMove(in JointSample before)
+        {
+            var elapsed = _newestTime - _start;
+            var displacement = _direction * (_newestPosition - _restPosition);
+            if (_hasBraked && elapsed > _move.Duration && Math.Abs(_newestPosition - End) > _stillDistance)
+            {
+                // The next move has begun after a dwell too short to be detected.
+                Rest(End);
+                StartMove(before.Time);
+                return;
+            }
+            var lag = displacement > 0 ? elapsed - TimeTo(displacement) : double.PositiveInfinity;
+            if (!_hasBraked && Math.Abs(lag) <= MinLag) _start += lag;
+            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && LiesOnMove(before);
+        }
+
+        double End => _restPosition + _direction * _move.PositionAt(_move.Duration);
+
+        bool LiesOnMove(in JointSample sample)
+        {
+            var expected = _restPosition + _direction * _move.PositionAt(sample.Time - _start);
+            return Math.Abs(sample.Position - expected) <= _tolerance;
+        }
+
+        // A longer stroke means a larger displacement at this time, until all strokes are equal.
+        bool TryFindStroke(double displacement, double elapsed)
+        {
+            double shorter = 0, longer = _maxStroke;
+            for (var i = 0; i < Bisections; i++)
+            {
+                var stroke = (shorter + longer) / 2;
+                if (Profile(stroke).PositionAt(elapsed) < displacement) shorter = stroke;
+                else longer = stroke;
+            }
+            _move = Profile(longer);
+            _hasBraked = true;
+            return longer < 0.999 * _maxStroke;
+        }
+
+        double TimeTo(double displacement)
+        {
+            double earlier = 0, later = _unbraked.Duration;
+            for (var i = 0; i < Bisections; i++)
+            {
+                var time = (earlier + later) / 2;
+                if (_unbraked.PositionAt(time) < displacement) earlier = time;
+                else later = time;
+            }
+            return later;
+        }
+
+        SevenPhaseProfile Profile(double stroke) => new SevenPhaseProfile(stroke, _limits.Velocity, _limits.Acceleration, _limits.Jerk);
+    }
+}

@@ -1,0 +1,77 @@
+using System;
+
+namespace Nowpose.Prediction.Samples
+{
+    /// <summary>
+    /// Decides whether stamps are wrong or the sampling is irregular, by the smoothness of the positions over the reported stamps and over
+    /// the times of the regression line.
+    /// </summary>
+    /// <remarks>
+    /// The stamps of a source that samples irregularly are right and must not be changed. Each sample is compared with the quadratic
+    /// through the three before it, once for each kind of times. The logarithm of the ratio of the two errors is a vote; the mean of the
+    /// votes decides.
+    /// </remarks>
+    sealed class SmoothnessTest
+    {
+        /// <summary>Weight of one vote in the mean: eight maximum votes against the line reject it at first, 25 after many votes for it.</summary>
+        const double VoteWeight = 0.03;
+
+        /// <summary>Maximum vote, a decimal logarithm: a ratio of ten.</summary>
+        const double MaxVote = 1;
+
+        /// <summary>Initial mean, and the mean below which the line is not used: with noise, the mean fluctuates about 0.</summary>
+        const double InitialMean = 0.2, MinMean = -0.05;
+
+        const int Kept = 4;
+
+        readonly double[] _reported = new double[Kept];
+        readonly double[] _onLine = new double[Kept];
+        readonly double[] _positions = new double[Kept];
+        int _count;
+        double _mean;
+
+        public SmoothnessTest() => Reset();
+
+        /// <summary>Whether the positions are about as smooth over the times of the line as over the reported stamps, or smoother.</summary>
+        public bool PrefersLine => _mean >= MinMean;
+
+        public void Add(double reported, double onLine, double position)
+        {
+            for (var i = Kept - 1; i > 0; i--)
+            {
+                _reported[i] = _reported[i - 1];
+                _onLine[i] = _onLine[i - 1];
+                _positions[i] = _positions[i - 1];
+            }
+            _reported[0] = reported;
+            _onLine[0] = onLine;
+            _positions[0] = position;
+            if (_count < Kept) _count++;
+            if (_count < Kept) return;
+            double errorReported = ErrorOf(_reported), errorOnLine = ErrorOf(_onLine);
+            if (!(errorReported > 0 && errorOnLine > 0)) return;
+            var vote = Math.Log10(errorReported / errorOnLine);
+            _mean += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _mean);
+        }
+
+        public void Reset()
+        {
+            _count = 0;
+            _mean = InitialMean;
+        }
+
+        // Distance of sample 0 from the quadratic through samples 1 to 3, in Lagrange form; NaN or infinite if two times coincide.
+        double ErrorOf(double[] t)
+        {
+            var error = 0.0;
+            for (var i = 1; i < Kept; i++)
+            {
+                var term = _positions[i] - _positions[0];
+                for (var j = 1; j < Kept; j++)
+                    if (j != i) term *= (t[0] - t[j]) / (t[i] - t[j]);
+                error += term;
+            }
+            return Math.Abs(error);
+        }
+    }
+}

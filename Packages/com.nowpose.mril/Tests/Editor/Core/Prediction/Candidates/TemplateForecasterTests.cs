@@ -1,0 +1,143 @@
+using System;
+using Nowpose.Motion;
+using Nowpose.Prediction;
+using Nowpose.Prediction.Candidates;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Prediction.Candidates
+{
+    public class TemplateForecasterTests
+    {
+        const int Seed = 77;
+        const double Ahead = 0.12;
+
+        static readonly SevenPhaseProfile There = new SevenPhaseProfile(300, 900, 5000, 60_000);
+        static readonly SevenPhaseProfile Back = new SevenPhaseProfile(-300, 600, 3000, 30_000);
+
+        // Not a multiple of the sampling interval or of the grid step.
+        const double Cycle = 2.7183;
+
+        [TestCase(0.010)]
+        [TestCase(0.020)]
+        [TestCase(0.050)]
+        [TestCase(0.0333)]
+        public void At_RepeatingMotion_IsPredictedFromTheSecondCycle(double interval)
+        {
+            Assert.That(RmsError(interval, 3 * Cycle, 6 * Cycle, 0), Is.LessThan(0.03 * RmsOfHold(interval, 3 * Cycle, 6 * Cycle)));
+        }
+
+        [Test]
+        public void At_LostSamples_HardlyIncreaseTheError()
+        {
+            Assert.That(RmsError(0.05, 3 * Cycle, 6 * Cycle, 0.03), Is.LessThan(0.08 * RmsOfHold(0.05, 3 * Cycle, 6 * Cycle)), "seed " + Seed);
+        }
+
+        [Test]
+        public void At_FirstCycle_IsNotPredicted()
+        {
+            var predictor = Alone();
+            for (var t = 0.0; t < 0.6; t += 0.05)
+            {
+                predictor.Add(t, Position(t));
+
+                Assert.That(predictor.At(t + Ahead).Kind, Is.EqualTo(PredictionKind.Held));
+            }
+        }
+
+        [TestCase(1.0)]
+        [TestCase(2.5)]
+        public void Add_PauseBeyondTheMaximumGap_DiscardsTheCycles(double pause)
+        {
+            var predictor = Fed(new PredictionLimits(maximumGap: 0.5), 0.05, 3 * Cycle);
+            Assert.That(predictor.At(predictor.NewestTime + Ahead).Kind, Is.EqualTo(PredictionKind.Predicted));
+
+            predictor.Add(predictor.NewestTime + pause, 0);
+
+            Assert.That(predictor.At(predictor.NewestTime + Ahead).Kind, Is.EqualTo(PredictionKind.Held));
+        }
+
+        [Test]
+        public void Add_OvertakenSample_IsIgnored()
+        {
+            var predictor = Fed(PredictionLimits.Unlimited, 0.05, 3 * Cycle);
+            var before = predictor.At(predictor.NewestTime + Ahead).Position;
+
+            Assert.That(predictor.Add(predictor.NewestTime - 0.02, 5), Is.EqualTo(DropReason.None));
+            Assert.That(predictor.At(predictor.NewestTime + Ahead).Position, Is.EqualTo(before));
+        }
+
+        [Test]
+        public void Add_OtherCycle_IsFound()
+        {
+            var predictor = Fed(PredictionLimits.Unlimited, 0.05, 3 * Cycle);
+            var start = predictor.NewestTime;
+            for (var i = 1; i * 0.02 < 3 * Cycle; i++) predictor.Add(start + i * 0.02, Position(start + i * 0.02));
+
+            var t = predictor.NewestTime + Ahead;
+            Assert.That(predictor.At(t).Position, Is.EqualTo(Position(t)).Within(1));
+        }
+
+        [Test]
+        public void At_HistoryFull_StillFindsTheCycle()
+        {
+            var predictor = Fed(PredictionLimits.Unlimited, 0.02, 150);
+            var t = predictor.NewestTime + Ahead;
+
+            Assert.That(predictor.At(t).Position, Is.EqualTo(Position(t)).Within(1));
+        }
+
+        [Test]
+        public void At_ExtremeSamples_IsFinite()
+        {
+            var random = new Random(Seed);
+            var values = new[] { 0, 1, 1e300, -1e300, 1e49, double.Epsilon, 3, 3, 3 };
+            var predictor = Alone();
+            for (var k = 0; k < 2000; k++)
+            {
+                predictor.Add(k * 0.05, values[random.Next(values.Length)]);
+
+                Assert.That(double.IsFinite(predictor.At(k * 0.05 + Ahead).Position), "seed " + Seed + ", sample " + k);
+            }
+        }
+
+        static JointPredictor Alone(PredictionLimits limits = null) =>
+            TestPredictors.Of(new TemplateForecaster(limits ?? PredictionLimits.Unlimited), limits);
+
+        static double Position(double t)
+        {
+            var inCycle = t % Cycle;
+            return inCycle < 1.2 ? There.PositionAt(inCycle - 0.3) : 300 + Back.PositionAt(inCycle - 1.2);
+        }
+
+        static JointPredictor Fed(PredictionLimits limits, double interval, double seconds)
+        {
+            var predictor = Alone(limits);
+            for (var i = 0; i * interval < seconds; i++) predictor.Add(i * interval, Position(i * interval));
+            return predictor;
+        }
+
+        static double RmsError(double interval, double from, double to, double loss)
+        {
+            var random = new Random(Seed);
+            var predictor = Alone();
+            double squares = 0, count = 0;
+            for (var i = 0; i * interval < to; i++)
+            {
+                var t = i * interval;
+                if (random.NextDouble() < loss) continue;
+                predictor.Add(t, Position(t));
+                if (t < from) continue;
+                squares += Math.Pow(predictor.At(t + Ahead).Position - Position(t + Ahead), 2);
+                count++;
+            }
+            return Math.Sqrt(squares / count);
+        }
+
+        static double RmsOfHold(double interval, double from, double to)
+        {
+            double squares = 0, count = 0;
+            for (var t = from; t < to; t += interval, count++) squares += Math.Pow(Position(t) - Position(t + Ahead), 2);
+            return Math.Sqrt(squares / count);
+        }
+    }
+}
