@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Mixes hold and a line.
         static Mixer Mixer(params CandidateGate[] candidates) => new Mixer(
-            PredictionLimits.Unlimited, PredictionParts.All, new[] { new MixedForecaster(new PolynomialForecaster(1, 1), 1, 1) }, candidates);
+            PredictionLimits.Unlimited, PredictionParts.All, new[] { new MixedForecaster(new PolynomialForecaster(1, 1)) }, candidates);
 
         void Feed(int from, int to)
         {
