@@ -1,5 +1,5 @@
 # Lists the failures in the output of dotnet test or node --test: one line per test with its name, a tab and the start of its message.
-# Omits suites of node that failed because of a test in them, which has its own line. If no test failed: the first build errors.
+# Omits suites of node that failed because of a test in them, which has its own line. If no test failed, lists the first build errors.
 
 function report() {
   if (name != "") { print name "\t" substr(message, 1, 120); tests++ }

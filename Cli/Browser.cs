@@ -1,6 +1,7 @@
 using System.ComponentModel;
 using System.CommandLine;
 using System.Diagnostics;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli;
 
@@ -19,14 +20,14 @@ sealed class Browser(bool needsDisplay, Func<string, string> environment, Action
     /// <summary>Opens a page, or prints one line with the reason why the page cannot be opened.</summary>
     public static void OpenOrExplain(string path)
     {
-        if (OfThisMachine.Open(path) is { } reason) Console.Error.WriteLine($"nowpose: --open: {reason}; open {path} in a browser");
+        if (OfThisMachine.Open(path) is { } reason) Console.Error.WriteLine(ConsoleMessages.NotOpened(reason, path));
     }
 
     /// <returns>Null if the desktop accepted the request; otherwise the reason why the page cannot be opened.</returns>
     public string Open(string path)
     {
         if (needsDisplay && string.IsNullOrEmpty(environment("DISPLAY")) && string.IsNullOrEmpty(environment("WAYLAND_DISPLAY")))
-            return "this machine has no desktop (DISPLAY and WAYLAND_DISPLAY are not set)";
+            return ConsoleMessages.NoDesktop;
         try
         {
             // UseShellExecute selects the desktop's opener: the shell on Windows, open on macOS, xdg-open elsewhere.
@@ -35,7 +36,7 @@ sealed class Browser(bool needsDisplay, Func<string, string> environment, Action
         }
         catch (Win32Exception e)
         {
-            return $"the desktop could not open it: {e.Message}";
+            return ConsoleMessages.DesktopFailed(e.Message);
         }
     }
 }

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli;
 
 /// <summary>Writes files and folders that an option names. An error is one line with the option, the path and the reason.</summary>
@@ -15,7 +17,7 @@ static class OutputPath
         }
         catch (Exception e) when (IsRefusal(e))
         {
-            throw new InputException($"{option}: {folder}: cannot be written to: {e.Message.ReplaceLineEndings(" ")}", e);
+            throw new InputException(OptionValueMessages.NotWritable(option, folder, e.Message.ReplaceLineEndings(" ")), e);
         }
     }
 

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli;
@@ -18,7 +19,7 @@ static class PredictorOption
         option.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<string>() is string value && !IsKnown(value))
-                result.AddError($"{name}: '{value}' is unknown; allowed: {list}, or one with another history h, for example linear-h4.");
+                result.AddError(OptionValueMessages.UnknownPredictor(name, value, list));
         });
         return option;
     }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Sync;
@@ -24,7 +25,7 @@ static class RuntimeOptions
     {
         if (parsed.GetValue(profile) is not { } path) return null;
         if (Array.Find(given, option => parsed.GetResult(option) is { Implicit: false }) is { } other)
-            throw new InputException($"--profile and {other.Name} both set the display latency; use one of them");
+            throw new InputException(OptionValueMessages.TwoLatencies(other.Name));
         return LatencyProfileFile.Load(path);
     }
 }

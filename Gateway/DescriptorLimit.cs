@@ -1,5 +1,6 @@
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 
@@ -34,7 +35,7 @@ static class DescriptorLimit
         var allowed = Allowed();
         if (OperatingSystem.IsWindows() || number + Spare < allowed) return;
         accepted.Dispose();
-        throw new IOException($"descriptor {number} of {allowed}; the last {Spare} are kept free");
+        throw new IOException(LimitMessages.NoDescriptor(number, allowed, Spare));
     }
 
     /// <returns>The message about a limit that is too low; null if the limit is high enough.</returns>
@@ -43,9 +44,7 @@ static class DescriptorLimit
         var needed = Reserve + (2L * maxConnections);
         if (allowed >= (ulong)needed) return null;
         var possible = ((long)allowed - Reserve) / 2;
-        var remedy = $"raise the limit to {needed} (ulimit -n, LimitNOFILE= of the systemd unit, --ulimit nofile= of the container)";
-        return $"--max-connections {maxConnections}: two ports with this number of connections need {needed} file descriptors, and the system allows "
-            + (possible < 1 ? $"{allowed}; {remedy}" : $"{allowed}; use 1 to {possible}, or {remedy}");
+        return LimitMessages.TooFewDescriptors(maxConnections, needed, allowed, possible);
     }
 
     /// <summary>Gets the system's limit; <see cref="ulong.MaxValue"/> if there is none or it cannot be read.</summary>

@@ -2,6 +2,7 @@ using System.Net;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
@@ -152,19 +153,19 @@ public sealed record GatewayOptions
     internal void Check(bool pairsHeadsets)
     {
         if (Certificate == null && !IsLoopback && !Tokens.IsEmpty)
-            throw new InputException($"--tokens without --tls on {Bind}: tokens are sent only over TLS or loopback; add --tls or bind to loopback");
+            throw new InputException(AddressOptionMessages.TokensWithoutTls(Bind));
         if (Certificate == null && !IsLoopback && pairsHeadsets)
-            throw new InputException($"--pairing without --certificate on {Bind}: tokens are sent only over TLS or loopback; add --certificate or bind to loopback");
+            throw new InputException(AddressOptionMessages.PairingWithoutCertificate(Bind));
         if (Certificate == null && !IsLoopback && !AllowInsecureLan)
-            throw new InputException($"--bind {Bind}: unencrypted connections from other machines need --insecure-lan; --tls is safer");
+            throw new InputException(AddressOptionMessages.PlainBind(Bind));
         if (Certificate is { HasPrivateKey: false })
-            throw new InputException("--certificate: has no private key; use a certificate with its private key");
+            throw new InputException(AddressOptionMessages.NoPrivateKey);
         CheckPort("--sync-port", SyncPort);
         CheckPort("--ws-port", WebSocketPort);
         if (SyncPort == WebSocketPort && SyncPort != 0)
-            throw new InputException($"{OptionOfTheSamePort} {SyncPort}: both ports are the same; use two different ports");
+            throw new InputException(AddressOptionMessages.SamePorts(OptionOfTheSamePort, SyncPort));
         if (MaxConnections < 1)
-            throw new InputException($"--max-connections {MaxConnections}: must be at least 1");
+            throw new InputException(AddressOptionMessages.MaxConnections(MaxConnections));
         DescriptorLimit.Check(MaxConnections);
         CheckRate(nameof(SourceMessagesPerSecond), SourceMessagesPerSecond);
         CheckRate(nameof(ObserverMessagesPerSecond), ObserverMessagesPerSecond);
@@ -175,7 +176,7 @@ public sealed record GatewayOptions
     static void CheckRate(string option, int perSecond)
     {
         if (perSecond is < 1 or > MaxRate)
-            throw new InputException($"{option} {perSecond} is out of range; allowed: 1 to {MaxRate}");
+            throw new InputException(AddressOptionMessages.Rate(option, perSecond, MaxRate));
     }
 
     // The option to name in the message: the one without its default value.
@@ -184,6 +185,6 @@ public sealed record GatewayOptions
     static void CheckPort(string option, int port)
     {
         if (port is < 0 or > IPEndPoint.MaxPort)
-            throw new InputException($"{option} {port} is out of range; allowed: 0 (any free port) to {IPEndPoint.MaxPort}");
+            throw new InputException(AddressOptionMessages.Port(option, port, IPEndPoint.MaxPort));
     }
 }

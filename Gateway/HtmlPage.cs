@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.RegularExpressions;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway;
@@ -9,8 +10,7 @@ namespace Nowpose.Gateway;
 sealed partial class HtmlPage(string html)
 {
     /// <summary>Message that is sent instead of a missing page.</summary>
-    public const string Missing =
-        "the page is missing because this gateway was built without Node.js; install Node.js 20 or newer with npm and build again";
+    public const string Missing = OperationsMessages.PageMissing;
 
     readonly string _policy = PolicyOf(html);
     readonly byte[] _page = html == null ? null : Encoding.UTF8.GetBytes(html);

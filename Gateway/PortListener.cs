@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 
@@ -31,7 +32,7 @@ static class PortListener
     /// <summary>Creates the exception for a port that the system refuses to open.</summary>
     public static IOException Refusal(string option, IPAddress bind, int port, Exception cause) => IsOfThePort(cause)
         ? new IOException($"{option} {port} on {bind}: {cause.Message}", cause)
-        : new IOException($"--bind {bind}: not an address of this machine ({cause.Message})", cause);
+        : new IOException(AddressOptionMessages.NotThisMachine(bind, cause.Message), cause);
 
     /// <summary>Whether the port was refused because another process uses it.</summary>
     public static bool IsTaken(IOException refusal) =>

@@ -1,6 +1,7 @@
 using System.Net;
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Connections.Features;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 
@@ -33,7 +34,7 @@ sealed class ResilientListener(IConnectionListener inner, Action<string> log) : 
             catch (Exception e) when (!_stop.IsCancellationRequested && !cancellationToken.IsCancellationRequested)
             {
                 if (accepted != null) await accepted.DisposeAsync();
-                log($"websocket: a connection could not be accepted ({e.GetType().Name}: {e.Message})");
+                log(RequestMessages.NotAccepted(e.GetType().Name, e.Message));
                 await Task.Delay(PauseAfterFailure, _stop.Token).ContinueWith(_ => { }, TaskScheduler.Default);
             }
         }

@@ -1,6 +1,6 @@
 using NUnit.Framework;
 
-// Fixtures run in parallel, because most of them wait: for a timeout, for the next attempt, or for another process. A fixture that uses
-// the environment of the process, counts garbage or depends on real time is marked NonParallelizable.
+// Fixtures run in parallel, because most of them wait: for a timeout, for the next attempt, or for another process. A fixture that changes
+// the environment of the process, measures allocations or depends on real time is marked NonParallelizable.
 [assembly: Parallelizable(ParallelScope.Fixtures)]
 [assembly: LevelOfParallelism(8)]

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests;
 
-/// <summary>Sets Math.NET to a single thread, like the command line, for the tests of its parts.</summary>
+/// <summary>Limits Math.NET to a single thread, as the command line does, because tests run parts of the command line.</summary>
 [SetUpFixture]
 public sealed class SingleThread
 {

@@ -3,7 +3,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Vision;
 
-/// <summary>The layout of a code for the worker, so that <see cref="TimestampCode"/> is the only specification.</summary>
+/// <summary>Describes the layout of a code for the worker process, so that only <see cref="TimestampCode"/> specifies it.</summary>
 static class CodePattern
 {
     public static string Json()
@@ -17,7 +17,7 @@ static class CodePattern
             kinds = Enum.GetValues<CodeKind>().ToDictionary(kind => kind.ToString(), kind => new
             {
                 lit = ring.Select(cell => TimestampCode.IsLitRing(cell, kind)),
-                // The headset draws squares; the control system may use LEDs.
+                // The headset draws complete squares. The control system can use LEDs, which leave gaps.
                 isFilled = kind == CodeKind.Headset,
             }),
         };

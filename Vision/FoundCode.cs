@@ -3,17 +3,17 @@ using Nowpose.Latency;
 namespace Nowpose.Vision;
 
 /// <summary>A code that was found in a picture.</summary>
-/// <param name="Levels">Light of each cell in the order of <see cref="TimestampCode"/>, without the background; linear, 1 is white.</param>
-/// <param name="Corners">Corners in px, y down: the top left corner of the code first, then clockwise.</param>
+/// <param name="Levels">Light of each cell without the background, in the order of <see cref="TimestampCode"/>; linear, 1 is white.</param>
+/// <param name="Corners">Corners in px, y down. The first is the top left corner of the code; the others follow clockwise.</param>
 sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyList<(double X, double Y)> Corners)
 {
-    /// <summary>Share of the cells that are white in their middle, 0 to 1.</summary>
+    /// <summary>Share of the cells whose middle is white, 0 to 1.</summary>
     public double WhiteShare { get; init; }
 
-    /// <summary>Whether there is a clearer code of this kind, and this one may be another object.</summary>
+    /// <summary>Whether a better match of this kind exists, so that this one can be another object.</summary>
     public bool IsWeak { get; init; }
 
-    /// <summary>Intersection of the diagonals, px: the centre of the code, even in perspective.</summary>
+    /// <summary>Centre of the code, px: the intersection of the diagonals, which is correct even in perspective.</summary>
     public (double X, double Y) Center
     {
         get
@@ -28,8 +28,8 @@ sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyLi
     /// <summary>Mean length of the four sides, px.</summary>
     public double Side => Enumerable.Range(0, 4).Average(i => Distance(Corners[i], Corners[(i + 1) % 4]));
 
-    /// <summary>Gets the vertical position of a point of the code in the picture, px from the top.</summary>
-    /// <param name="column">0 at the left edge of the code to <see cref="TimestampCode.Side"/> at the right one.</param>
+    /// <summary>Gets the vertical position in the picture of a point of the code, px from the top.</summary>
+    /// <param name="column">Position in cells, from 0 at the left edge of the code to <see cref="TimestampCode.Side"/> at the right edge.</param>
     public double HeightOf(double column, double row)
     {
         double u = column / TimestampCode.Side, v = row / TimestampCode.Side;

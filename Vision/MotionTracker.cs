@@ -2,19 +2,19 @@ using System.Text.Json;
 
 namespace Nowpose.Vision;
 
-/// <summary>Tracks patches of a video's first picture through the following ones. Not thread-safe.</summary>
+/// <summary>Tracks patches of a video's first picture in the following pictures. Not thread-safe.</summary>
 public sealed class MotionTracker : IDisposable
 {
     readonly VisionWorker _worker = new();
     readonly IReadOnlyList<PictureBox> _boxes;
     bool _hasBegun;
 
-    /// <param name="boxes">The patches, completely within the first picture.</param>
-    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
+    /// <param name="boxes">The patches. They must be completely within the first picture.</param>
+    /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>
     public MotionTracker(IReadOnlyList<PictureBox> boxes) => _boxes = boxes;
 
-    /// <summary>Gets the patches' positions in the next picture.</summary>
-    /// <param name="bytes">Grey, row by row.</param>
+    /// <summary>Gets the positions of the patches in the next picture.</summary>
+    /// <param name="bytes">Grey values, row by row.</param>
     /// <exception cref="InvalidOperationException">The picture is invalid.</exception>
     public IReadOnlyList<TrackedPlace> Follow(int width, int height, byte[] bytes)
     {

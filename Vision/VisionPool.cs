@@ -5,42 +5,45 @@ using Nowpose.Latency;
 
 namespace Nowpose.Vision;
 
-/// <summary>Analyses many pictures, as many in parallel as there are cores.</summary>
-/// <remarks>A picture at which a worker ends, for example because of too little memory, is reported as faulty, and another worker continues.</remarks>
+/// <summary>Analyses many pictures in parallel worker processes.</summary>
+/// <remarks>
+/// If a picture makes a worker exit, for example because of insufficient memory, the picture is reported as faulty, and another worker
+/// continues.
+/// </remarks>
 public sealed class VisionPool : IDisposable
 {
     const int MaxWorkers = 4;
     const int Waiting = 4;
 
-    /// <summary>Number of pictures per worker. The start of a worker takes as long as reading about that many pictures.</summary>
+    /// <summary>Number of pictures that justify another worker. Starting a worker takes as long as reading about this number of pictures.</summary>
     const int PicturesPerWorker = 12;
 
     /// <summary>
-    /// Number of consecutive pictures that end a worker. From this number on, the cause is assumed to be something other than the pictures.
+    /// Number of consecutive pictures at which a worker exits, from which the cause is assumed to be something other than the pictures.
     /// </summary>
     const int MaxEnded = 3;
 
     readonly string _script;
     readonly VisionWorker[] _workers;
 
-    /// <param name="workers">Maximum number of workers; 0 for the number of cores, at most four.</param>
-    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
+    /// <param name="workers">Maximum number of workers; 0 for one per core, but at most four.</param>
+    /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>
     public VisionPool(int workers = 0) : this(workers, null)
     {
     }
 
-    /// <param name="script">Script of a worker; null for the one included in this program.</param>
+    /// <param name="script">Script of the workers; null for the script of this program.</param>
     internal VisionPool(int workers, string script)
     {
         _script = script;
         _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MaxWorkers)];
-        // Starts now, so that a missing Node.js is reported at once. Each other worker starts when it gets its first picture.
+        // Starts the first worker now, so that a missing Node.js is reported immediately. The others start with their first picture.
         _workers[0] = new VisionWorker(script);
     }
 
-    /// <summary>Analyses all pictures, or runs until it is cancelled. Errors after the cancellation are ignored.</summary>
-    /// <param name="pictures">Enumerated on demand, on the calling thread.</param>
-    /// <param name="seen">Receives each picture's index and its result; one call at a time, in any order.</param>
+    /// <summary>Analyses all pictures, or returns early if it is cancelled. Ignores errors after the cancellation.</summary>
+    /// <param name="pictures">The pictures. They are enumerated on demand on the calling thread.</param>
+    /// <param name="seen">Called with the index and the result of each picture, in any order but never concurrently.</param>
     internal void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)
     {
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
@@ -55,7 +58,7 @@ public sealed class VisionPool : IDisposable
             }
             catch (OperationCanceledException)
             {
-                // The user or another thread has stopped the analysis.
+                // The user cancelled the analysis, or another thread failed.
             }
             catch (Exception fault)
             {

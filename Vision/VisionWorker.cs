@@ -5,7 +5,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Vision;
 
-/// <summary>A Node.js process that analyses one picture at a time. Not thread-safe.</summary>
+/// <summary>A Node.js process that analyses one picture after another. Not thread-safe.</summary>
 sealed class VisionWorker : IDisposable
 {
     const int ErrorsKept = 4000;
@@ -16,8 +16,8 @@ sealed class VisionWorker : IDisposable
     readonly Process _process;
     readonly StringBuilder _errors = new();
 
-    /// <param name="script">Script; null for the one included in this program.</param>
-    /// <exception cref="InputException">Node.js is missing, or was missing when this program was built.</exception>
+    /// <param name="script">Script to run; null for the script of this program.</param>
+    /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>
     public VisionWorker(string script = null)
     {
         _script = script ?? Script;
@@ -35,8 +35,8 @@ sealed class VisionWorker : IDisposable
         }
     }
 
-    /// <param name="request">One line of JSON.</param>
-    /// <exception cref="WorkerEndedException">The worker has ended.</exception>
+    /// <param name="request">Request as one line of JSON.</param>
+    /// <exception cref="WorkerEndedException">The worker process has exited.</exception>
     public JsonElement Ask(string request)
     {
         try
@@ -47,9 +47,9 @@ sealed class VisionWorker : IDisposable
         }
         catch (IOException)
         {
-            // The pipe is closed; the error is reported below.
+            // The pipe is closed. The error is reported below.
         }
-        // The wait with a limit does not wait for the last error lines; the wait without one does.
+        // WaitForExit with a timeout can return before the last error lines have been read; WaitForExit without one waits for them.
         if (_process.WaitForExit(1000)) _process.WaitForExit();
         lock (_errors) throw new WorkerEndedException($"the picture reader ended unexpectedly ({_script}): {_errors.ToString().Trim()}");
     }

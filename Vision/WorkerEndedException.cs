@@ -1,4 +1,4 @@
 namespace Nowpose.Vision;
 
-/// <summary>The process that analyses pictures has ended unexpectedly.</summary>
+/// <summary>Thrown if a worker process exits unexpectedly.</summary>
 sealed class WorkerEndedException(string message) : InvalidOperationException(message);

@@ -1,5 +1,5 @@
-// Builds dist/worker.mjs, one file with OpenCV and the codecs inside, and the licences of the bundled packages.
-// `npm run build` and prepare.mjs run it.
+// Builds dist/worker.mjs, a single file with OpenCV and the codecs, and the licences of the bundled packages.
+// Run by `npm run build` and by prepare.mjs.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ const licences = {
   pngjs: 'pngjs/LICENSE',
 };
 
-// Renamed into place, so that a concurrent build never reads an incomplete file.
+// Renames the complete file, so that a concurrent build never reads an incomplete one.
 function write(name, text) {
   const unfinished = join(vision, 'dist', `${name}.${process.pid}.tmp`);
   writeFileSync(unfinished, text);
@@ -30,7 +30,7 @@ const { outputFiles } = await build({
   target: 'node18',
   charset: 'utf8',
   loader: { '.wasm': 'binary' },
-  // OpenCV's script loads Node's modules with require, like CommonJS.
+  // OpenCV's script loads Node's modules with require, as in CommonJS.
   banner: {
     js: `// Contains OpenCV, MozJPEG and pngjs; see worker-licences.txt.
 import { createRequire } from 'node:module';

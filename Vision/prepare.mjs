@@ -1,4 +1,4 @@
-// Run by the build of Vision.csproj. Its sources and outputs are listed there as BundleSource and Bundled.
+// Run by the build of Vision.csproj, which lists sources and outputs as BundleSource and Bundled.
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { prepare } from '../Web/preparation.mjs';

@@ -1,4 +1,4 @@
-// Runs the bundled worker like the command line: sends a pattern, then pictures that the worker renders and reads.
+// Runs the bundled worker as the command line does: sends a pattern, then pictures that the worker renders and reads.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -36,7 +36,7 @@ function shot(codes) {
 const control = { corners: square(400, 360, 90, 0.2), lit: lit('Control'), light: 0.6, dot: 0.7, panel: 0.03 };
 const headset = { corners: square(800, 360, 150, 3.3), lit: lit('Headset'), light: 0.4, dot: 0, panel: null };
 
-/** Returns the answers of one worker to all requests. */
+/** Returns the answers of one worker process to all requests. */
 async function ask(...requests) {
   const process = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
   let text = '';
@@ -65,7 +65,7 @@ test('finds all codes of a kind', async () => {
   assert.deepEqual(codes.map(code => code.kind).sort(), ['Control', 'Control', 'Headset']);
 });
 
-test('finds a second code that is weak beside a bright one wherever it is found alone', async () => {
+test('finds a weak code beside a bright one wherever it is found without the bright one', async () => {
   const weak = [control, headset].flatMap(code => Array.from({ length: 8 }, (_, i) => {
     const isLeds = code === control;
     return {
@@ -113,9 +113,9 @@ test('finds no second code in structured scenes', async () => {
   for (const { codes } of answers) assert.ok(codes.filter(code => !code.isWeak).length <= 2);
 });
 
-// A lattice of dark holes with a pitch of two cells resembles a ring and equal pairs. In most places, a dark cell of the code is brighter or
-// darker than the scene. A lattice that differs nowhere counts as a code, because a code must not be missed.
-test('takes few perforated plates for a part of a second code', async () => {
+// A lattice of dark holes with a pitch of two cells resembles a ring and equal pairs. At most positions, a dark cell of the code is brighter
+// or darker than the scene. A lattice without any difference is accepted as a code, because a real code must not be missed.
+test('mistakes only few perforated plates for part of a second code', async () => {
   const plate = (holes, corners) => {
     const side = 2 * holes + 1;
     return { corners, lit: Array.from({ length: side * side }, (_, i) => Math.floor(i / side) % 2 && i % side % 2 ? 0 : 1), light: 0.3, dot: 0, panel: null };

@@ -1,4 +1,4 @@
-// Rules for the TypeScript of all rooms. Layout is Prettier's.
+// Rules for the TypeScript sources of all folders. Prettier checks the layout.
 import js from '@eslint/js';
 import ts from 'typescript-eslint';
 import { messages } from './messages.mjs';
@@ -14,7 +14,7 @@ export default ts.config(
       'no-var': 'error',
       'one-var': ['error', 'never'],
       'prefer-const': 'error',
-      // A name that begins with _ is a parameter that the function must have but does not use.
+      // A parameter whose name begins with _ is required by the caller but not used by the function.
       '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
     },
   },

@@ -1,16 +1,16 @@
-// The rule nowpose/messages: a product's texts for users are in its message catalogue, the folder `messages` of its sources.
-// Justified exceptions are marked in the code with eslint-disable-next-line and their reason.
+// Defines the rule nowpose/messages: texts for users must be in the message catalogue of a product, the folder `messages` of its sources.
+// Justified exceptions are marked with eslint-disable-next-line and the reason.
 
 const MAX_WORDS = 3;
 
-/** A word, with the punctuation around it. A name with an underscore, a path or a unit of one letter is none. */
+/** Matches a word with the punctuation around it. Names with an underscore, paths and units of one letter do not count as words. */
 const WORD = /^[([{"“‘'<]*(?:\p{L}[\p{L}’'-]*\p{L}|[aAI])[)\]}"”’'>.,:;?!…]*$/u;
 
 export const wordsIn = text => text.split(/\s+/).filter(part => WORD.test(part)).length;
 
 const isSum = node => node?.type === 'BinaryExpression' && node.operator === '+';
 
-/** Gets the text of an expression with a digit in place of each inserted value. */
+/** Gets the text of an expression, with a digit in place of each inserted value. */
 function textOf(node) {
   if (node.type === 'Literal' && typeof node.value === 'string') return node.value;
   if (node.type === 'TemplateLiteral') return node.quasis.map(({ value }) => value.cooked).join('0');

@@ -1,12 +1,12 @@
-// The wording of a product's message catalogue, for the tests of the products.
+// Checks the wording of a product's message catalogue. Used by the tests of the products.
 
 /** Gets the names of a function's parameters. */
 const parametersOf = text => /^\(?([\w$,\s]*?)\)?\s*=>/.exec(text)?.[1].split(',').map(name => name.trim()).filter(Boolean);
 
 /**
- * Gets the texts of a catalogue by their names.
- * @param catalogue The exports of its files: objects of texts, and of functions that return texts.
- * @param samples A value for each parameter of the functions, by its name.
+ * Gets the texts of a catalogue with their names.
+ * @param catalogue The exports of the catalogue's files: objects that contain texts, and functions that return texts.
+ * @param samples A value for each parameter of the functions, by the name of the parameter.
  */
 export function textsOf(catalogue, samples) {
   const texts = {};
@@ -35,7 +35,7 @@ const FAULTS = [
 
 const count = (text, mark) => text.split(mark).length - 1;
 
-/** Gets the faults in the form of a text. @param isSentence Whether it consists of complete sentences; otherwise of a part of one. */
+/** Gets the formal faults of a text. @param isSentence Whether the text consists of complete sentences. If not, it is part of a sentence. */
 export function faultsIn(text, isSentence) {
   const faults = FAULTS.filter(([pattern]) => pattern.test(text)).map(([, fault]) => fault);
   if (count(text, '(') !== count(text, ')') || count(text, '“') !== count(text, '”')) faults.push('has an unpaired bracket or quotation mark');

@@ -7,9 +7,9 @@ describe('the wording of a text', () => {
     'the clock of undefined is late', ' the clock is late', 'the clock  is late', 'the clock is late , really', 'the clock is late;, really',
     'the clock is late. it is slow', 'the the clock is late', 'the clock is late (by 3 ms', 'the clock is late.',
   ])
-    it(`is found to be wrong: ${text}`, () => assert.equal(faultsIn(text, false).length, 1));
+    it(`has a fault: ${text}`, () => assert.equal(faultsIn(text, false).length, 1));
 
-  it('of a sentence needs an end', () => {
+  it('requires a full stop only at the end of a sentence', () => {
     assert.deepEqual(faultsIn('The clock is late.', true), []);
     assert.equal(faultsIn('The clock is late', true).length, 1);
     assert.deepEqual(faultsIn('the clock is late', false), []);
@@ -19,10 +19,10 @@ describe('the wording of a text', () => {
 describe('the texts of a catalogue', () => {
   const catalogue = { clockMessages: { late: ms => `${ms} ms late`, none: 'no clock', steps: { 3: 'stopped' } }, PAPER: 'https://example.org' };
 
-  it('are named, and made with a sample for each parameter', () =>
+  it('are listed by name, with a sample for each parameter', () =>
     assert.deepEqual(textsOf(catalogue, { ms: 3 }), {
       'clockMessages.late': '3 ms late', 'clockMessages.none': 'no clock', 'clockMessages.steps.3': 'stopped',
     }));
 
-  it('need a sample for each parameter', () => assert.throws(() => textsOf(catalogue, {}), /ms/));
+  it('require a sample for each parameter', () => assert.throws(() => textsOf(catalogue, {}), /ms/));
 });

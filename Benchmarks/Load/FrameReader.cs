@@ -39,7 +39,7 @@ sealed class FrameReader
     }
 
     /// <summary>Releases the space of the frames that have been read.</summary>
-    public void Forget(int at)
+    public void Discard(int at)
     {
         _buffer.AsSpan(at, _length - at).CopyTo(_buffer);
         _length -= at;

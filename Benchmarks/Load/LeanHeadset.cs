@@ -107,7 +107,7 @@ sealed class LeanHeadset : IDisposable
             else Interlocked.Increment(ref _refused);
         }
 
-        reader.Forget(at);
+        reader.Discard(at);
         return true;
     }
 

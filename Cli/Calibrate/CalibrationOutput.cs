@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Web;
 
@@ -39,7 +40,7 @@ sealed class CalibrationOutput
     {
         File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
         if (profile == null) return null;
-        var path = profile.Range == null && EarlierLimit() is TimeSpan limit ? Beside(limit) : ProfilePath;
+        var path = profile.Range == null && EarlierLimit() is TimeSpan limit ? PathBeside(limit) : ProfilePath;
         LatencyProfileFile.Save(path, profile);
         return path;
     }
@@ -53,15 +54,14 @@ sealed class CalibrationOutput
                 CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
     }
 
-    string Beside(TimeSpan limit)
+    // Gets the path for a profile without a limit, and reports that the existing profile is kept.
+    string PathBeside(TimeSpan limit)
     {
-        Console.Error.WriteLine(FormattableString.Invariant(
-            $"nowpose: {ProfilePath} has a render time limit of {limit.TotalMilliseconds:0.00} ms and was kept; ")
-            + $"the new profile has no limit and was written beside it. To keep the limit with the new L_visu, run vlc, sine or nudge with --profile {ProfilePath}");
+        Console.Error.WriteLine(ConsoleMessages.ProfileKept(ProfilePath, limit.TotalMilliseconds));
         return UnlimitedProfilePath;
     }
 
-    // Gets the limit of the existing profile; null if there is no readable profile or the profile has no limit.
+    // Gets the limit of the existing profile; null without a limit or without a readable profile.
     TimeSpan? EarlierLimit()
     {
         try

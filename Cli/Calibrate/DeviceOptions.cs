@@ -2,7 +2,6 @@ using System.CommandLine;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
-using Nowpose.Latency.Reprojection;
 
 namespace Nowpose.Cli.Calibrate;
 

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
@@ -38,23 +39,20 @@ sealed class EarlierProfile
     {
         var warnings = new List<string>();
         if (sweep != null)
-            warnings.AddRange(sweep.MismatchesWith(given).Select(each =>
-                $"--sweep: the log was written with {each.Label} '{each.Calibrated}', the options say '{each.Actual}'; "
-                + "the pictures must belong to the sweep: repeat both with the same settings"));
+            warnings.AddRange(sweep.MismatchesWith(given).Select(each => CalibrationMessages.OtherSweep(each.Label, each.Calibrated, each.Actual)));
         var conditions = sweep == null ? given : given.Or(sweep);
         var profile = path == null ? null : LatencyProfileFile.Load(path);
         if (profile?.RefusalFor(conditions) is string refusal) throw new InputException($"--profile: {path}: {refusal}");
         if (profile != null)
             warnings.AddRange(profile.MismatchesWith(conditions).Select(each =>
-                $"--profile: {path}: was measured with {each.Label} '{each.Calibrated}', this measurement has '{each.Actual}'; "
-                + "the values kept from the profile may be wrong: repeat the load sweep"));
+                CalibrationMessages.OtherProfile(path, each.Label, each.Calibrated, each.Actual)));
         return new EarlierProfile(profile, conditions, warnings);
     }
 
     /// <summary>Returns the page with the warnings about different conditions before its other warnings.</summary>
     public CalibrationPageData WithWarnings(CalibrationPageData page) => page with { Warnings = [.. _warnings, .. page.Warnings] };
 
-    /// <summary>Returns the earlier profile with the given latency for head motion; null if there is no earlier profile.</summary>
+    /// <summary>Returns the earlier profile with the given latency for head motion; null without an earlier profile.</summary>
     public LatencyProfile With(HeadMotionLatency head) => Profile == null ? null : new(
         Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Conditions, Profile.MeasuredUtc, Profile.Method,
         Profile.Measurements, Profile.Range?.Limit.TotalMilliseconds, Profile.RenderTimeSource, Profile.ValidToRenderTime?.TotalMilliseconds, head);

@@ -46,7 +46,7 @@ static class HeadVerb
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, isStill: false, cancel);
-        VlcVerb.Tell(read);
+        VlcVerb.ReportRejected(read);
         if (read.Read.Count == 0)
             return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw new InputException(read.NothingRead());
         var result = ResultOf(read, arguments[0]);

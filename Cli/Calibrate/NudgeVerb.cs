@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Nudge;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
@@ -36,7 +37,7 @@ static class NudgeVerb
             Console.Out.Write(NudgeGuide.Text);
             return ExitStatus.Done;
         }
-        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException("--speed-mm-s is missing; allowed: 1 to 10000 mm/s");
+        if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException(CalibrationMessages.NoSpeed);
         var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Configured), parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
@@ -13,13 +14,13 @@ static class ProfileFacts
         yield return ["L_visu", Ms(profile.Visualisation.Length)];
         yield return ["Spread (standard deviation)", Ms(profile.Spread)];
         yield return ["Render time limit", profile.Range == null ? "unknown" : Ms(profile.Range.Limit)];
-        if (profile.ValidToRenderTime is TimeSpan valid) yield return ["Known to be constant up to", Ms(valid)];
-        if (profile.Range != null) yield return ["Render time measured with", RenderTimeSourceNames.NameOf(profile.Range.Source)];
-        yield return ["Device", profile.Device.Length > 0 ? profile.Device : "not stated, valid for any"];
-        yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : "not stated, valid for any"];
+        if (profile.ValidToRenderTime is TimeSpan valid) yield return [CalibrationPageTexts.ConstantUpTo, Ms(valid)];
+        if (profile.Range != null) yield return [CalibrationPageTexts.RenderTimeSource, RenderTimeSourceNames.NameOf(profile.Range.Source)];
+        yield return ["Device", profile.Device.Length > 0 ? profile.Device : CalibrationPageTexts.ValidForAny];
+        yield return ["Display", profile.DisplayHz > 0 ? profile.DisplayHz.ToString("0.##", CultureInfo.InvariantCulture) + " Hz" : CalibrationPageTexts.ValidForAny];
         for (var condition = DisplayCondition.GraphicsApi; condition <= DisplayCondition.Reprojection; condition++)
             if (profile.Conditions[condition] is string value) yield return [DisplayConditionNames.TitleOf(condition), value];
-        if (profile.HeadMotion is HeadMotionLatency head) yield return ["Latency for head motion", $"{Ms(head.Latency)} ± {Ms(head.Uncertainty)}"];
+        if (profile.HeadMotion is HeadMotionLatency head) yield return [CalibrationPageTexts.HeadMotion, $"{Ms(head.Latency)} ± {Ms(head.Uncertainty)}"];
         yield return ["Measurements", profile.Measurements.ToString(CultureInfo.InvariantCulture)];
     }
 

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
@@ -47,9 +48,7 @@ static class RangeVerb
         if (third == 0) return;
         double low = loads[..third].Average(), high = loads[^third..].Average();
         if (high - low >= MinRise * low) return;
-        throw new InputException(FormattableString.Invariant(
-            $"{file}: this source does not respond to load: at the lowest loads {source} was {low:0.00} ms, at the highest {high:0.00} ms; ")
-            + "repeat the sweep with another source of the render time, or run calibrate vlc for L_visu without a limit");
+        throw new InputException(RangeMessages.SourceDoesNotRespond(file, source, low, high));
     }
 
     static RangeFitResult FitOf(IReadOnlyList<MeasuredPicture> pictures, string file)

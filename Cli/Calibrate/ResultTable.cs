@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Calibrate;
@@ -34,6 +35,6 @@ static class ResultTable
     static string Shortened(string list)
     {
         var end = list.Length > MaxLength ? list.LastIndexOf(", ", MaxLength, StringComparison.Ordinal) : -1;
-        return end < 0 ? list : FormattableString.Invariant($"{list[..end]} and {list[end..].Split(", ").Length - 1} more, which the page and --json name");
+        return end < 0 ? list : CalibrationPageTexts.Shortened(list[..end], list[end..].Split(", ").Length - 1);
     }
 }

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Simulate;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Calibrate;
@@ -73,7 +74,7 @@ static class SimulateVerb
     {
         var taken = SimulationOutput.Write(settings, folder, cancel);
         var full = Path.GetFullPath(folder);
-        Console.Out.WriteLine($"{taken} pictures in {Path.Combine(full, "pictures")}, with {Path.Combine(full, "sweep.csv")} and {Path.Combine(full, "truth.csv")}");
+        Console.Out.WriteLine(SimulationMessages.Written(taken, Path.Combine(full, "pictures"), Path.Combine(full, "sweep.csv"), Path.Combine(full, "truth.csv")));
         return ExitStatus.Done;
     }
 }

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
@@ -47,7 +48,7 @@ static class VlcVerb
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
         var result = run.Run(files, isStill: true, cancel);
-        Tell(result);
+        ReportRejected(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Pictures.Count == 0) return status;
         var evaluation = new VlcEvaluation(result, sweep, earlier);
@@ -63,11 +64,12 @@ static class VlcVerb
     public static Option<double> ControlDelayOption() => NumberOption.Create(
         "--control-delay-ms", "Delay of the device that shows the control code: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
 
-    public static void Tell(VlcResult result)
+    /// <summary>Prints the rejected pictures with their reasons to stderr.</summary>
+    public static void ReportRejected(VlcResult result)
     {
         if (result.Read.Count == 0) return;
         var rejected = result.Pictures.Where(picture => !picture.IsRead).ToList();
         foreach (var picture in rejected.Take(MaxListed)) Console.Error.WriteLine($"nowpose: {picture.File}: {picture.Fault}");
-        if (rejected.Count > MaxListed) Console.Error.WriteLine($"nowpose: {rejected.Count - MaxListed} more were rejected");
+        if (rejected.Count > MaxListed) Console.Error.WriteLine(ConsoleMessages.MoreRejected(rejected.Count - MaxListed));
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -39,12 +40,12 @@ sealed class DemoFrames
     {
         for (var frame = 0; frame < Rows.Count; frame++)
         {
-            if (!Rows[frame].Tool.IsFinite) return $"frame {frame}: the position of the displayed tool is not finite";
-            if (!Rows[frame].HeldTool.IsFinite) return $"frame {frame}: the position of the ghost's tool is not finite";
+            if (!Rows[frame].Tool.IsFinite) return DemoMessages.ToolNotFinite(frame);
+            if (!Rows[frame].HeldTool.IsFinite) return DemoMessages.GhostNotFinite(frame);
             for (var joint = 0; joint < _joints; joint++)
                 if (!double.IsFinite(_displayed[frame * _joints + joint] + _held[frame * _joints + joint]))
-                    return $"frame {frame}: the position of moving joint {joint} is not finite";
-            if (Rows[frame].Clock.IsKnown && !double.IsFinite(Rows[frame].OffsetErrorUs)) return $"frame {frame}: the clock offset is not finite";
+                    return DemoMessages.JointNotFinite(frame, joint);
+            if (Rows[frame].Clock.IsKnown && !double.IsFinite(Rows[frame].OffsetErrorUs)) return DemoMessages.ClockNotFinite(frame);
         }
         return null;
     }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
@@ -22,10 +23,10 @@ static class DemoReport
         return JsonSerializer.Serialize(new
         {
             Title = $"Nowpose demo: {run.Settings.Robot.Name}",
-            Subtitle = "What the headset would have shown, compared with the true position of the simulated robot at the display time.",
+            Subtitle = DemoTexts.Subtitle,
             Settings = Settings(run.Settings),
             Summary = Summary(score, result.ToolErrorMm),
-            Facts = Facts(result, new DemoRangeWords(run.Settings, result, score.Range), new DemoDelayWords(run.Frames)),
+            Facts = Facts(result, new DemoRangeRows(run.Settings, result, score.Range), new DemoDelayRows(run.Frames)),
             Error = Error(score, run, start),
             Joint = new DemoJointSeries(run, start).Busiest(),
             Field = Field(score, run),
@@ -51,7 +52,7 @@ static class DemoReport
         ["Sampling interval", Ms(s.SamplingMs)],
         ["Acquisition", s.Acquisition + " ms"],
         ["Display latency", $"{Ms(s.VisualisationMs)}, the runtime uses {Ms(s.GivenVisualisationMs)}"],
-        ["Frame rate", !s.IsRendered ? $"{DemoDisplay.FramesPerSecond} fps" : $"{DemoDisplay.FramesPerSecond} fps, less under load"],
+        ["Frame rate", !s.IsRendered ? $"{DemoDisplay.FramesPerSecond} fps" : DemoTexts.FrameRate(DemoDisplay.FramesPerSecond)],
         ["Load", (s.Load ?? s.SteadyVertices) is int vertices ? vertices.ToString("0 vertices", CultureInfo.InvariantCulture) : "none"],
         ["Set-points ahead", s.PublishesPlan ? "published" : "none"],
         ["Seed", s.Seed.ToString(CultureInfo.InvariantCulture)],
@@ -64,18 +65,18 @@ static class DemoReport
         new { Label = "Maximum", Unit = "mm", Uncompensated = tool.HoldMax, Compensated = tool.Max },
     ];
 
-    static string[][] Facts(DemoResult r, DemoRangeWords range, DemoDelayWords delays) =>
+    static string[][] Facts(DemoResult r, DemoRangeRows range, DemoDelayRows delays) =>
     [
-        ["Reduction as the headset measured it", r.Hindcast.ReductionText],
-        ["Application latency, median and P95", $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
+        [DemoTexts.MeasuredReduction, r.Hindcast.ReductionText],
+        [DemoTexts.ApplicationLatency, $"{Number(r.LatencyMs.AppP50)} ms, {Number(r.LatencyMs.AppP95)} ms"],
         ["Display time error, P95", $"{Number(r.LatencyMs.TotalErrorP95)} ms"],
-        .. Facts(new DemoBodyWords(r.Bodies).Rows),
+        .. Facts(new DemoBodyRows(r.Bodies).Rows),
         .. Facts(range.Rows),
-        ["Clock offset error, median and P95", $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
-        ["Clock offset error, maximum", $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
-        ["Estimated clock offset error, median; true error within it in", $"± {Number(r.Clock.StatedErrorUsP50)} µs; {Number(100 * r.Clock.WithinStatedShare)} % of the frames"],
+        [DemoTexts.ClockError, $"{Number(r.Clock.OffsetErrorUsP50)} µs, {Number(r.Clock.OffsetErrorUsP95)} µs"],
+        [DemoTexts.MaxClockError, $"{Number(r.Clock.OffsetErrorUsMax)} µs"],
+        [DemoTexts.EstimatedClockError, DemoTexts.EstimatedClockErrorValue(Number(r.Clock.StatedErrorUsP50), Number(100 * r.Clock.WithinStatedShare))],
         ["Clock synchronised after", $"{Number(r.Clock.ConvergedS)} s"],
-        ["Duration of a frame in the player loop, median and P99", $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
+        [DemoTexts.FrameDuration, $"{Number(r.Frame.CpuUsP50)} µs, {Number(r.Frame.CpuUsP99)} µs"],
         ["Allocated per frame", $"{Number(r.Frame.AllocatedBytesPerFrame)} B"],
         ["Frames, samples, dropped", $"{r.Frames}, {r.Samples}, {r.Dropped}"],
         .. Facts(delays.Rows),
@@ -156,7 +157,7 @@ static class DemoReport
         {
             BinMs = all.Select(bin => bin * binMs),
             Count = all.Select(bin => bins.GetValueOrDefault(bin)),
-            Label = "Application latency L_app of each sample",
+            Label = DemoTexts.LatencyPlot,
         };
     }
 

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Session;
 using Nowpose.Sync;
 
@@ -24,10 +25,10 @@ sealed record DemoRun(
     {
         var broken = Frames.FirstNotFinite();
         if (broken != null) return broken;
-        var links = $"joint positions {Statistics.SampleLink}; clock sync {Statistics.SyncLink}";
-        if (Statistics.Samples == 0) return $"no sample was used, and {Statistics.Dropped} were dropped; {links}";
+        var links = DemoMessages.Links(Statistics.SampleLink, Statistics.SyncLink);
+        if (Statistics.Samples == 0) return DemoMessages.NoSample(Statistics.Dropped, links);
         if (!needsClock || Frames.Rows.Any(row => row.Clock.State == ClockState.Synchronised)) return null;
         var state = Statistics.Clock.State.Word();
-        return FormattableString.Invariant($"the clock was still {state} after {Settings.Seconds} s: run longer (--seconds); {links}");
+        return DemoMessages.NoClock(state, Settings.Seconds, links);
     }
 }

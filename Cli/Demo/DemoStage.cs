@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
@@ -68,7 +69,7 @@ static class DemoStage
         var loop = new DemoFrameLoop(settings, headset, clock, truth, time => PreciseWait.While(() => time - clock.Now, never));
         DemoProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
         if (headset.EndRecording() is string problem) Console.Error.WriteLine("nowpose: " + problem);
-        if (headset.Complaint is string complaint) throw new DemoFailedException("the scene logged an error: " + complaint);
+        if (headset.Complaint is string complaint) throw new DemoFailedException(DemoMessages.SceneError(complaint));
         return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
             session.Range?.Limit, headset.Alarms)
         { Bodies = loop.Bodies, Exchanges = headset.Log.Exchanges() };

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Demo;
@@ -10,9 +11,9 @@ static class DemoTable
     {
         var settings = run.Settings;
         var console = ResultConsole.Create();
-        console.WriteLine($"{settings.Robot.Name}, {settings.Predictor}, {result.Network}: error of the tool centre point");
+        console.WriteLine(DemoTexts.Title(settings.Robot.Name, settings.Predictor, result.Network));
         console.Write(Errors(score, result));
-        console.Write(Facts(result, new DemoRangeWords(settings, result, score.Range), new DemoDelayWords(run.Frames)));
+        console.Write(Facts(result, new DemoRangeRows(settings, result, score.Range), new DemoDelayRows(run.Frames)));
         console.WriteLine("result  " + output.ResultPath);
         console.WriteLine("report  " + output.ReportPath);
         console.WriteLine("session " + output.SessionPath);
@@ -31,24 +32,24 @@ static class DemoTable
         return table;
     }
 
-    static Grid Facts(DemoResult result, DemoRangeWords range, DemoDelayWords delays)
+    static Grid Facts(DemoResult result, DemoRangeRows range, DemoDelayRows delays)
     {
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         var hindcast = result.Hindcast;
         var errors = hindcast.Withheld != null ? "" : $", {Mm(hindcast.HoldRmsMm)} to {Mm(hindcast.RmsMm)} RMS";
-        Row("as the headset measured it", hindcast.ReductionText + errors);
+        Row(DemoTexts.AsMeasured, hindcast.ReductionText + errors);
         Row("application latency", $"{Ms(result.LatencyMs.AppP50)} median, {Ms(result.LatencyMs.AppP95)} P95");
         Row("visualisation latency", Ms(result.LatencyMs.Visu));
         Row("display time error", $"{Ms(result.LatencyMs.TotalErrorP95)} P95");
-        foreach (var (label, value) in new DemoBodyWords(result.Bodies).Rows) Row(label, value);
+        foreach (var (label, value) in new DemoBodyRows(result.Bodies).Rows) Row(label, value);
         foreach (var (label, value) in range.Rows) Row(label, value);
         var clock = result.Clock;
         Row("clock offset error", $"{Us(clock.OffsetErrorUsP50)} median, {Us(clock.OffsetErrorUsP95)} P95, {Us(clock.OffsetErrorUsMax)} maximum");
-        Row("estimated clock offset error", $"± {Us(clock.StatedErrorUsP50)} median, true error within it in {Percent(clock.WithinStatedShare)} of the frames");
+        Row(DemoTexts.EstimatedClockErrorRow, DemoTexts.EstimatedClockErrorMedian(Us(clock.StatedErrorUsP50), Percent(clock.WithinStatedShare)));
         Row("clock synchronised after", Text(result.Clock.ConvergedS, "0.0", " s"));
         var allocated = Text(result.Frame.AllocatedBytesPerFrame, "0.##", " B");
-        Row("frame in the player loop", $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
+        Row(DemoTexts.FrameRow, $"{Us(result.Frame.CpuUsP50)} median, {Us(result.Frame.CpuUsP99)} P99, {allocated} allocated");
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
         foreach (var (label, value) in delays.Rows) Row(label, value);
         return grid;

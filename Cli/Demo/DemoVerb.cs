@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Demo.Paper;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
@@ -92,12 +93,10 @@ static class DemoVerb
             .. Others(parsed, Load), .. Others(parsed, Trajectory),
         ];
         if (other.Length > 0)
-            throw new InputException($"{string.Join(", ", other.Select(option => option.Name))}: cannot be combined with --paper, which sets the paper's "
-                + "robot, motion, predictor, clock estimator, sampling interval and load, and measures the profile itself");
+            throw new InputException(DemoMessages.NotWithPaper(string.Join(", ", other.Select(option => option.Name))));
         var seconds = IsGiven(parsed, Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
         if (seconds < PaperScenario.MinSeconds)
-            throw new InputException(FormattableString.Invariant(
-                $"--seconds: {seconds} s is out of range; allowed with --paper: {PaperScenario.MinSeconds} to 3600 s"));
+            throw new InputException(DemoMessages.PaperSeconds(seconds, PaperScenario.MinSeconds));
         return Settings(parsed) with { Seconds = seconds };
     }
 
@@ -111,12 +110,10 @@ static class DemoVerb
     {
         var assumed = parsed.GetValue(Visualisation) + parsed.GetValue(VisualisationError);
         if (assumed is < 0 or > 500)
-            throw new InputException(FormattableString.Invariant(
-                $"--visu-ms plus --visu-error-ms: {assumed} ms is out of range; allowed: 0 to 500 ms"));
+            throw new InputException(DemoMessages.AssumedVisu(assumed));
         var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
         if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
-            throw new InputException(FormattableString.Invariant($"--visu-ms: {parsed.GetValue(Visualisation)} ms is out of range; ")
-                + $"with {renders}, {MinWithLoadMs} to 400 ms are allowed, because the display runs at 60 Hz");
+            throw new InputException(DemoMessages.VisuWithLoad(parsed.GetValue(Visualisation), renders, MinWithLoadMs));
         if (IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException("--repeats: needs --paper");
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording);
@@ -130,7 +127,7 @@ static class DemoVerb
             Motion = picking ?? (IMotion)new RecordedMotion(MotionRecording.Read(recording), robot),
             Work = picking == null ? null : new CellWork(robot, picking),
             MotionName = recording == null
-                ? "pick-and-place cycle of 7-phase moves" : $"recording {Path.GetFileName(recording)}, forward and backward",
+                ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording)),
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),
             Profile = RuntimeOptions.ProfileOf(parsed, Profile, VisualisationError),

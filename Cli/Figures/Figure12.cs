@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Motion;
 using Nowpose.Studies;
 using static Nowpose.Cli.Figures.Numbers;
@@ -36,11 +37,9 @@ sealed class Figure12 : IFigureStudy
             && Motions.PaperMove.VelocityAt(f.Time - Start - Lag) > Velocity - 1e-6).Select(f => f.Truth - f.Held).ToArray();
         yield return new Figure("12", "The test signal")
         {
-            Claim = "A position profile of seven phases with limited velocity, acceleration and jerk, as usual for servo drives, "
-                + "is sampled every T_s and seen L later. Both values may be inaccurate.",
+            Claim = Figure12Texts.Claim,
             Criteria = Criteria(Motions.PaperMove, steady),
-            Conditions = $"500 mm with {Velocity:0} mm/s, {Acceleration:0} mm/s², {Jerk:0} mm/s³: our limits, because the paper states none. "
-                + "Drawn with 240 points per second.",
+            Conditions = Figure12Texts.Conditions(Velocity, Acceleration, Jerk),
             Table = table,
             Plots = [.. PlotsOf(table)],
         };
@@ -54,10 +53,10 @@ sealed class Figure12 : IFigureStudy
         var phases = 1 + ms.Skip(1).Count(t => Math.Abs(JerkAt(move, t) - JerkAt(move, t - 1 / MsPerS)) > Jerk / 2);
         return
         [
-            new("The profile has seven phases of constant jerk.", phases == 7, $"it has {phases}"),
-            new("Velocity, acceleration and jerk stay within their limits, within 0.1 %.",
+            new(Figure12Texts.SevenPhases, phases == 7, $"it has {phases}"),
+            new(Figure12Texts.Limits,
                 v <= 1.001 * Velocity && a <= 1.001 * Acceleration && j <= 1.001 * Jerk, FormattableString.Invariant($"{v:0} mm/s, {a:0} mm/s², {j:0} mm/s³")),
-            new("At full speed hold is behind by v·L to v·(L + T_s), 100 to 150 mm.", lagMm.Min() >= 99.9 && lagMm.Max() <= 150.1,
+            new(Figure12Texts.Hold, lagMm.Min() >= 99.9 && lagMm.Max() <= 150.1,
                 $"by {Text(lagMm.Min())} to {Mm(lagMm.Max())}"),
         ];
     }
@@ -89,7 +88,7 @@ sealed class Figure12 : IFigureStudy
             table.Trace("uncompensated", Looks.Hold, 0, 5),
             .. Shown.Select((name, p) => table.Trace(name, Looks.Of(name), 0, 6 + p)),
         ]);
-        yield return new FigurePlot("Derivatives, each as a share of its limit", table.Columns[0], new FigureColumn("share of the limit"),
+        yield return new FigurePlot(Figure12Texts.Derivatives, table.Columns[0], new FigureColumn(Figure12Texts.Share),
             [table.Trace("velocity", Looks.Truth, 0, 1), table.Trace("acceleration", Looks.Cubic, 0, 2), table.Trace("jerk", Looks.Linear, 0, 3)]);
     }
 }

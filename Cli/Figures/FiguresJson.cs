@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Reflection;
 using System.Text.Json;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures;
 
@@ -10,10 +11,8 @@ static class FiguresJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 
-    public static string Of(IReadOnlyList<Figure> figures, FigureSettings settings) => Of(
-        "The paper's figures, recomputed",
-        "Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems, "
-        + "Schnierle & Röck 2022: the paper's claims beside the results of Nowpose's classes.",
+    public static string Of(IReadOnlyList<Figure> figures, FigureSettings settings) => Of(FigurePageTexts.Title,
+        FigurePageTexts.Subtitle,
         Conditions(settings), FigureSet.Numbers.Except(figures.Select(f => f.Number)), figures);
 
     /// <param name="conditions">Pairs of name and value.</param>
@@ -31,14 +30,14 @@ static class FiguresJson
     static string[][] Conditions(FigureSettings settings) =>
     [
         ["Sampling interval T_s", Ms(settings.Study.SamplingInterval)],
-        ["Latency L, from t_k to the display time", Ms(settings.Study.Latency)],
+        [FigurePageTexts.Latency, Ms(settings.Study.Latency)],
         ["Frames", $"{settings.Study.FrameRateHz.ToString(CultureInfo.InvariantCulture)} per second"],
-        ["Motion of Figs 12 to 14",
-            "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, because the paper states none"],
-        ["Runs", $"{settings.Phases} with random phases of sampling and frames; clock: {settings.ClockRuns} of {Numbers.Text(settings.ClockSeconds)} s"],
+        [FigurePageTexts.Motion,
+            FigurePageTexts.MotionValue],
+        ["Runs", FigurePageTexts.Runs(settings.Phases, settings.ClockRuns, Numbers.Text(settings.ClockSeconds))],
         ["Seed", settings.Seed.ToString(CultureInfo.InvariantCulture)],
-        ["Errors", "RMS over all frames of all runs; ratio: over the RMS of hold, the newest sample that has arrived"],
-        ["Computed in", "virtual time, the same on every machine"],
+        ["Errors", FigurePageTexts.Rms],
+        ["Computed in", FigurePageTexts.VirtualTime],
         ["Nowpose", Version],
         ["Date", DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture)],
     ];

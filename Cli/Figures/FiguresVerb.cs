@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Spectre.Console;
 
@@ -47,7 +48,7 @@ static class FiguresVerb
 
     static void Print(IReadOnlyList<Figure> figures, FiguresOutput output)
     {
-        var table = new Table().AddColumns("figure", "claim of the paper", "file");
+        var table = new Table().AddColumns("figure", FigurePageTexts.ClaimColumn, "file");
         foreach (var figure in figures)
             table.AddRow(Markup.Escape($"{figure.Number}  {figure.Title}"), figure.Verdict.Words(), figure.FileName);
         ResultConsole.Create().Write(table);

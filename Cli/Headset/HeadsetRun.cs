@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using Nowpose.Cli.Demo;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
@@ -92,8 +93,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             cancel.ThrowIfCancellationRequested();
             if (_clock.Now - since > DescriptionTimeout)
                 throw new InputException(
-                    $"--robot: missing, and the gateway did not describe a robot within {DescriptionTimeout.TotalSeconds} s "
-                    + $"({session.RobotDescriptionFault ?? session.SampleLink.Detail}); name youbot, ur5 or a .urdf file");
+                    HeadsetMessages.NoRobot(DescriptionTimeout.TotalSeconds, session.RobotDescriptionFault ?? session.SampleLink.Detail));
             Thread.Sleep(5);
         }
 

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Headset;
@@ -8,7 +9,7 @@ static class HeadsetTable
 {
     public static void Print(HeadsetResult result, IAnsiConsole console)
     {
-        console.WriteLine($"{result.Robot}: results of a headset at this gateway");
+        console.WriteLine(HeadsetTexts.Title(result.Robot));
         var grid = new Grid().AddColumn().AddColumn();
         void Row(string label, string value) => grid.AddRow(Markup.Escape(label), Markup.Escape(value));
         if (result.VersionMismatch != null) Row("versions", result.VersionMismatch);
@@ -23,15 +24,14 @@ static class HeadsetTable
         Row("visualisation latency, configured", Text(latency.Visu, "0.0", " ms"));
         Row("end-to-end latency", Text(latency.EndToEnd, "0.0", " ms"));
         var pose = result.Pose;
-        Row("pose", $"{pose.State}; current after {Text(pose.CurrentAfterS, "0.0", " s")}, "
-            + $"then for {Text(100 * pose.CurrentShare, "0.0", " %")} of the frames");
-        Row("longest time not current", Text(pose.LongestNotCurrentS, "0.00", " s"));
+        Row("pose", HeadsetTexts.Pose(pose.State, Text(pose.CurrentAfterS, "0.0", " s"), Text(100 * pose.CurrentShare, "0.0", " %")));
+        Row(HeadsetTexts.LongestOutage, Text(pose.LongestNotCurrentS, "0.00", " s"));
         if (result.MissingJoints.Count > 0) Row("joints without data", string.Join(", ", result.MissingJoints));
         foreach (var joint in result.Joints) Row("joint " + joint.Name, JointOf(joint));
         foreach (var outage in result.Outages)
             Row($"outage from {Text(outage.FromS, "0.0", "")} to {Text(outage.ToS ?? result.Seconds, "0.0", " s")}", outage.Pose + (outage.Reason.Length == 0 ? "" : ": " + outage.Reason));
         AddErrors(Row, "", result.ToolErrorMm);
-        if (pose.NotCurrentS > 0) Row("tool, not scored", $"frames that were not current: {Text(pose.NotCurrentS, "0.00", " s")}");
+        if (pose.NotCurrentS > 0) Row("tool, not scored", HeadsetTexts.NotCurrent(Text(pose.NotCurrentS, "0.00", " s")));
         // A single stretch is the complete run, which is already shown.
         for (var i = 0; i < result.Stretches.Count && result.Stretches.Count > 1; i++) AddStretch(Row, i + 1, result.Stretches[i]);
         Row("frames, samples, dropped", $"{result.Frames}, {result.Samples}, {result.Dropped}");
@@ -44,8 +44,7 @@ static class HeadsetTable
     static void AddStretch(Action<string, string> row, int number, HeadsetResult.StretchResult stretch)
     {
         var prefix = $"stretch {number}: ";
-        row(prefix + "pose", $"current for {Text(100 * stretch.CurrentShare, "0.0", " %")} of the frames from "
-            + $"{Text(stretch.FromS, "0.0", "")} to {Text(stretch.ToS, "0.0", " s")}");
+        row(prefix + "pose", HeadsetTexts.CurrentShare(Text(100 * stretch.CurrentShare, "0.0", " %"), Text(stretch.FromS, "0.0", ""), Text(stretch.ToS, "0.0", " s")));
         AddErrors(row, prefix, stretch.ToolErrorMm);
     }
 
@@ -53,7 +52,7 @@ static class HeadsetTable
     {
         row(prefix + "tool, uncompensated", $"{Text(error?.HoldRms, "0.00", " mm")} RMS, {Text(error?.HoldP95, "0.00", " mm")} P95");
         row(prefix + "tool, compensated", $"{Text(error?.Rms, "0.00", " mm")} RMS, {Text(error?.P95, "0.00", " mm")} P95");
-        row(prefix + "reduction, as the headset measured it", $"{Text(100 * error?.Reduction, "0.0", " %")} ± "
+        row(HeadsetTexts.Reduction(prefix), $"{Text(100 * error?.Reduction, "0.0", " %")} ± "
             + $"{Text(100 * error?.ReductionUncertainty, "0.0", " %")}");
     }
 

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 
@@ -18,13 +19,13 @@ static class HeadsetVerdict
     {
         var share = pose.CurrentShareOfRun ?? 0;
         if (pose.CurrentAfterS != null && share >= MinCurrentShare) return null;
-        if (!wasTimeTrusted) return $"the clock was never synchronised: {statistics.SyncLink.Detail}";
-        if (statistics.Samples == 0) return $"no joint positions arrived: {statistics.SampleLink.Detail}";
+        if (!wasTimeTrusted) return HeadsetMessages.NoClock(statistics.SyncLink.Detail);
+        if (statistics.Samples == 0) return HeadsetMessages.NoJoints(statistics.SampleLink.Detail);
         var joints = JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? $"at the end the pose is {pose.State}";
+        var why = joints.Length > 0 ? joints : LinkFaultOf(statistics) ?? LongestOf(outages) ?? HeadsetMessages.AtEnd(pose.State);
         return pose.CurrentAfterS == null
-            ? $"the pose was never current; {why}"
-            : FormattableString.Invariant($"the pose was current for {100 * share:0} % of the time, at least {100 * MinCurrentShare:0} % is required; {why}");
+            ? HeadsetMessages.NeverCurrent(why)
+            : HeadsetMessages.RarelyCurrent(100 * share, 100 * MinCurrentShare, why);
     }
 
     /// <summary>Gets the known reason why a pose is not current: a failed connection, or joints without data. The text contains no times.</summary>
@@ -33,7 +34,7 @@ static class HeadsetVerdict
 
     static string LongestOf(IReadOnlyList<HeadsetResult.OutageResult> outages) =>
         outages.Where(outage => outage is { ToS: not null, Reason.Length: > 0 }).MaxBy(outage => outage.ToS - outage.FromS) is { } longest
-            ? FormattableString.Invariant($"from {longest.FromS:0.0} to {longest.ToS:0.0} s it was {longest.Pose}: {longest.Reason}") : null;
+            ? HeadsetMessages.Outage(longest.FromS, longest.ToS, longest.Pose, longest.Reason) : null;
 
     static string LinkFaultOf(SessionStatistics statistics) =>
         statistics.SyncLink.State == LinkState.Waiting ? statistics.SyncLink.Detail

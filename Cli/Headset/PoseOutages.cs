@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Headset;
 
 /// <summary>Reports when an outage of the pose begins, changes and ends, and collects the outages for the result.</summary>
@@ -51,7 +53,7 @@ sealed class PoseOutages(Action<string> say)
         if (reason.Length > 0 && _reasons.Count < MaxReasons && !_reasons.Contains(reason)) _reasons.Add(reason);
         _joints.UnionWith(joints);
         _now = new HeadsetResult.OutageResult(_since.Value.TotalSeconds, null, pose, [.. _joints], string.Join("; then ", _reasons));
-        if (isNew) say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is {pose}") + (reason.Length == 0 ? "" : "; " + reason));
+        if (isNew) say(HeadsetMessages.Pose(time.TotalSeconds, pose, reason));
     }
 
     public IReadOnlyList<HeadsetResult.OutageResult> Result() => _now == null ? _outages : [.. _outages, _now];
@@ -62,7 +64,7 @@ sealed class PoseOutages(Action<string> say)
         if (_now != null)
         {
             if (_outages.Count < MaxCount) _outages.Add(_now with { ToS = time.TotalSeconds });
-            say(FormattableString.Invariant($"at {time.TotalSeconds:0.0} s: the pose is current again, after {(time - _since.Value).TotalSeconds:0.0} s"));
+            say(HeadsetMessages.CurrentAgain(time.TotalSeconds, (time - _since.Value).TotalSeconds));
         }
 
         (_since, _now, _reported, _next) = (null, null, null, TimeSpan.Zero);

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;
@@ -41,14 +42,13 @@ sealed class JointValues
     static string OutOfLimits(RobotJoint joint, double value)
     {
         var unit = joint.Kind == JointKind.Prismatic ? "m" : "rad";
-        return FormattableString.Invariant(
-            $"joint {joint.Name}: {value} {unit} is outside its limits {joint.Limits.Lower} to {joint.Limits.Upper} {unit}; the given value is used");
+        return KinematicsMessages.BeyondLimits(joint.Name, value, unit, joint.Limits.Lower, joint.Limits.Upper);
     }
 
     void Take(string entry)
     {
         var split = entry.LastIndexOf('=');
-        if (split < 1) throw new InputException($"--joints: '{entry}' is not of the form name=value");
+        if (split < 1) throw new InputException(KinematicsMessages.NotAPair(entry));
         var index = MovingJoint(entry[..split].TrimEnd());
         if (_given[index]) throw new InputException($"--joints: {_model.MovingJoints[index].Name} is given twice");
         _given[index] = true;
@@ -59,9 +59,9 @@ sealed class JointValues
     {
         var index = _model.IndexOfMovingJoint(name);
         if (index >= 0) return index;
-        var reason = _model.Joints.Any(joint => joint.Name == name) ? $"{name} is a fixed joint" : $"there is no joint {name}";
+        var reason = _model.Joints.Any(joint => joint.Name == name) ? KinematicsMessages.FixedJoint(name) : KinematicsMessages.UnknownJoint(name);
         var names = string.Join(", ", _model.MovingJoints.Select(joint => joint.Name));
-        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? "this robot has no moving joint" : "allowed: " + names)}");
+        throw new InputException($"--joints: {reason}; {(names.Length == 0 ? KinematicsMessages.NoMovingJoint : "allowed: " + names)}");
     }
 
     static double Value(RobotJoint joint, string text)
@@ -69,6 +69,6 @@ sealed class JointValues
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && double.IsFinite(value))
             return value;
         var unit = joint.Kind == JointKind.Prismatic ? "m" : "rad";
-        throw new InputException($"--joints: {joint.Name}: '{text}' is not a finite number in {unit}");
+        throw new InputException(KinematicsMessages.NotANumber(joint.Name, text, unit));
     }
 }

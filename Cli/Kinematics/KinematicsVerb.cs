@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
@@ -38,7 +39,7 @@ static class KinematicsVerb
         new ForwardKinematics(model).Compute(positions, poses);
         var matrices = Array.ConvertAll(poses, pose => pose.ToRowMajor16());
         if (!matrices.All(matrix => matrix.All(double.IsFinite)))
-            throw new InputException("--joints: these values are too large to compute the poses; use smaller ones");
+            throw new InputException(KinematicsMessages.TooLarge);
         return matrices;
     }
 }

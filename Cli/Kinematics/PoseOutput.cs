@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;
@@ -20,7 +21,7 @@ static class PoseOutput
 
     public static string Matrices(RobotModel model, double[][] poses)
     {
-        var text = new StringBuilder($"{model.Name}: poses relative to {model.Root.Name}, metres\n");
+        var text = new StringBuilder(KinematicsMessages.Title(model.Name, model.Root.Name));
         for (var i = 0; i < poses.Length; i++)
         {
             text.Append('\n').Append(model.Links[i].Name).Append('\n');

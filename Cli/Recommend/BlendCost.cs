@@ -3,7 +3,7 @@ using Nowpose.Session;
 namespace Nowpose.Cli.Recommend;
 
 /// <summary>The increase of the error if the recommended predictor blends consecutive sections to avoid jumps.</summary>
-/// <remarks>A blend never reduces the error, so the error cannot justify it. It is recommended unless the increase is too large.</remarks>
+/// <remarks>A blend never reduces the error, so it cannot be selected by its error. It is recommended unless the error increases too much.</remarks>
 sealed class BlendCost
 {
     /// <summary>Maximum accepted increase, relative to the RMS error.</summary>
@@ -18,7 +18,7 @@ sealed class BlendCost
     }
 
     /// <summary>
-    /// Relative increase of the RMS error with the default blend, over both halves; null if there is no error, or after a cancellation.
+    /// Relative increase of the RMS error with the default blend, over both halves; null without an error, or after a cancellation.
     /// </summary>
     public double? Share { get; }
 

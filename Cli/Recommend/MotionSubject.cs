@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 
@@ -20,7 +21,7 @@ sealed class MotionSubject : ISubject
         var middle = motion.Times[Halving.MiddleOf(WaysOf(motion))];
         _halves = [motion.Between(0, middle), motion.Between(middle, motion.Duration)];
         if (_halves.Any(half => half == null))
-            throw new InputException($"{path}: has too few rows; a recommendation needs enough rows for two halves");
+            throw new InputException(RecommendMessages.TooFewRows(path));
     }
 
     public double? SamplingMs { get; }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Cli.Sessions;
 using Nowpose.Gateway.Options;
@@ -31,7 +32,7 @@ static class RecommendVerb
         {
             var path = parsed.GetRequiredValue(file);
             if (SessionFileReader.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, grid);
-            else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, "--grid sets it; remove one of the two options", sampling, latency);
+            else if (parsed.GetValue(grid)) RecordingOptions.RequireUnset(parsed, RecommendMessages.GridSets, sampling, latency);
             (double, double)[] conditions = parsed.GetValue(grid) ? Grid : [(parsed.GetValue(sampling), parsed.GetValue(latency))];
             // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
             return Task.Run(() => Run(path, conditions, parsed.GetValue(json), cancel), CancellationToken.None);
@@ -54,7 +55,7 @@ static class RecommendVerb
     {
         var motion = MotionRecording.Read(path);
         if (motion.IsBody)
-            throw new InputException($"{path}: is the recording of a rigid body; recommend reads joints only. Use `replay --predictor NAME` instead");
+            throw new InputException(RecommendMessages.RigidBody(path));
         var joints = motion.Names.Select((name, joint) => new JointSeries(name, motion.Times, motion.PositionsOf(joint)));
         return (new RecordingTraits([.. joints]), [.. conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs))]);
     }

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Recommend;
 
 /// <summary>Properties of a recording that affect the recommendation.</summary>
@@ -53,15 +55,13 @@ sealed class RecordingTraits
     public IEnumerable<string> Warnings()
     {
         if (MaxRange < Standstill)
-            yield return Text($"no joint moves by more than {MaxRange:G2} rad or m: a recommendation needs a recording of motion");
+            yield return RecommendMessages.NoMotion(MaxRange);
         if (Duration < MinDuration)
-            yield return Text($"{Duration:0.0} s is a short recording: the result may be random; record {MinDuration} s or more");
+            yield return RecommendMessages.Short(Duration, MinDuration);
         if (IntervalP95 - IntervalP5 > NoticeableSpread * Interval)
-            yield return Text($"the samples' stamps lie {1e3 * IntervalP5:0.0} to {1e3 * IntervalP95:0.0} ms apart (P5 to P95): ")
-                + "late time stamps reduce the accuracy";
+            yield return RecommendMessages.LateStamps(1e3 * IntervalP5, 1e3 * IntervalP95);
         if (Repeats > NoticeableRepeats)
-            yield return Text($"{100 * Repeats:0.0} % of a moving joint's samples repeat the previous one: ")
-                + "the robot's sampling interval or rounding is coarser than the recording";
+            yield return RecommendMessages.Repeats(100 * Repeats);
     }
 
     static double RepeatsOf(List<JointSeries> joints)

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Prediction;
 
 namespace Nowpose.Cli.Recommend;
@@ -45,12 +46,11 @@ sealed class Verdict
         {
             var best = Trials[0];
             if (Recommended != Default)
-                return FormattableString.Invariant($"its error is {100 * Recommended.GainOver(Default):0} % smaller than that of {Default.Predictor} ")
-                    + $"({Percent(Half.First)} and {Percent(Half.Second)} in the halves)";
-            if (best == Default) return "no other has a smaller error";
+                return RecommendTexts.SmallerError(100 * Recommended.GainOver(Default), Default.Predictor, Percent(Half.First), Percent(Half.Second));
+            if (best == Default) return RecommendTexts.NoneBetter;
             return IsTie(best)
-                ? $"{best.Predictor} is equally good: it is better on one half and worse on the other"
-                : FormattableString.Invariant($"the error of {best.Predictor} is smaller, but by at most {100 * MinGain:0} %");
+                ? RecommendTexts.EquallyGood(best.Predictor)
+                : RecommendTexts.LittleBetter(best.Predictor, 100 * MinGain);
         }
     }
 

@@ -1,4 +1,5 @@
 using Nowpose.Anchoring;
+using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;
@@ -46,7 +47,7 @@ public sealed class BodyReplay
         var result = new BodyReplayResult(
             _path, _settings.Predictor, frames, _position.Summary(MmPerMetre), _rotation.Summary(DegreesPerRadian));
         if (!double.IsFinite(result.Position.Rms + result.Position.RmsHold))
-            throw new InputException($"{_path}: the errors are too large to compute; the positions must be in m");
+            throw new InputException(ReplayMessages.BodyTooLarge(_path));
         return result;
     }
 

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Sessions;
 using Nowpose.Kinematics;
 using Nowpose.Session;
@@ -81,7 +82,7 @@ sealed class RecordedSession
             case LostLine lost: Lost += lost.Count; break;
         }
         if (_values.Count + _displayed.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)
-            throw new InputException($"{_path}: is too long for this machine's memory; record shorter sessions");
+            throw new InputException(ReplayMessages.TooLong(_path));
     }
 
     /// <summary>The signals, sorted by name, with the number of their changes.</summary>
@@ -157,7 +158,7 @@ sealed class RecordedSession
     void Add(FrameLine frame)
     {
         if (frame.Joints.Length != Header.Joints.Count)
-            throw new InputException($"{_path}: a frame has {frame.Joints.Length} joints, the header {Header.Joints.Count}");
+            throw new InputException(ReplayMessages.JointCount(_path, frame.Joints.Length, Header.Joints.Count));
         Frames++;
         _events.Add(new Event(EventKind.Frame, frame.Light ?? default, frame.Light.HasValue, _timeLine, _displayed.Count, frame.Joints.Length));
         _displayed.AddRange(frame.Joints);

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Replay;
 
@@ -7,7 +8,7 @@ static class RecordingOptions
 {
     /// <exception cref="InputException">One of the options was given.</exception>
     public static void RequireUnsetForSession(ParseResult parsed, string path, params Option[] options) =>
-        RequireUnset(parsed, $"a recorded session contains this value; remove the option for {path}", options);
+        RequireUnset(parsed, ReplayMessages.InSession(path), options);
 
     /// <param name="why">The reason, which follows the option's name in the message.</param>
     /// <exception cref="InputException">One of the options was given.</exception>

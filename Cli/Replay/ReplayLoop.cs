@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Runs samples and frames in virtual time: decides which samples have arrived by each frame, and which frames are scored.</summary>
@@ -61,18 +63,15 @@ sealed class ReplayLoop
         var values = _duration * _settings.FrameRateHz * _axes;
         var samples = _duration / _settings.SamplingInterval;
         if (values > MaxValues || samples > MaxSamples)
-            throw new InputException($"{_path}: " + FormattableString.Invariant(
-                $"{_duration:G6} s are too long to replay at {_settings.FrameRateHz} frames per second ")
-                + FormattableString.Invariant($"and a sample every {_settings.SamplingInterval * 1e3:G6} ms; is the time column in seconds?"));
+            throw new InputException(ReplayMessages.TooManyFrames(_path, _duration, _settings.FrameRateHz, _settings.SamplingInterval * 1e3));
     }
 
     InputException NothingScored()
     {
         var needed = 4 * _settings.SamplingInterval + _settings.Latency + _settings.Jitter + 1 / _settings.FrameRateHz;
         var cause = _duration < needed
-            ? FormattableString.Invariant($"{_duration:G6} s are too short: a frame is evaluated only after sample 4 has arrived, ")
-                + FormattableString.Invariant($"which takes up to {needed:G6} s")
-            : FormattableString.Invariant($"--loss {_settings.Loss}: no sample arrived, so no frame could be scored");
+            ? ReplayMessages.TooShort(_duration, needed)
+            : ReplayMessages.AllLost(_settings.Loss);
         return new InputException($"{_path}: {cause}");
     }
 }

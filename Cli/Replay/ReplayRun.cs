@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Prediction;
 
@@ -40,7 +41,7 @@ public sealed class ReplayRun
         var axes = _errors.Zip(_recording.Names, (error, name) => error.Summary(name));
         var result = new ReplayResult(_path, _settings.Predictor, frames, [.. axes]);
         if (!double.IsFinite(result.Rms + result.RmsHold))
-            throw new InputException($"{_path}: the errors are too large to compute; the positions must be in rad or m");
+            throw new InputException(ReplayMessages.TooLarge(_path));
         return result;
     }
 

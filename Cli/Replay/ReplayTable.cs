@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Replay;
@@ -20,7 +21,7 @@ static class ReplayTable
                 Percent(axis.RmsHold == 0 ? null : 1 - axis.Rms / axis.RmsHold), .. statesDeviation ? Of(axis.Deviation) : []]);
         table.AddEmptyRow();
         table.AddRow("all", Number(result.RmsHold), Number(result.Rms), "", "", Percent(result.Reduction));
-        table.Caption("errors in the unit of the file's columns");
+        table.Caption(ReplayTexts.Units);
         console.Write(table);
         foreach (var body in result.Bodies) Write(console, body);
         if (result.Signals.Count > 0)
@@ -36,7 +37,7 @@ static class ReplayTable
             table.AddColumn(new TableColumn(heading).RightAligned());
         foreach (var (name, error) in new[] { ("position, mm", result.Position), ("rotation, °", result.Rotation) })
             table.AddRow(name, Number(error.RmsHold), Number(error.Rms), Number(error.P95), Number(error.Max), Percent(error.Reduction));
-        table.Caption("distance and angle between the displayed and the true pose");
+        table.Caption(ReplayTexts.Body);
         console.Write(table);
     }
 

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Sessions;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.MotionRecordings;
@@ -85,7 +86,7 @@ static class ReplayVerb
     static ReplayResult RunSession(string path, ReplaySettings settings, CancellationToken cancellation)
     {
         var session = RecordedSession.Read(path);
-        if (session.Lost > 0) Console.Error.WriteLine($"nowpose: {path}: {session.Lost} lines are missing, because the recording was slower than the session");
+        if (session.Lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(path, session.Lost));
         var joints = new SessionReplay(path, session, new SessionTruth(session), settings).Run(cancellation);
         return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes)
         {

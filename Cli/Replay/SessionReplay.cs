@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Prediction;
 using Nowpose.Session;
 
@@ -68,14 +69,13 @@ sealed class SessionReplay
         if (_frames == 0)
         {
             cancellation.ThrowIfCancellationRequested();
-            throw new InputException($"{_path}: no frame could be evaluated: a frame needs a control time between sample {SamplesBeforeScoring} "
-                + "and the last sample of a joint, and no gap between samples may exceed the maximum gap");
+            throw new InputException(ReplayMessages.NothingScored(_path, SamplesBeforeScoring));
         }
         var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)
             .Select(i => _errors[i].Summary(_session.Header.Joints[i].Name));
         var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
         return double.IsFinite(result.Rms + result.RmsHold)
-            ? result : throw new InputException($"{_path}: the errors are too large to compute; the positions must be in rad or m");
+            ? result : throw new InputException(ReplayMessages.TooLarge(_path));
     }
 
     void Play(in RecordedSession.Event next)

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Sessions;
 
@@ -13,7 +14,7 @@ readonly struct LineFields(string place, JsonElement fields)
     public bool Has(string name) => _fields.TryGetProperty(name, out var value) && value.ValueKind != JsonValueKind.Null;
 
     public string Text(string name) => Required(name) is { ValueKind: JsonValueKind.String } value
-        ? value.GetString() : throw Wrong(name, "is not a string");
+        ? value.GetString() : throw Wrong(name, SessionFileMessages.NotAString);
 
     public string TextOr(string name, string otherwise) => Has(name) ? Text(name) : otherwise;
 
@@ -21,7 +22,7 @@ readonly struct LineFields(string place, JsonElement fields)
     {
         if (!Has(name)) return otherwise;
         var kind = Required(name).ValueKind;
-        return kind is JsonValueKind.True or JsonValueKind.False ? kind == JsonValueKind.True : throw Wrong(name, "is neither true nor false");
+        return kind is JsonValueKind.True or JsonValueKind.False ? kind == JsonValueKind.True : throw Wrong(name, SessionFileMessages.NotASwitch);
     }
 
     /// <summary>Gets a 64-bit integer, for example a time in nanoseconds.</summary>
@@ -29,7 +30,7 @@ readonly struct LineFields(string place, JsonElement fields)
     {
         var value = Required(name);
         return value.ValueKind == JsonValueKind.Number && value.TryGetInt64(out var number)
-            ? number : throw Wrong(name, $"{Shown(value)} is not a whole number (64 bits)");
+            ? number : throw Wrong(name, SessionFileMessages.NotWhole(Shown(value)));
     }
 
     public long WholeOr(string name, long otherwise) => Has(name) ? Whole(name) : otherwise;
@@ -38,7 +39,7 @@ readonly struct LineFields(string place, JsonElement fields)
     {
         var value = Required(name);
         return value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out var number) && double.IsFinite(number)
-            ? number : throw Wrong(name, $"{Shown(value)} is not a finite number");
+            ? number : throw Wrong(name, SessionFileMessages.NotFinite(Shown(value)));
     }
 
     public double NumberOr(string name, double otherwise) => Has(name) ? Number(name) : otherwise;
@@ -48,14 +49,14 @@ readonly struct LineFields(string place, JsonElement fields)
     public double[] Numbers(string name, int? count = null, bool mayBeAbsent = false)
     {
         var array = Array(name);
-        if (count.HasValue && array.GetArrayLength() != count) throw Wrong(name, $"{array.GetArrayLength()} numbers; it must have {count}");
+        if (count.HasValue && array.GetArrayLength() != count) throw Wrong(name, SessionFileMessages.Count(array.GetArrayLength(), count));
         var numbers = new double[array.GetArrayLength()];
         var i = 0;
         foreach (var value in array.EnumerateArray())
         {
             if (value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out numbers[i]) && double.IsFinite(numbers[i])) i++;
             else if (mayBeAbsent && value.ValueKind == JsonValueKind.Null) numbers[i++] = double.NaN;
-            else throw Wrong(name, $"element {i + 1}: {Shown(value)} is not a finite number");
+            else throw Wrong(name, SessionFileMessages.ElementNotFinite(i + 1, Shown(value)));
         }
         return numbers;
     }
@@ -67,25 +68,25 @@ readonly struct LineFields(string place, JsonElement fields)
         var i = 0;
         foreach (var value in array.EnumerateArray())
         {
-            if (value.ValueKind != JsonValueKind.String) throw Wrong(name, $"element {i + 1}: {Shown(value)} is not a string");
+            if (value.ValueKind != JsonValueKind.String) throw Wrong(name, SessionFileMessages.ElementNotAString(i + 1, Shown(value)));
             texts[i++] = value.GetString();
         }
         return texts;
     }
 
     public LineFields Object(string name) => Required(name) is { ValueKind: JsonValueKind.Object } value
-        ? new LineFields(place, value) : throw Wrong(name, "is not an object");
+        ? new LineFields(place, value) : throw Wrong(name, SessionFileMessages.NotAnObject);
 
     public IEnumerable<LineFields> Objects(string name)
     {
         foreach (var value in Array(name).EnumerateArray())
             yield return value.ValueKind == JsonValueKind.Object
-                ? new LineFields(place, value) : throw Wrong(name, $"{Shown(value)} is not an object");
+                ? new LineFields(place, value) : throw Wrong(name, SessionFileMessages.ValueNotAnObject(Shown(value)));
     }
 
     public InputException Wrong(string field, string what) => new($"{place}: field '{field}' {what}");
 
-    JsonElement Array(string name) => Required(name) is { ValueKind: JsonValueKind.Array } value ? value : throw Wrong(name, "is not an array");
+    JsonElement Array(string name) => Required(name) is { ValueKind: JsonValueKind.Array } value ? value : throw Wrong(name, SessionFileMessages.NotAnArray);
 
     JsonElement Required(string name) => _fields.TryGetProperty(name, out var value) ? value : throw Wrong(name, "is missing");
 

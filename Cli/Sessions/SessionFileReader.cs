@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Recording;
 
@@ -60,35 +61,34 @@ sealed class SessionFileReader : IDisposable
         catch (JsonException broken)
         {
             isTorn = IsLast();
-            return isTorn ? null : throw new InputException($"{Place}: is not a JSON object: {OneLine(broken)}", broken);
+            return isTorn ? null : throw new InputException(SessionFileMessages.NotJson(Place, OneLine(broken)), broken);
         }
     }
 
     SessionHeader ReadHeader()
     {
-        var text = ReadLine() ?? throw new InputException($"{_path}: is empty; the first line of a session file must be its header");
+        var text = ReadLine() ?? throw new InputException(SessionFileMessages.Empty(_path));
         try
         {
             using var json = JsonDocument.Parse(text);
             var fields = Fields(json);
             if (fields.TextOr("format", null) != SessionFormat.Name)
-                throw new InputException($"{Place}: field 'format' is not '{SessionFormat.Name}'; the first line of a session file must contain it");
+                throw new InputException(SessionFileMessages.OtherFormat(Place, SessionFormat.Name));
             var version = fields.Whole("version");
             if (version is < 1 or > SessionFormat.Version)
-                throw new InputException($"{Place}: field 'version': the file is of version {version}; this program reads version "
-                    + $"{SessionFormat.Version}; use a newer program");
+                throw new InputException(SessionFileMessages.NewerVersion(Place, version, SessionFormat.Version));
             return SessionLines.ReadHeader(fields);
         }
         catch (JsonException broken)
         {
-            throw new InputException($"{Place}: is not a JSON object: {OneLine(broken)}", broken);
+            throw new InputException(SessionFileMessages.NotJson(Place, OneLine(broken)), broken);
         }
     }
 
     string Place => $"{_path}:{_line}";
 
     LineFields Fields(JsonDocument json) => json.RootElement.ValueKind == JsonValueKind.Object
-        ? new LineFields(Place, json.RootElement) : throw new InputException($"{Place}: is not a JSON object");
+        ? new LineFields(Place, json.RootElement) : throw new InputException(SessionFileMessages.LineNotAnObject(Place));
 
     string ReadLine() => Guarded(() =>
     {

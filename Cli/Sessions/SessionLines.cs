@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
@@ -60,7 +61,7 @@ static class SessionLines
     static SessionHeader.Joint ReadJoint(LineFields joint)
     {
         var (lower, upper) = (joint.NumberOr("lower", double.NegativeInfinity), joint.NumberOr("upper", double.PositiveInfinity));
-        if (lower > upper) throw joint.Wrong("lower", FormattableString.Invariant($"{lower} is above the upper limit {upper}"));
+        if (lower > upper) throw joint.Wrong("lower", SessionFileMessages.LimitOrder(lower, upper));
         return new SessionHeader.Joint(joint.Text("name"), joint.Text("unit"), new JointLimits(
             lower, upper, Limit(joint, "velocity"), double.PositiveInfinity, Limit(joint, "acceleration"), Limit(joint, "jerk")));
     }
@@ -68,7 +69,7 @@ static class SessionLines
     static double Limit(LineFields joint, string field)
     {
         var limit = joint.NumberOr(field, double.PositiveInfinity);
-        return limit > 0 ? limit : throw joint.Wrong(field, FormattableString.Invariant($"{limit} is not a valid limit; it must be more than 0"));
+        return limit > 0 ? limit : throw joint.Wrong(field, SessionFileMessages.Limit(limit));
     }
 
     static SyncLine ReadSync(LineFields line)
@@ -99,7 +100,7 @@ static class SessionLines
         {
             var time = new TimeSpan(point.Whole("time_from_start_ns") / NanosecondsPerTick);
             if (time < TimeSpan.Zero || (points.Count > 0 && time <= points[^1].TimeFromStart))
-                throw point.Wrong("time_from_start_ns", $"of point {points.Count + 1} is not later than that of the previous point or the time stamp");
+                throw point.Wrong("time_from_start_ns", SessionFileMessages.PointOrder(points.Count + 1));
             points.Add(new JointTrajectoryPoint(
                 time, point.Numbers("position", names.Length), Optional(point, "velocity", names.Length),
                 Optional(point, "acceleration", names.Length)));
@@ -113,7 +114,7 @@ static class SessionLines
     {
         var (position, rotation) = (line.Numbers("position", 3), line.Numbers("rotation", 4));
         if (!UnitQuaternion.TryNormalise(rotation[0], rotation[1], rotation[2], rotation[3], out var turned))
-            throw line.Wrong("rotation", "is not a rotation; it must be a unit quaternion x, y, z, w");
+            throw line.Wrong("rotation", SessionFileMessages.NotARotation);
         return new PoseLine(
             ControlTime.FromNanoseconds(line.Whole("stamp_ns")), line.Text("frame"), line.Text("parent"),
             new Vector3D(position[0], position[1], position[2]), turned, line.FlagOr("stationary", false), line.TextOr("dropped", null),

@@ -1,6 +1,7 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Sync;
@@ -31,11 +32,11 @@ static class IntegerTable
     {
         if (!csv.Read() || !csv.Record.SequenceEqual(header))
             throw new InputException(
-                $"{path}:1: the header is '{Beginning(csv.Record == null ? "" : string.Join(',', csv.Record))}'; it must be {string.Join(',', header)}");
+                ExchangeFileMessages.Header(path, Beginning(csv.Record == null ? "" : string.Join(',', csv.Record)), string.Join(',', header)));
         var rows = new List<long[]>();
         while (csv.Read())
             rows.Add(Row(csv, path, header));
-        if (rows.Count == 0) throw new InputException($"{path}: no rows below the header; at least one is needed");
+        if (rows.Count == 0) throw new InputException(ExchangeFileMessages.NoRows(path));
         return rows;
     }
 
@@ -45,11 +46,11 @@ static class IntegerTable
     static long[] Row(CsvParser csv, string path, string[] header)
     {
         if (csv.Count != header.Length)
-            throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; it must have {header.Length}");
+            throw new InputException(ExchangeFileMessages.FieldCount(path, csv.RawRow, csv.Count, header.Length));
         var row = new long[header.Length];
         for (var i = 0; i < row.Length; i++)
             if (!long.TryParse(csv[i], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out row[i]))
-                throw new InputException($"{path}:{csv.RawRow}: {header[i]}: '{csv[i]}' is not a whole number of nanoseconds (64 bits)");
+                throw new InputException(ExchangeFileMessages.NotNanoseconds(path, csv.RawRow, header[i], csv[i]));
         return row;
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Cli.Sessions;
 using Nowpose.Sync;
 
@@ -23,7 +24,7 @@ static class SyncLog
     {
         using var file = new SessionFileReader(path);
         var exchanges = file.Lines().OfType<SyncLine>().Select(line => (line.T4Nanoseconds, line.Exchange)).ToList();
-        return exchanges.Count > 0 ? exchanges : throw new InputException($"{path}: contains no sync exchange; at least one is needed");
+        return exchanges.Count > 0 ? exchanges : throw new InputException(ExchangeFileMessages.NoExchange(path));
     }
 
     public static IReadOnlyList<long> ReadInstants(string path)
@@ -31,7 +32,7 @@ static class SyncLog
         var instants = IntegerTable.Read(path, "t_ns").ConvertAll(row => row[0]);
         for (var i = 1; i < instants.Count; i++)
             if (instants[i] <= instants[i - 1])
-                throw new InputException($"{path}:{i + 2}: t_ns: {instants[i]} ns is not after {instants[i - 1]} ns; times must increase");
+                throw new InputException(ExchangeFileMessages.TimeOrder(path, i + 2, instants[i], instants[i - 1]));
         return instants;
     }
 }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Sync;
 
@@ -50,9 +51,9 @@ static class SyncVerb
         }
         Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), at != null, json);
         foreach (var (fault, count) in replay.Dropped)
-            Console.Error.WriteLine($"nowpose: {file}: dropped {count} of {log.Count} exchanges: {fault}");
+            Console.Error.WriteLine(ConsoleMessages.DroppedExchanges(file, count, log.Count, fault));
         if (replay.Steps > 0)
-            Console.Error.WriteLine($"nowpose: {file}: {replay.Steps} clock steps detected");
+            Console.Error.WriteLine(ConsoleMessages.ClockSteps(file, replay.Steps));
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }
 

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
@@ -16,7 +17,7 @@ static class PackageAddress
     /// <param name="given">Address as entered by the user.</param>
     /// <param name="version">Version of the package that belongs to this program.</param>
     /// <param name="project">Project whose manifest will contain the address.</param>
-    /// <exception cref="InputException">There is no package at the address.</exception>
+    /// <exception cref="InputException">The address does not contain the package.</exception>
     public static string Read(string given, string version, UnityProject project)
     {
         if (GitSchemes.Any(scheme => given.StartsWith(scheme, StringComparison.Ordinal))) return Git(given, version);
@@ -26,15 +27,14 @@ static class PackageAddress
         if (path.EndsWith(".tgz", StringComparison.Ordinal) && System.IO.File.Exists(path))
             return isAddress ? given : File + path.Replace('\\', '/');
         var folder = PackageFolder.Open(path)
-            ?? throw new InputException(
-                $"--package: '{given}' is neither a git address nor a folder or tarball with the package {ProjectNeeds.Package}");
+            ?? throw new InputException(UnityPackageMessages.NotAnAddress(given, ProjectNeeds.Package));
         return isAddress ? given : Of(folder);
     }
 
     static string Git(string given, string version)
     {
         if (given.Contains("/OWNER/", StringComparison.Ordinal))
-            throw new InputException("--package: replace OWNER by the host of your copy of the repository");
+            throw new InputException(UnityPackageMessages.Owner);
         var hash = given.IndexOf('#', StringComparison.Ordinal);
         var repository = hash < 0 ? given : given[..hash];
         if (repository.Contains('?', StringComparison.Ordinal)) return given;

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
@@ -42,14 +43,14 @@ sealed class PackageFolder
         try
         {
             using var description = JsonDocument.Parse(File.ReadAllText(file));
-            if (description.RootElement.ValueKind != JsonValueKind.Object) throw new FormatException("a JSON object is expected");
+            if (description.RootElement.ValueKind != JsonValueKind.Object) throw new FormatException(UnityPackageMessages.ObjectExpected);
             return Text(description.RootElement, "name") == ProjectNeeds.Package
                 ? new PackageFolder(Path.GetFullPath(root), description.RootElement)
                 : null;
         }
         catch (JsonException e)
         {
-            throw new InputException(FormattableString.Invariant($"{file}:{e.LineNumber + 1}: not a JSON object"), e);
+            throw new InputException(UnityPackageMessages.NotJson(file, e.LineNumber + 1), e);
         }
         catch (FormatException e)
         {
@@ -60,13 +61,13 @@ sealed class PackageFolder
     IReadOnlyList<PackageSample> ReadSamples(JsonElement description)
     {
         if (!description.TryGetProperty("samples", out var samples)) return [];
-        if (samples.ValueKind != JsonValueKind.Array) throw new FormatException("samples must be an array");
+        if (samples.ValueKind != JsonValueKind.Array) throw new FormatException(UnityPackageMessages.SamplesNotAnArray);
         return [.. samples.EnumerateArray().Select((sample, i) => ReadSample(sample, FormattableString.Invariant($"samples[{i}]")))];
     }
 
     PackageSample ReadSample(JsonElement sample, string at)
     {
-        if (sample.ValueKind != JsonValueKind.Object) throw new FormatException(at + " must be an object");
+        if (sample.ValueKind != JsonValueKind.Object) throw new FormatException(UnityPackageMessages.NotAnObject(at));
         return new PackageSample(
             Text(sample, "displayName", at + "."), Text(sample, "description", at + "."), Path.Combine(Root, Text(sample, "path", at + ".")));
     }
@@ -81,6 +82,6 @@ sealed class PackageFolder
         {
             // The string contains an escape sequence for half of a surrogate pair.
         }
-        throw new FormatException($"{at}{name} must be a string");
+        throw new FormatException(UnityPackageMessages.NotAString(at, name));
     }
 }

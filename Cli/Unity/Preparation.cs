@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
@@ -6,13 +7,13 @@ namespace Nowpose.Cli.Unity;
 /// <summary>Plans and applies the changes to a Unity project.</summary>
 sealed class Preparation
 {
-    const string InUnity = "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and applies most of them.";
+    const string InUnity = UnityNextSteps.InUnity;
 
     static readonly string[] AfterMrtk3 =
     [
-        "git must be on Unity's PATH: MRTK3 and Graphics Tools are fetched from their repositories, at the tags of their releases.",
-        "When Unity asks for the new input backend, answer Yes; when it asks to update interaction layer masks, No Thanks.",
-        "Project Settings → MRTK3, tabs Standalone and Universal Windows Platform: Assign MRTK Default.",
+        UnityNextSteps.Git,
+        UnityNextSteps.Answers,
+        UnityNextSteps.Profile,
     ];
 
     readonly List<string> _changes = [];
@@ -63,7 +64,7 @@ sealed class Preparation
     void PlanAll()
     {
         var package = PackageFolder.Find()
-            ?? throw new InputException("the files of the package are missing beside this program; publish it again, or run it from a clone");
+            ?? throw new InputException(UnityPackageMessages.FilesMissing);
         _file = ManifestFile.Read(Project.ManifestPath);
         _merge = new ManifestMerge(_file.Text, Project.ManifestPath, _settings.OnConflict);
         JudgeVersions();
@@ -82,8 +83,7 @@ sealed class Preparation
         var judged = UnityBounds.Judge(Project.Version, usesMicrosoft);
         if (judged.State == CheckState.Missing) throw new InputException($"{Project.VersionPath}: Unity {judged.Found}");
         if (_settings.HasMrtk3 && Project.Version.Number < UnityBounds.OldestForMrtk3)
-            throw new InputException(
-                $"{Project.VersionPath}: Unity {Project.Version} is older than {UnityBounds.OldestForMrtk3}, the oldest that MRTK3 accepts");
+            throw new InputException(UnityProjectMessages.TooOldForMrtk3(Project.VersionPath, Project.Version, UnityBounds.OldestForMrtk3));
         if (judged.State != CheckState.Good) _notes.Add($"Unity {judged.Found}");
         if (!_settings.HasMrtk3) _notes.AddRange(TooNew());
     }
@@ -92,15 +92,14 @@ sealed class Preparation
         from package in ProjectNeeds.Mrtk3.Append(ProjectNeeds.XrInteraction)
         let version = _merge.VersionOf(package.Name)
         where version != null && package.IsTooNew(version)
-        select $"{package.Name} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {package.Bounds}";
+        select UnityProjectMessages.TooNew(package.Name, version, package.Bounds);
 
     void NeedPackage(PackageFolder package)
     {
         if (Project.Embeds(ProjectNeeds.Package))
         {
             if (_settings.Package == null) return;
-            throw new InputException(
-                $"--package: {Project.Root} has the package in Packages/{ProjectNeeds.Package}, which Unity prefers; remove that folder first");
+            throw new InputException(UnityProjectMessages.Embedded(Project.Root, ProjectNeeds.Package));
         }
         var address = _settings.Package == null ? PackageAddress.Of(package) : PackageAddress.Read(_settings.Package, package.Version, Project);
         var origin = PackageOrigin.At(ProjectNeeds.Package, address, min: package.Version);
@@ -120,8 +119,8 @@ sealed class Preparation
     void Report(IReadOnlyList<string> conflicts)
     {
         if (_settings.OnConflict != ConflictRule.Keep)
-            throw new InputException($"{string.Join("; ", conflicts)}. Change it there, or use --on-conflict {Rules()}.");
-        _notes.AddRange(conflicts.Select(conflict => conflict + "; the entry is kept"));
+            throw new InputException(UnityProjectMessages.Conflicts(string.Join("; ", conflicts), Rules()));
+        _notes.AddRange(conflicts.Select(conflict => UnityProjectMessages.EntryKept(conflict)));
     }
 
     string Rules() => _settings.OnConflict == ConflictRule.Refuse && _merge.CanReplaceAll ? "keep or replace" : "keep";

@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Unity;
 
@@ -11,7 +12,7 @@ static class PreparationOutput
         var text = new StringBuilder($"{preparation.Project.Root}: Unity {preparation.Project.Version}\n");
         foreach (var change in preparation.Changes) text.Append("  + ").Append(change).Append('\n');
         text.Append(Summary(preparation.Changes.Count, isCheck)).Append('\n');
-        if (backup != null) text.Append("Backup of the manifest: ").Append(backup).Append('\n');
+        if (backup != null) text.Append(UnityProjectMessages.Backup).Append(backup).Append('\n');
         if (!isCheck) foreach (var step in preparation.NextSteps) text.Append("- ").Append(step).Append('\n');
         return text.ToString();
     }

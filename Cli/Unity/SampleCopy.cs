@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Unity;
 
 /// <summary>Copies a sample, including its .meta files, to the folder that Unity's Package Manager uses.</summary>
@@ -28,22 +30,19 @@ sealed class SampleCopy
     public static SampleCopy Plan(UnityProject project, PackageFolder package, string name)
     {
         var sample = package.Samples.FirstOrDefault(s => string.Equals(s.Name, name, StringComparison.OrdinalIgnoreCase))
-            ?? throw new InputException(
-                $"--sample: '{name}' is not a sample of the package; allowed: {string.Join(", ", package.Samples.Select(s => s.Name))}");
+            ?? throw new InputException(UnityPackageMessages.UnknownSample(name, string.Join(", ", package.Samples.Select(s => s.Name))));
         if (!Directory.Exists(sample.Folder))
-            throw new InputException($"--sample: the files of '{sample.Name}' are missing: {sample.Folder}");
+            throw new InputException(UnityPackageMessages.SampleMissing(sample.Name, sample.Folder));
         var target = Path.Combine(project.Root, "Assets", "Samples", package.DisplayName, package.Version, sample.Name);
         for (var folder = target; folder != project.Root; folder = Path.GetDirectoryName(folder))
             if (File.Exists(folder))
-                throw new InputException($"{folder}: is a file where the sample needs a folder; rename or delete it, and try again");
+                throw new InputException(UnityPackageMessages.FileInTheWay(folder));
         var files = Directory.EnumerateFiles(sample.Folder, "*", SearchOption.AllDirectories)
             .Select(file => Path.GetRelativePath(sample.Folder, file)).Order(StringComparer.Ordinal).ToList();
         var present = files.Where(file => File.Exists(Path.Combine(target, file))).ToList();
         var changed = present.Where(file => !IsSame(Path.Combine(sample.Folder, file), Path.Combine(target, file))).ToList();
         if (changed.Count > 0)
-            throw new InputException(
-                FormattableString.Invariant($"{Path.Combine(target, changed[0])}: differs from the sample's file, as do {changed.Count - 1} more; ")
-                + "move or delete the folder of the sample, and try again");
+            throw new InputException(UnityPackageMessages.SampleChanged(Path.Combine(target, changed[0]), changed.Count - 1));
         return new SampleCopy(sample, sample.Folder, target, [.. files.Except(present)]);
     }
 
@@ -57,9 +56,7 @@ sealed class SampleCopy
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException(
-                $"{_target}: the sample '{Sample.Name}' cannot be copied: {e.Message.TrimEnd('.')}; the manifest is not changed; "
-                + "remove the cause, and try again", e);
+            throw new InputException(UnityPackageMessages.NotCopied(_target, Sample.Name, e.Message.TrimEnd('.')), e);
         }
     }
 

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
@@ -24,17 +25,16 @@ sealed class UnityProject
     /// <exception cref="InputException">The folder is not a Unity project.</exception>
     public static UnityProject Open(string path)
     {
-        if (string.IsNullOrWhiteSpace(path)) throw new InputException("PATH is empty; the folder of a Unity project is needed");
+        if (string.IsNullOrWhiteSpace(path)) throw new InputException(UnityProjectMessages.NoPath);
         var root = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
-        if (File.Exists(root)) throw new InputException($"{path}: is a file; the folder of a Unity project is needed");
-        if (!Directory.Exists(root)) throw new InputException($"{path}: folder not found; the folder of a Unity project is needed");
+        if (File.Exists(root)) throw new InputException(UnityProjectMessages.IsAFile(path));
+        if (!Directory.Exists(root)) throw new InputException(UnityProjectMessages.NoFolder(path));
         foreach (var needed in new[] { VersionIn(root), ManifestIn(root) })
             if (!File.Exists(needed))
-                throw new InputException($"{path}: is not a Unity project: {Path.GetRelativePath(root, needed)} is missing{Hint(root)}");
+                throw new InputException(UnityProjectMessages.NotAProject(path, Path.GetRelativePath(root, needed), Hint(root)));
 
         var version = UnityVersion.InProjectFile(File.ReadAllText(VersionIn(root)));
-        return new UnityProject(root, version ?? throw new InputException(
-            $"{VersionIn(root)}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1"));
+        return new UnityProject(root, version ?? throw new InputException(UnityProjectMessages.NoVersion(VersionIn(root))));
     }
 
     /// <summary>Gets whether a package is embedded in the project. The manifest has no effect on an embedded package.</summary>

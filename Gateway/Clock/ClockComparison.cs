@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
@@ -20,7 +21,7 @@ sealed class ClockComparison : IDisposable
     public ClockComparison(ServedClock served, Action<string> log)
     {
         (_served, _log) = (served, log);
-        _look = new GuardedTask(LookNow, "clock: the clocks could not be compared", log);
+        _look = new GuardedTask(LookNow, PlantClockMessages.NotCompared, log);
     }
 
     public void Start() => _timer = new Timer(_ => Look(), null, Interval, Interval);
@@ -42,16 +43,14 @@ sealed class ClockComparison : IDisposable
         if (_states.GetValueOrDefault(clock.Name) != clock.State)
         {
             _states[clock.Name] = clock.State;
-            _log($"clock '{clock.Name}': {clock.State.Word()}{Why(clock)}{(clock.IsControlClock ? "; it is the control clock" : "")}");
+            _log(PlantClockMessages.State(clock.Name, clock.State.Word() + Why(clock), clock.IsControlClock));
         }
 
         if (clock.IsControlClock || clock.OffsetToControl is not { } ahead || clock.State != ClockState.Synchronised) return;
         var bound = clock.ErrorBound + (control?.ErrorBound ?? TimeSpan.Zero);
         if (_logged.TryGetValue(clock.Name, out var logged) && (ahead - logged.Ahead).Duration() <= logged.Bound + bound + MinChange) return;
         _logged[clock.Name] = (ahead, bound);
-        _log(string.Create(CultureInfo.InvariantCulture,
-            $"clock '{clock.Name}': {ahead.TotalMilliseconds:+0.00;-0.00;0.00} ms (± {bound.TotalMilliseconds:0.00}) ")
-            + string.Create(CultureInfo.InvariantCulture, $"against '{_served.Source}', skew {clock.SkewPpm:+0.0;-0.0;0.0} ppm"));
+        _log(PlantClockMessages.Compared(clock.Name, ahead.TotalMilliseconds, bound.TotalMilliseconds, _served.Source, clock.SkewPpm));
     }
 
     static string Why(PlantClockStatus clock) =>

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
@@ -106,7 +107,7 @@ public sealed class PlantClock
     {
         _synchroniser.Add(exchange, out var fault);
         if (fault == SyncExchangeFault.None) Interlocked.Increment(ref _exchanges);
-        else Failed($"the exchange cannot be used: {fault}");
+        else Failed(PlantClockMessages.ExchangeUnusable(fault));
     }
 
     /// <param name="why">The reason; may contain text from a peer.</param>

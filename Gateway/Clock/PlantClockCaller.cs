@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
@@ -90,7 +91,7 @@ sealed class PlantClockCaller : IDisposable
         if (!_clock.TryHear(this)) return;
         if (reply.Time is not { } time)
         {
-            _clock.Failed(reply.Text ?? "the adapter has no time");
+            _clock.Failed(reply.Text ?? PlantClockMessages.NoTime);
             return;
         }
 

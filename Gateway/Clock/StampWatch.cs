@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
@@ -103,7 +104,7 @@ sealed class StampWatch(
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
         var kind = IsContradicted ? "contradiction" : Warning;
         if (kind == _logged) return;
-        log(Warning == null ? "clock: time stamps and control clock agree again" : "clock: " + Warning);
+        log(Warning == null ? StampMessages.AgreeAgain : "clock: " + Warning);
         _logged = kind;
     }
 
@@ -158,40 +159,29 @@ sealed class StampWatch(
     }
 
     StampWarning Correction() => _correction.Duration() < MinCorrection ? null : new StampWarning(
-        Text($"the system clock was corrected by {_correction.TotalSeconds:+0.0;-0.0} s since the start, and the gateway's own control clock did not ")
-            + "follow. Time stamps that a source takes from the system clock are wrong by this amount",
-        Remedy, false);
+        StampMessages.SystemClockCorrected(_correction.TotalSeconds), StampMessages.SystemRemedy, false);
 
     // Describes the first source in full and lists the names of the others.
     StampWarning Contradiction((string Source, StampCounts Counts)[] sources)
     {
         var (source, counts) = sources[0];
         var others = sources.Skip(1).Select(one => one.Source).Distinct().Take(MaxNamed).ToArray();
-        var same = others.Length == 0 ? "" : $"; the same is true of {string.Join(", ", others)}";
+        var same = StampMessages.SameFor(others);
         if (!counts.IsImplausible)
             return new StampWarning(
-                $"the stamps of the source {source} became {Length(counts.Shift.Duration())} {(counts.Shift > TimeSpan.Zero ? "older" : "newer")} by the "
-                    + $"control clock{(isSystemServed ? "" : ", but not by the system clock")}: {Cause}{same}",
+                StampMessages.Shifted(source, Length(counts.Shift.Duration()), counts.Shift > TimeSpan.Zero, isSystemServed, Cause) + same,
                 CorrectionRemedy, true);
-        var where = counts.Age < TimeSpan.Zero
-            ? Text($"in the future of the control clock, by {Length(-counts.Age)}") : Text($"before the control clock, by {Length(counts.Age)}");
         var fits = counts.FitsOther && own() != null;
-        var reason = Text($"{counts.Percent:0} % of the samples of the source {source} have stamps that lie {where}")
-            + (!fits ? "" : isSystemServed ? ": " + Cause : ", and that fit the system clock") + same;
-        return new StampWarning(reason, fits ? CorrectionRemedy : SourceRemedy, true);
+        var reason = StampMessages.Implausible(source, counts.Percent, Length(counts.Age.Duration()), counts.Age < TimeSpan.Zero)
+            + (!fits ? "" : isSystemServed ? ": " + Cause : StampMessages.FitsSystemClock) + same;
+        return new StampWarning(reason, fits ? CorrectionRemedy : StampMessages.SourceRemedy, true);
     }
 
     string Cause =>
-        own() == null ? $"they do not follow the control clock {served()}"
-        : isSystemServed ? "they did not follow a correction of the system clock" : "they followed a correction of the system clock";
+        own() == null ? StampMessages.NotFollowing(served())
+        : isSystemServed ? StampMessages.NotCorrected : StampMessages.Corrected;
 
-    string CorrectionRemedy => isSystemServed || own() == null ? SourceRemedy : Remedy;
-
-    /// <summary>The remedy for a source whose clock is not the control clock.</summary>
-    internal const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
-
-    // Names serve, because the verb simulate also runs a gateway with its own clock but has no option --own-clock.
-    const string Remedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";
+    string CorrectionRemedy => isSystemServed || own() == null ? StampMessages.SourceRemedy : StampMessages.SystemRemedy;
 
     static string Length(TimeSpan length) =>
         length < TimeSpan.FromSeconds(1) ? Text($"{length.TotalMilliseconds:0} ms")

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
@@ -15,7 +16,7 @@ public sealed class StopwatchControlClock : IControlClock
     public StopwatchControlClock(ControlTime atStart, double skew = 0)
     {
         if (!(Math.Abs(skew) < 0.1))
-            throw new ArgumentOutOfRangeException(nameof(skew), skew, "a clock's skew must be within ±0.1 (100 000 ppm)");
+            throw new ArgumentOutOfRangeException(nameof(skew), skew, PlantClockMessages.SkewOutOfRange);
         _start = atStart;
         _skew = skew;
     }

@@ -1,5 +1,6 @@
 using Microsoft.AspNetCore.Connections.Features;
 using Microsoft.AspNetCore.Http.Features;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Sync;
 
@@ -14,7 +15,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
     public async Task<bool> AdmitAsync(HttpContext context)
     {
         if (PlaceOf(context) is not { } place)
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnections));
         else if (place.Rate.TryTake())
             return true;
         else
@@ -25,8 +26,8 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
     Task RefuseRateAsync(HttpContext context, Place place)
     {
         place.Why = Closure.TooManyRequests;
-        log($"websocket: closed a connection, {place.Why}");
-        return AccessControl.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), $"no more than {options.SyncRequestsPerSecond} requests a second");
+        log(RequestMessages.ClosedForRate(place.Why));
+        return AccessControl.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), LimitMessages.Requests(options.SyncRequestsPerSecond));
     }
 
     // Not locked, because the requests of one connection are sequential.

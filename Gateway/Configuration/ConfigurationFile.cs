@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
 
@@ -24,7 +25,7 @@ static class ConfigurationFile
         {
             parser.Consume<StreamStart>();
             if (parser.TryConsume<DocumentStart>(out _) && TryReadDocument(parser, path, entries, wrong) && !parser.Accept<StreamEnd>(out _))
-                wrong.Add($"{PlaceOf(path, parser.Current)}: a second document starts here; a configuration must have one");
+                wrong.Add(ConfigurationMessages.SecondDocument(PlaceOf(path, parser.Current)));
         }
         catch (YamlException broken)
         {
@@ -33,7 +34,7 @@ static class ConfigurationFile
         // YamlDotNet's parser also throws these for some invalid texts, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
-            wrong.Add($"{PlaceOf(path, parser.Current)}: not valid YAML, in this line or a later one");
+            wrong.Add(ConfigurationMessages.NotYaml(PlaceOf(path, parser.Current)));
         }
 
         return entries;
@@ -45,7 +46,7 @@ static class ConfigurationFile
         {
             var file = new FileInfo(path);
             if (file.Exists && file.Length > MaxBytes)
-                throw new InputException($"--config {path}: {file.Length} bytes; the maximum is {MaxBytes}");
+                throw new InputException(ConfigurationMessages.TooLong(path, file.Length, MaxBytes));
             return File.ReadAllText(path);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
@@ -63,7 +64,7 @@ static class ConfigurationFile
         }
         else if (!IsBare(parser.Current) || !parser.TryConsume<MappingStart>(out _))
         {
-            wrong.Add($"{PlaceOf(path, parser.Current)}: a line \"key: value\" is needed");
+            wrong.Add(ConfigurationMessages.NoEntry(PlaceOf(path, parser.Current)));
             return false;
         }
         else
@@ -80,7 +81,7 @@ static class ConfigurationFile
         var place = PlaceOf(path, parser.Current);
         if (!TryReadWord(parser, out var key))
         {
-            wrong.Add($"{place}: a key must be a word without tags and anchors");
+            wrong.Add(ConfigurationMessages.KeyNotAWord(place));
             Skip(parser);
             Skip(parser);
             return;
@@ -88,8 +89,8 @@ static class ConfigurationFile
 
         var entry = ReadValue(parser, key, place);
         var earlier = entries.FirstOrDefault(other => other.Key == key);
-        if (earlier != null) wrong.Add($"{place}: {key}: occurs twice, first at {earlier.Place}; remove one");
-        else if (entry == null) wrong.Add($"{place}: {key}: must be a word, a number, or a list of words, without tags and anchors");
+        if (earlier != null) wrong.Add(ConfigurationMessages.KeyTwice(place, key, earlier.Place));
+        else if (entry == null) wrong.Add(ConfigurationMessages.ValueNotAWord(place, key));
         else entries.Add(entry);
     }
 

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 
@@ -50,7 +51,7 @@ sealed class ConfiguredArguments
         var option = verb.Options.FirstOrDefault(option => option.Name == name);
         if (option == null || NotInAFile.Contains(name))
         {
-            wrong.Add(entry.Wrong($"'{verb.Name}' has no such entry; {Allowed(entry.Key, verb)}"));
+            wrong.Add(entry.Wrong(ConfigurationMessages.UnknownEntry(verb.Name, Allowed(entry.Key, verb))));
             return;
         }
 
@@ -75,11 +76,11 @@ sealed class ConfiguredArguments
     static string Fault(ConfigurationEntry entry, Option option)
     {
         var takesMany = option.Arity.MaximumNumberOfValues > 1;
-        if (entry.IsList && !takesMany) return "is a list; give one value";
+        if (entry.IsList && !takesMany) return ConfigurationMessages.List;
         if (entry.Values.Count == 0 || entry.Values.Any(value => value.Length == 0)) return "has no value";
-        if (entry.Values.Any(value => value.Any(char.IsControl))) return "contains a line end or another control character";
+        if (entry.Values.Any(value => value.Any(char.IsControl))) return ConfigurationMessages.ControlCharacter;
         if (option.ValueType == typeof(bool) && entry.Values[0] is not ("true" or "false"))
-            return $"'{entry.Values[0]}' is neither true nor false";
+            return ConfigurationMessages.NotASwitch(entry.Values[0]);
         return null;
     }
 

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
@@ -41,7 +42,7 @@ static class DryRun
 
     public static void Recordings(string folder, Findings findings)
     {
-        if (File.Exists(folder)) throw new InputException($"--recordings {folder}: is a file; a folder is needed");
+        if (File.Exists(folder)) throw new InputException(DryRunMessages.RecordingsAreAFile(folder));
         RequireWritable("--recordings", folder, Directory.Exists(folder) ? folder : FolderOf("--recordings", folder));
         findings.Good("recordings", Directory.Exists(folder) ? folder : $"{folder} (would be created)");
     }
@@ -64,20 +65,20 @@ static class DryRun
         }
         catch (IOException refused)
         {
-            return PortListener.IsTaken(refused) ? $" (port {at.Port} is in use)" : throw new InputException(refused.Message, refused);
+            return PortListener.IsTaken(refused) ? DryRunMessages.PortInUse(at.Port) : throw new InputException(refused.Message, refused);
         }
     }
 
     static void RequireRoom(string option, string path)
     {
-        if (Directory.Exists(path)) throw new InputException($"{option} {path}: is a folder; a file is needed");
+        if (Directory.Exists(path)) throw new InputException(DryRunMessages.IsAFolder(option, path));
         RequireWritable(option, path, FolderOf(option, path));
     }
 
     static string FolderOf(string option, string path)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(path));
-        return Directory.Exists(folder) ? folder : throw new InputException($"{option} {path}: folder {folder} does not exist");
+        return Directory.Exists(folder) ? folder : throw new InputException(DryRunMessages.NoFolder(option, path, folder));
     }
 
     static void RequireWritable(string option, string path, string folder)
@@ -90,7 +91,7 @@ static class DryRun
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{option} {path}: this user cannot write into the folder {folder}", e);
+            throw new InputException(DryRunMessages.NotWritable(option, path, folder), e);
         }
     }
 }

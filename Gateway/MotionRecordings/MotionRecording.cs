@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.MotionRecordings;
 
 /// <summary>Joint positions over time from a user's file, with linear interpolation between rows.</summary>
@@ -48,9 +50,9 @@ public sealed class MotionRecording
     /// <param name="positions">Receives one element per joint, in the order of <see cref="Names"/>.</param>
     public void At(double secondsSinceStart, Span<double> positions)
     {
-        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException("a time must be a number", nameof(secondsSinceStart));
+        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException(MotionFileMessages.TimeNotANumber, nameof(secondsSinceStart));
         if (positions.Length != _names.Length)
-            throw new ArgumentException($"the array has {positions.Length} elements; the recording has {_names.Length} joints", nameof(positions));
+            throw new ArgumentException(MotionFileMessages.ArrayLength(positions.Length, _names.Length), nameof(positions));
 
         var after = FirstRowAfter(secondsSinceStart);
         if (after == 0 || after == _times.Length)

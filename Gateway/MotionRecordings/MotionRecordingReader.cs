@@ -2,6 +2,7 @@ using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
 using Nowpose.Frames;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
@@ -30,8 +31,7 @@ sealed class MotionRecordingReader : IDisposable
         {
             TrimOptions = TrimOptions.Trim,
             IgnoreBlankLines = true,
-            BadDataFound = bad => throw new InputException(
-                $"{path}:{_row}: a quotation mark is inside a field; quote whole fields or none")
+            BadDataFound = bad => throw new InputException(MotionFileMessages.Quotation(path, _row))
         };
         _csv = new CsvParser(text, configuration);
     }
@@ -47,7 +47,7 @@ sealed class MotionRecordingReader : IDisposable
         {
             throw RecordingText.Unreadable(_path, e);
         }
-        if (_times.Count < 2) throw new InputException($"{_path}: {_times.Count} rows of data; a motion needs at least 2");
+        if (_times.Count < 2) throw new InputException(MotionFileMessages.TooFewRows(_path, _times.Count));
         return new MotionRecording(_header[1..], _start, [.. _times], [.. _positions]) { IsBody = _isBody };
     }
 
@@ -55,24 +55,23 @@ sealed class MotionRecordingReader : IDisposable
 
     void ReadHeader()
     {
-        if (!NextRow()) throw new InputException($"{_path}: is empty; a header such as t,joint_1,joint_2 is needed");
+        if (!NextRow()) throw new InputException(MotionFileMessages.Empty(_path));
         _header = (string[])_csv.Record.Clone();
         _isBody = BodyColumns.Are(_header);
         if (!_isBody && BodyColumns.Resemble(_header))
-            throw Wrong($"the header is {Shown(string.Join(',', _header))}; the header of a rigid body is exactly {BodyColumns.Header}");
+            throw Wrong(MotionFileMessages.BodyHeader(Shown(string.Join(',', _header)), BodyColumns.Header));
         if (_header[0] is not ("t" or "t_s"))
-            throw Wrong($"first column is {Shown(_header[0])}; a header is needed that begins with the time in seconds, "
-                + "t or t_s, columns separated by commas");
-        if (_header.Length < 2) throw Wrong($"no joint column after {_header[0]}; at least one is needed");
+            throw Wrong(MotionFileMessages.FirstColumn(Shown(_header[0])));
+        if (_header.Length < 2) throw Wrong(MotionFileMessages.NoJoint(_header[0]));
         for (var i = 1; i < _header.Length; i++) CheckName(i);
     }
 
     void CheckName(int column)
     {
         var name = _header[column];
-        if (name.Length == 0) throw Wrong($"column {column + 1} has no name; each joint needs one");
+        if (name.Length == 0) throw Wrong(MotionFileMessages.NoName(column + 1));
         if (Array.IndexOf(_header, name) < column)
-            throw Wrong($"column {column + 1}: name {Shown(name)} occurs twice; each joint needs its own name");
+            throw Wrong(MotionFileMessages.NameTwice(column + 1, Shown(name)));
     }
 
     bool NextRow()
@@ -90,14 +89,14 @@ sealed class MotionRecordingReader : IDisposable
     void ReadRow()
     {
         if (_csv.Count != _header.Length)
-            throw Wrong($"{_csv.Count} fields; the header has {_header.Length}");
+            throw Wrong(MotionFileMessages.FieldCount(_csv.Count, _header.Length));
         var time = Number(0);
         var exact = Exact(time);
         if (_times.Count == 0) (_start, _exactStart) = (time, exact);
         // Subtracts before rounding, because a double that holds seconds since 1970 has a resolution of only 0.24 µs.
         var elapsed = (double?)(exact - _exactStart) ?? time - _start;
         if (_times.Count > 0 && !(elapsed > _times[^1]))
-            throw Wrong($"field {_header[0]}: {Shown(_csv[0])} s is not later than the previous row; times must increase");
+            throw Wrong(MotionFileMessages.TimeOrder(_header[0], Shown(_csv[0])));
         _times.Add(elapsed);
         for (var i = 1; i < _header.Length; i++) _positions.Add(Number(i));
         if (_isBody) RequireUnit(System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_positions)[^4..]);
@@ -107,8 +106,7 @@ sealed class MotionRecordingReader : IDisposable
     {
         if (UnitQuaternion.TryNormalise(quaternion[0], quaternion[1], quaternion[2], quaternion[3], out _)) return;
         var length = UnitQuaternion.LengthOf(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
-        throw Wrong($"fields {BodyColumns.Quaternion}: the quaternion has length " + FormattableString.Invariant(
-            $"{length:G6}; allowed: {1 - UnitQuaternion.LengthTolerance:G6} to {1 + UnitQuaternion.LengthTolerance:G6}"));
+        throw Wrong(MotionFileMessages.NormRange(BodyColumns.Quaternion, length, 1 - UnitQuaternion.LengthTolerance, 1 + UnitQuaternion.LengthTolerance));
     }
 
     /// <summary>Gets the exact time of the row; null if the type decimal cannot hold it.</summary>
@@ -122,12 +120,12 @@ sealed class MotionRecordingReader : IDisposable
     double Number(int column)
     {
         var text = _csv[column];
-        if (text.Length == 0) throw Wrong($"field {Shown(_header[column])} is empty; a number is needed");
+        if (text.Length == 0) throw Wrong(MotionFileMessages.EmptyField(Shown(_header[column])));
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
-            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a number; the decimal separator is a point");
-        if (!double.IsFinite(value)) throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is not a finite number");
+            throw Wrong(MotionFileMessages.NotANumber(Shown(_header[column]), Shown(text)));
+        if (!double.IsFinite(value)) throw Wrong(MotionFileMessages.NotFinite(Shown(_header[column]), Shown(text)));
         if (Math.Abs(value) > MaxMagnitude)
-            throw Wrong($"field {Shown(_header[column])}: {Shown(text)} is too large; up to {MaxMagnitude:0e+0} are allowed");
+            throw Wrong(MotionFileMessages.TooLarge(Shown(_header[column]), Shown(text), MaxMagnitude));
         return value;
     }
 

@@ -1,4 +1,5 @@
 using System.IO.Compression;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.MotionRecordings;
 
@@ -10,9 +11,9 @@ public static class RecordingText
     public static TextReader Open(string path)
     {
         if (string.IsNullOrWhiteSpace(path))
-            throw new InputException("no file is named; a path of a .csv or .csv.gz file is needed");
+            throw new InputException(MotionFileMessages.NoFile);
         if (Directory.Exists(path))
-            throw new InputException($"{path}: is a folder; the path of a .csv or .csv.gz file is needed");
+            throw new InputException(MotionFileMessages.IsAFolder(path));
         try
         {
             Stream bytes = File.OpenRead(path);
@@ -32,6 +33,6 @@ public static class RecordingText
 
     /// <summary>Creates the exception for a failure while a file is being read.</summary>
     public static InputException Unreadable(string path, Exception e) => e is InvalidDataException
-        ? new InputException($"{path}: is not a complete gzip file, although its name ends in .gz", e)
+        ? new InputException(MotionFileMessages.NotGzip(path), e)
         : new InputException($"{path}: cannot be read: {e.Message.ReplaceLineEndings(" ")}", e);
 }

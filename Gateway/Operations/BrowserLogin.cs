@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 
@@ -16,7 +17,7 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
     {
         if (await RefuseBlockedAsync(context)) return;
         if (!options.AsksForTokens)
-            await RefuseAsync(context, StatusCodes.Status400BadRequest, "this gateway requires no token");
+            await RefuseAsync(context, StatusCodes.Status400BadRequest, OperationsMessages.NoTokenNeeded);
         // Checks again after the body is received, because other requests may have blocked the address in the meantime.
         else if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context))
             return;
@@ -26,8 +27,8 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
         {
             _wrong.Count(context.Connection.RemoteIpAddress);
             counters.Count(Closure.Token);
-            log("operations: refused an unknown token");
-            await RefuseAsync(context, StatusCodes.Status401Unauthorized, "not a token of this gateway");
+            log(OperationsMessages.UnknownTokenLog);
+            await RefuseAsync(context, StatusCodes.Status401Unauthorized, OperationsMessages.UnknownToken);
         }
     }
 
@@ -40,13 +41,13 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        AccessControl.RefuseBlockedAsync(context, _wrong, "too many wrong tokens; wait a minute");
+        AccessControl.RefuseBlockedAsync(context, _wrong, OperationsMessages.TooManyWrong);
 
     Task OpenSessionAsync(HttpContext context, string token, Role role)
     {
         CloseSession(context);
         context.Response.Cookies.Append(BrowserSessions.CookieOf(context), accessControl.Sessions.Open(TokenList.HashOf(token)), CookieSettings());
-        log($"operations: a browser logged in as {role}");
+        log(OperationsMessages.LoggedIn(role));
         return SmallJson.AnswerAsync(context, new { role = role.ToString().ToLowerInvariant() });
     }
 

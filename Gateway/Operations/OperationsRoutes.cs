@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Operations;
@@ -38,7 +39,7 @@ sealed class OperationsRoutes(GatewayOptions options, AccessControl accessContro
         if (accessControl.IsNoRebinding(context)) return true;
         await AccessControl.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            "without tokens, the operations page is available under the gateway's address, its machine's name and localhost only");
+            OperationsMessages.ThisMachineOnly);
         return false;
     }
 }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
@@ -17,7 +18,7 @@ public static class ChoiceOption
         {
             var value = result.GetValueOrDefault<string>();
             if (value != null && !allowed.Contains(value))
-                result.AddError($"{name}: '{value}' is not known; allowed: {list}.");
+                result.AddError(OptionMessages.UnknownChoice(name, value, list));
         });
         return option;
     }

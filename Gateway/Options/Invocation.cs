@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Help;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
@@ -64,7 +65,7 @@ public static class Invocation
         if (parsed.UnmatchedTokens.Count == 0) return parsed.Errors[0].Message;
         var unknown = parsed.UnmatchedTokens[0];
         var isVerb = parsed.RootCommandResult.Command.Subcommands.Any(verb => verb.Name == unknown);
-        return isVerb ? $"'{unknown}' must be the first argument, because it is a command." : $"'{unknown}' is not known.";
+        return isVerb ? OptionMessages.CommandFirst(unknown) : $"'{unknown}' is not known.";
     }
 
     static int Fail(string program, int status, string message)

@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Numerics;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
@@ -38,13 +39,13 @@ public static class NumberOption
         var allowed = Invariant($"allowed: {min} to {max}{Suffix(unit)}.");
         // Parses as a double first, so that a number too large for the type counts as out of range instead of invalid.
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number))
-            result.AddError($"{name}: '{text}' is not a number; {allowed}");
+            result.AddError(OptionMessages.NotANumber(name, text, allowed));
         else if (!(number >= double.CreateChecked(min) && number <= double.CreateChecked(max)))
-            result.AddError($"{name}: {text}{Suffix(unit)} is out of range; {allowed}");
+            result.AddError(OptionMessages.OutOfRange(name, text, Suffix(unit), allowed));
         else if (T.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value))
             return value;
         else
-            result.AddError($"{name}: '{text}' is not a whole number; {allowed}");
+            result.AddError(OptionMessages.NotWhole(name, text, allowed));
         return min;
     }
 

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
@@ -24,7 +25,7 @@ public static class RangeOption
         var ends = text.Split('-');
         if (ends.Length <= 2 && IsNumber(ends[0], out var min) && IsNumber(ends[^1], out var max) && min <= max && max <= limit)
             return new MillisecondRange(min, max);
-        result.AddError(FormattableString.Invariant($"{name}: '{text}' is not a range; allowed: MIN-MAX with 0 <= MIN <= MAX <= {limit} ms."));
+        result.AddError(OptionMessages.NotARange(name, text, limit));
         return default;
     }
 

@@ -1,11 +1,12 @@
 using System.Text;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Pairing;
 
 /// <summary>Reads and writes the file of paired headsets: text with one line per headset. It is created readable by its owner only.</summary>
 static class HeadsetFile
 {
-    const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end immediately.\n";
+    const string Head = HeadsetListMessages.Head;
 
     const int Attempts = 20;
 
@@ -60,7 +61,7 @@ static class HeadsetFile
             var line = lines[i].Trim();
             if (line.Length == 0 || line[0] == '#') continue;
             if (PairedHeadset.Read(line) is { } headset) headsets.Add(headset);
-            else fault ??= $"{path}, line {i + 1}: not an entry of a paired headset; correct or remove the line";
+            else fault ??= HeadsetListMessages.NotAnEntry(path, i + 1);
         }
 
         return headsets;
@@ -107,7 +108,7 @@ static class HeadsetFile
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{path}: the list of paired headsets cannot be used ({e.Message})", e);
+            throw new InputException(HeadsetListMessages.Unusable(path, e.Message), e);
         }
     }
 }

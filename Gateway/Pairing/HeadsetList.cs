@@ -1,5 +1,6 @@
 using System.Buffers.Text;
 using System.Security.Cryptography;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Pairing;
@@ -58,7 +59,7 @@ public sealed class HeadsetList
         lock (_gate)
         {
             if (_headsets.Current.Count >= MaxCount)
-                throw new InputException($"{_path}: already contains {MaxCount} headsets; revoke some");
+                throw new InputException(HeadsetListMessages.Full(_path, MaxCount));
             headset = new PairedHeadset(PairedHeadset.NameOf(name), _time.GetUtcNow().UtcDateTime, TokenList.HashOf(token));
             HeadsetFile.Add(_path, headset);
         }

@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
@@ -62,7 +63,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         {
             var offset = Field("offset");
             if (!MarkerOffset.TryReadNumber(Field("size_mm"), out var sizeMm) || sizeMm <= 0)
-                throw new InputException($"marker size: '{Field("size_mm")}' is not a size; allowed: 10 to 999 mm");
+                throw new InputException(PairingServiceMessages.MarkerSize(Field("size_mm")));
             var code = new CellCode(
                 Field("name"), Field("host"), Pin, offset.Length == 0 ? null : MarkerOffset.Parse(offset, "marker offset"), sizeMm / 1000,
                 SyncPort, WebSocketPort);
@@ -87,7 +88,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         if (accessControl.IsOperator(context)) return true;
         await AccessControl.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            "the pairing page is available to browsers on the gateway's machine, under its address, its name or localhost, and to operators who have logged in");
+            PairingServiceMessages.ThisMachineOnly);
         return false;
     }
 

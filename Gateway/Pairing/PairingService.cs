@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 
@@ -17,13 +18,13 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
         // Checks again after the body is received, because other requests may have blocked the address in the meantime.
         if (await SmallJson.ReadAsync(context) is not { } request || await RefuseBlockedAsync(context)) return;
         if (!request.TryGetValue("token", out var token) || !request.TryGetValue("name", out var name))
-            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "token and name are needed");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, PairingServiceMessages.Fields);
         else
             await ExchangeAsync(context, token, name);
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        AccessControl.RefuseBlockedAsync(context, _wrong, $"more than {PairingLimits.WrongCodesPerMinute} wrong codes in a minute");
+        AccessControl.RefuseBlockedAsync(context, _wrong, PairingServiceMessages.TooManyWrong(PairingLimits.WrongCodesPerMinute));
 
     Task ExchangeAsync(HttpContext context, string token, string name)
     {
@@ -37,18 +38,18 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
         {
             // The code stays valid, so that the headset can try again.
             log("pairing: " + fault.Message);
-            return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, "the headset's token cannot be stored");
+            return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, PairingServiceMessages.NotStored);
         }
 
         if (own != null)
         {
-            log($"pairing: headset '{headset.Name}' received a token");
+            log(PairingServiceMessages.TokenGiven(headset.Name));
             return SmallJson.AnswerAsync(context, new { token = own });
         }
 
         _wrong.Count(context.Connection.RemoteIpAddress);
         counters.Count(Closure.Token);
-        log("pairing: refused a wrong code");
-        return AccessControl.AnswerAsync(context, StatusCodes.Status401Unauthorized, "this is not the current code");
+        log(PairingServiceMessages.WrongCodeLog);
+        return AccessControl.AnswerAsync(context, StatusCodes.Status401Unauthorized, PairingServiceMessages.WrongCode);
     }
 }

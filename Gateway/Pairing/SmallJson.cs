@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 
@@ -18,12 +19,12 @@ static class SmallJson
         var length = context.Request.ContentLength;
         if (length > PairingLimits.BodyBytes)
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status413PayloadTooLarge, $"no more than {PairingLimits.BodyBytes} bytes");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status413PayloadTooLarge, LimitMessages.BodyBytes(PairingLimits.BodyBytes));
             return null;
         }
 
         if (length is > 0 && await BodyAsync(context, (int)length) is { } texts) return texts;
-        await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "the request must be a JSON object of strings with a Content-Length");
+        await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, PairingServiceMessages.NotJson);
         return null;
     }
 

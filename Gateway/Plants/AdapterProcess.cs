@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -61,7 +62,7 @@ sealed class AdapterProcess : IAsyncDisposable
             _process = null;
             if (_stop.IsCancellationRequested) return;
             if (Stopwatch.GetElapsedTime(started) > MinRunTime) pause = FirstPause;
-            _log($"{_plant.Path}: its adapter ended ({end}) and starts again in {pause.TotalSeconds:0.#} s");
+            _log(AdapterMessages.Ended(_plant.Path, end, pause.TotalSeconds));
             await Task.Delay(pause, _stop.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
             pause = pause * 2 < MaxPause ? pause * 2 : MaxPause;
         }

@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Plants;
@@ -25,8 +26,7 @@ sealed class AdapterProcesses : IAsyncDisposable
         IReadOnlyCollection<string> files, GatewayOptions options, CancellationToken stop)
     {
         if (files.Count > 0 && options.Certificate == null && !options.IsLoopback && !IsAny(options.Bind))
-            throw new InputException(
-                $"--plant with --bind {options.Bind} and no --tls: adapters connect only over TLS or loopback; add --tls, or bind to any");
+            throw new InputException(AdapterMessages.NoTls(options.Bind));
         var good = new List<PlantFile>();
         var bad = new List<string>();
         foreach (var file in files)
@@ -41,7 +41,7 @@ sealed class AdapterProcesses : IAsyncDisposable
             {
                 var plant = await AdapterProgram.CheckAsync(file, stop);
                 if (good.Find(other => other.Name == plant.Name) is { } other)
-                    bad.Add($"{file}: its plant has the same name '{plant.Name}' as the one in {other.Path}; set another plant.name in one of the two files");
+                    bad.Add(AdapterMessages.SameName(file, plant.Name, other.Path));
                 good.Add(plant);
             }
             catch (WrongEntriesException wrong)

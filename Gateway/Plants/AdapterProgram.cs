@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Web;
 
@@ -37,7 +38,7 @@ static class AdapterProgram
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
         {
-            throw new InputException($"{file}: its check did not end within {CheckTimeout.TotalSeconds} s; try again when the machine is less busy");
+            throw new InputException(AdapterMessages.CheckTooSlow(file, CheckTimeout.TotalSeconds));
         }
         finally
         {
@@ -50,7 +51,7 @@ static class AdapterProgram
     /// <exception cref="InputException">Node.js is missing, or was missing when the gateway was built.</exception>
     public static Process Start(string file, IEnumerable<string> options, AdapterAccess access)
     {
-        return NodeProgram.Start("--plant: Node.js 20 or newer is needed to read a control system", Script, [file, .. options], process =>
+        return NodeProgram.Start(AdapterMessages.NodeNeeded, Script, [file, .. options], process =>
         {
             // With this variable, the program ends when its standard input is closed, which also happens when this process is killed.
             process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
@@ -76,7 +77,7 @@ static class AdapterProgram
                 // The exception below reports it.
             }
 
-            throw new InputException($"{file}: the result of its check cannot be read; build the gateway and the adapters from the same version");
+            throw new InputException(AdapterMessages.CheckUnreadable(file));
         }
     }
 }

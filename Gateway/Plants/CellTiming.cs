@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Plants;
 
 /// <summary>The sampling times of a simulated cell, and the delay until a sample is sent.</summary>
@@ -12,9 +14,9 @@ public sealed record CellTiming
     public CellTiming(TimeSpan samplingInterval, TimeSpan acquisitionMin, TimeSpan acquisitionMax)
     {
         if (samplingInterval < Cycle)
-            throw new ArgumentOutOfRangeException(nameof(samplingInterval), samplingInterval, "must be at least one control cycle of 1 ms");
+            throw new ArgumentOutOfRangeException(nameof(samplingInterval), samplingInterval, PlantMessages.SamplingTime);
         if (acquisitionMin < TimeSpan.Zero || acquisitionMax < acquisitionMin)
-            throw new ArgumentOutOfRangeException(nameof(acquisitionMin), acquisitionMin, $"must be from 0 to the maximum, {acquisitionMax}");
+            throw new ArgumentOutOfRangeException(nameof(acquisitionMin), acquisitionMin, PlantMessages.AcquisitionTime(acquisitionMax));
         SamplingInterval = samplingInterval;
         AcquisitionMin = acquisitionMin;
         AcquisitionMax = acquisitionMax;

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;
 using Nowpose.Motion;
@@ -58,8 +59,7 @@ public sealed class RecordedMotion : IMotion
         var joints = robot.MovingJoints.Where(joint => joint.Mimic == null).Select(joint => joint.MovingIndex).ToArray();
         if (recording.Names.Count > joints.Length)
             throw new InputException(
-                $"the recording has {recording.Names.Count} columns ({string.Join(", ", recording.Names)}), "
-                + $"robot {robot.Name} has {joints.Length} joints that move independently; choose a robot with this number of columns");
+                PlantMessages.ColumnCount(recording.Names.Count, string.Join(", ", recording.Names), robot.Name, joints.Length));
         return joints[..recording.Names.Count];
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Gateway.Plants;
@@ -32,7 +33,7 @@ public static class RobotFiles
     {
         if (IsIncluded(nameOrPath))
             return File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Robots", nameOrPath + ".urdf"));
-        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException("no robot is named; " + Allowed);
+        if (string.IsNullOrWhiteSpace(nameOrPath)) throw new InputException(PlantMessages.NoRobot(Allowed));
         if (Directory.Exists(nameOrPath)) throw new InputException($"{nameOrPath}: is a folder; {Allowed}");
         try
         {
@@ -48,5 +49,5 @@ public static class RobotFiles
         }
     }
 
-    static string Allowed => Names + " or the path of a .urdf file is needed";
+    static string Allowed => PlantMessages.Robots(Names);
 }

@@ -1,5 +1,6 @@
 using Nowpose.Frames;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -27,12 +28,12 @@ static class StationaryFrames
     {
         var leftOut = new List<LeftOut>();
         if (source.Publish(message, isStationary: true, leftOut) is { } refusal) throw new InputException($"{path}: {refusal.What}");
-        if (leftOut.Count > 0) throw new InputException($"{path}: {leftOut[0].What} {DropText.Of(leftOut[0].Reason)}");
+        if (leftOut.Count > 0) throw new InputException($"{path}: {leftOut[0].What} {DropMessages.Of(leftOut[0].Reason)}");
     }
 
     static void Require(string path, in FrameTransform frame, DropReason reason)
     {
         if (reason != DropReason.None)
-            throw new InputException($"{path}: frame {frame.Child} with parent {frame.Parent} {DropText.Of(reason)}");
+            throw new InputException($"{path}: frame {frame.Child} with parent {frame.Parent} {DropMessages.Of(reason)}");
     }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;
@@ -89,7 +90,7 @@ sealed class RecordedFile
     public void SetDeleted(bool isRecording)
     {
         IsDeleted = true;
-        if (isRecording) _deletion = "the file was deleted during the recording, and its lines are lost";
+        if (isRecording) _deletion = RecorderMessages.Deleted;
     }
 
     /// <summary>Whether the file has been created on the disk.</summary>

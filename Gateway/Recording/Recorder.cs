@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 using Nowpose.Recording;
@@ -104,7 +105,7 @@ public sealed class Recorder : IAsyncDisposable
     /// <exception cref="InputException">No folder is configured.</exception>
     public void SwitchOn()
     {
-        if (!CanRecord) throw new InputException("recording: no folder is configured; start the gateway with --recordings FOLDER");
+        if (!CanRecord) throw new InputException(RecorderMessages.NoFolder);
         var next = Prepare();
         lock (_gate)
         {
@@ -163,7 +164,7 @@ public sealed class Recorder : IAsyncDisposable
         await _timer.DisposeAsync();
         var ended = SwitchOffAsync();
         if (await Task.WhenAny(ended, Task.Delay(TimeToEnd)) != ended)
-            _log($"recording {_file.Path}: the disk did not store the data within {TimeToEnd.TotalSeconds:0} s; the remaining lines are lost");
+            _log(RecorderMessages.DiskTooSlow(_file.Path, TimeToEnd.TotalSeconds));
     }
 
     void Take(HubMessage message)

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
@@ -29,7 +30,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
         if (!await accessControl.AdmitOperatorAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (request.GetValueOrDefault("on") is not ("true" or "false"))
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "on: must be \"true\" or \"false\"");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, RecorderMessages.OnField);
             return;
         }
 
@@ -56,7 +57,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
         if (!await AdmitReaderAsync(context)) return;
         if (folder.Find(name) is not { } file)
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status404NotFound, "no recording in the folder has this name; /operations/recordings lists the names");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status404NotFound, RecorderMessages.UnknownName);
             return;
         }
 
@@ -74,7 +75,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
     async Task<bool> AdmitReaderAsync(HttpContext context)
     {
         if (accessControl.IsNoRebinding(context)) return await accessControl.AdmitOperatorAsync(context);
-        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
+        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, OperationsMessages.UseOwnAddress);
         return false;
     }
 }

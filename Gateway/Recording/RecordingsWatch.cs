@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Recording;
@@ -17,7 +18,7 @@ sealed class RecordingsWatch : IDisposable
     public RecordingsWatch(Recorder recorder, RecordingsFolder folder, EventList events, Action<string> log)
     {
         (_recorder, _folder, _events) = (recorder, folder, events);
-        _look = new GuardedTask(LookNow, "recordings: the folder could not be checked", log);
+        _look = new GuardedTask(LookNow, RecorderMessages.FolderNotChecked, log);
         _listed = [.. folder.List().Select(file => file.Name)];
         _timer = new Timer(_ => LookUnlessBusy());
         if (recorder.CanRecord) _timer.Change(Interval, Interval);

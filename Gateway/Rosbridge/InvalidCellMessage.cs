@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using static Nowpose.Gateway.Rosbridge.ReceivedValue;
@@ -43,9 +44,9 @@ static class InvalidCellMessage
             var child = one["child_frame_id"] is { Type: JTokenType.String } name ? (string)name : "";
             var trouble = reason switch
             {
-                DropReason.OwnParent => child == one.SelectToken("header.frame_id")?.ToString() ? "is its own parent" : null,
+                DropReason.OwnParent => child == one.SelectToken("header.frame_id")?.ToString() ? CellMessageFaults.OwnParent : null,
                 DropReason.DuplicateName => children.Add(child) ? null : "occurs twice as child_frame_id",
-                DropReason.StampZero => IsZero(one.SelectToken("header.stamp")) ? "has a zero stamp" : null,
+                DropReason.StampZero => IsZero(one.SelectToken("header.stamp")) ? CellMessageFaults.StampZero : null,
                 DropReason.NotFinite => NotFinite(one["transform"] as JObject),
                 _ => Norm(one.SelectToken("transform.rotation") as JObject),
             };
@@ -62,9 +63,9 @@ static class InvalidCellMessage
         for (var i = 0; i < names.Count; i++)
         {
             var name = names[i].ToString();
-            if (reason == DropReason.DuplicateName && !known.Add(name)) return $"signal {Name(name)} is named twice";
+            if (reason == DropReason.DuplicateName && !known.Add(name)) return CellMessageFaults.SignalTwice(Name(name));
             if (reason == DropReason.NotFinite && message["value"] is JArray values && i < values.Count && !IsFinite(values[i]))
-                return $"value of signal {Name(name)} is {Text(values[i])}";
+                return CellMessageFaults.SignalValue(Name(name), Text(values[i]));
         }
 
         return null;
@@ -83,8 +84,7 @@ static class InvalidCellMessage
         var components = Array.ConvertAll(Components, field => rotation?[field] is { } value && IsFinite(value) ? (double)value : 0);
         var norm = Math.Sqrt(components.Sum(component => component * component));
         var (x, y, z, w) = (components[0], components[1], components[2], components[3]);
-        return FrameTransform.TryNormalise(ref x, ref y, ref z, ref w) ? null : string.Create(
-            CultureInfo.InvariantCulture, $"has a rotation with the norm {norm:0.#######}; it must be 1 within {FrameTransform.NormTolerance}");
+        return FrameTransform.TryNormalise(ref x, ref y, ref z, ref w) ? null : CellMessageFaults.Norm(norm, FrameTransform.NormTolerance);
     }
 
     static bool IsZero(JToken stamp) => stamp is JObject time && time.PropertyValues().All(part => part.Type == JTokenType.Integer && part.ToString() == "0");

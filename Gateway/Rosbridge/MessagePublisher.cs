@@ -1,5 +1,6 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -91,7 +92,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
             if (stamp > newest) newest = stamp;
             if (reason != DropReason.None)
             {
-                rule = $"frame {RequestText.Short(transforms[i].Child)}: {DropText.Of(reason)}";
+                rule = $"frame {RequestText.Short(transforms[i].Child)}: {DropMessages.Of(reason)}";
                 return reason;
             }
 

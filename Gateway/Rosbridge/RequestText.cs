@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
@@ -16,7 +17,7 @@ static class RequestText
         string.Concat(new[] { message?.OpName, message?.Topic ?? message?.Service }.Where(part => !string.IsNullOrEmpty(part)).Select(part => $"{Short(part)} "));
 
     public static string TypeRule(RosbridgeMessage message) =>
-        $"{message.Topic} has the type {Publications.TypeOf(message.RobotTopic)}, not {Short(message.Type)}";
+        RequestMessages.OtherType(message.Topic, Publications.TypeOf(message.RobotTopic), Short(message.Type));
 
     /// <summary>Shortens a client's text to the maximum length of a name, for replies.</summary>
     public static string Short(string text) =>

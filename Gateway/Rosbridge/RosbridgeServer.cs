@@ -3,6 +3,7 @@ using Microsoft.AspNetCore.Http.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core.Features;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Sync;
 using Nowpose.Protocol;
@@ -41,9 +42,9 @@ sealed class RosbridgeServer(
             return;
         if (!context.WebSockets.IsWebSocketRequest)
             await AccessControl.AnswerAsync(
-                context, StatusCodes.Status426UpgradeRequired, "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client");
+                context, StatusCodes.Status426UpgradeRequired, RequestMessages.NotAWebSocket);
         else if (!counters.TryEnter(options.MaxConnections))
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, $"no more than {options.MaxConnections} connections");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnections));
         else
             await ServeAsync(context, role);
     }
@@ -59,7 +60,7 @@ sealed class RosbridgeServer(
         {
             counters.Leave(why);
             if (why is not (Closure.ByPeer or Closure.Stopped))
-                log($"websocket: closed a connection, {why}");
+                log(RequestMessages.Closed(why));
         }
     }
 
@@ -82,8 +83,7 @@ sealed class RosbridgeServer(
         var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, allowed, TimeProvider.System);
         using var reader = new ReaderProgress(
             upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System,
-            () => log($"websocket: {AddressOf(context.Connection)} does not answer pings, "
-                + $"so it receives at most {SendWindow.AssumedBytesPerSecond / 1000:0} kB/s"));
+            () => log(RequestMessages.NoPong(AddressOf(context.Connection), SendWindow.AssumedBytesPerSecond / 1000)));
         upgrade.Fragments.Pong = payload => reader.OnPong(payload.Span);
         upgrade.Received = reader.OnReceived;
         SendBuffer.Limit(context);

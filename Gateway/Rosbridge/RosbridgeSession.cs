@@ -1,6 +1,7 @@
 using System.Text;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
@@ -85,7 +86,7 @@ sealed class RosbridgeSession : IDisposable
     {
         if (message.Topic?.StartsWith('/') == false && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Advertise or RosbridgeOp.Publish)
         {
-            Drop(message, DropReason.UnknownTopic, rule: $"a topic name begins with a slash: /{Short(message.Topic)}");
+            Drop(message, DropReason.UnknownTopic, rule: RequestMessages.NoSlash(Short(message.Topic)));
             return;
         }
 
@@ -124,7 +125,7 @@ sealed class RosbridgeSession : IDisposable
             return;
         Warn(message);
         if (!Publications.IsKnown(message.RobotTopic))
-            Warn(message, $"receives no messages, because the gateway never publishes this topic. Its topics: {Topics}");
+            Warn(message, RequestMessages.NotPublished(Topics));
         Remember(message.Type);
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
     }
@@ -208,7 +209,7 @@ sealed class RosbridgeSession : IDisposable
                 break;
             default:
                 _drops.Count(DropReason.UnknownService);
-                Reply(RosbridgeWriter.FailedResponse(message.Service, message.Id, DropText.Of(DropReason.UnknownService)));
+                Reply(RosbridgeWriter.FailedResponse(message.Service, message.Id, DropMessages.Of(DropReason.UnknownService)));
                 break;
         }
     }
@@ -254,7 +255,7 @@ sealed class RosbridgeSession : IDisposable
     void Drop(RosbridgeMessage message, Refusal refusal)
     {
         var owner = refusal.Owner == null ? "" : $", {Short(refusal.Owner.Title)}";
-        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropText.Of(refusal.Reason)}{owner}");
+        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {DropMessages.Of(refusal.Reason)}{owner}");
     }
 
     // Counts each transform or signal that was left out. The client gets one status message per reason.
@@ -265,7 +266,7 @@ sealed class RosbridgeSession : IDisposable
             var count = same.Count();
             _drops.Count(same.Key, count - 1);
             var others = count > 1 ? $"; {count - 1} more likewise" : "";
-            Drop(message, same.Key, rule: $"{same.First().What} {DropText.Of(same.Key)}{others}");
+            Drop(message, same.Key, rule: $"{same.First().What} {DropMessages.Of(same.Key)}{others}");
         }
 
         _publisher.LeftOut.Clear();
@@ -276,9 +277,9 @@ sealed class RosbridgeSession : IDisposable
         _drops.Count(reason);
         if (message is { Op: RosbridgeOp.Publish, Topic: RosTopics.Tf or RosTopics.TfStatic or RosTopics.Signals, Transforms: null, Signals: null })
             rule ??= InvalidCellMessage.Read(_text.Span, reason);
-        rule ??= what == null ? DropText.Of(reason) : $"{what} {DropText.Of(reason)}";
+        rule ??= what == null ? DropMessages.Of(reason) : $"{what} {DropMessages.Of(reason)}";
         var text = reason == DropReason.UnknownOp
-            ? $"Unknown operation: {Short(message.OpName)}. Allowed operations: {KnownOperations}"
+            ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}dropped: {rule} ({reason})";
         // Excludes joints of other sources, which the hub reports itself.
         if (message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true, Kind: RosTopics.JointStates } topic } && reason != DropReason.JointTaken)
@@ -291,7 +292,7 @@ sealed class RosbridgeSession : IDisposable
     void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
     {
         var (names, trouble) = valid == null ? InvalidJointState.Read(_text.Span) : (valid.Names, null);
-        _source.ReportDropped(robot, names, $"the gateway drops the samples of {_source.Title}: {trouble ?? rule} ({reason})");
+        _source.ReportDropped(robot, names, RequestMessages.Dropped(_source.Title, trouble ?? rule, reason));
     }
 
     void Reply(string text) => _reply(Encoding.UTF8.GetBytes(text));

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Rosbridge;
 
@@ -24,9 +25,9 @@ static class Unsupported
     static string In(JsonElement root)
     {
         if (root.TryGetProperty("compression", out var compression) && !IsNone(compression))
-            return $"compression {Short(compression)} is not supported; use none. Messages are sent as JSON text";
+            return RequestMessages.Compression(Short(compression));
         return root.TryGetProperty("fragment_size", out var size) && size.ValueKind != JsonValueKind.Null
-            ? $"fragment_size {Short(size)} is not supported; remove it. Messages are not fragmented" : null;
+            ? RequestMessages.FragmentSize(Short(size)) : null;
     }
 
     static bool IsNone(JsonElement compression) => compression.ValueKind == JsonValueKind.Null

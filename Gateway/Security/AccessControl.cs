@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Operations;
 
 namespace Nowpose.Gateway.Security;
@@ -27,8 +28,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     public async Task<bool> AdmitOriginAsync(HttpContext context)
     {
         if (Rule.IsOriginAllowed(context)) return true;
-        await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin,
-            $"the Origin is not that of the gateway; allowed: {Rule.AllowedOrigins(context)}");
+        await RefuseAsync(context, StatusCodes.Status403Forbidden, Closure.Origin, AccessMessages.OtherOrigin(Rule.AllowedOrigins(context)));
         return false;
     }
 
@@ -38,8 +38,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     {
         if (await AdmitAsync(context) == null) return false;
         if (IsOperator(context)) return true;
-        await AnswerAsync(context, StatusCodes.Status403Forbidden,
-            "this needs the role operator; log in with a token of a line \"operator TOKEN\". Without tokens, use a browser on the gateway's machine");
+        await AnswerAsync(context, StatusCodes.Status403Forbidden, AccessMessages.OperatorOnly);
         return false;
     }
 
@@ -75,7 +74,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     public static Task RefuseMethodAsync(HttpContext context, string allowed)
     {
         context.Response.Headers.Allow = allowed;
-        return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, $"{context.Request.Path}: the method must be {allowed}");
+        return AnswerAsync(context, StatusCodes.Status405MethodNotAllowed, AccessMessages.Method(context.Request.Path, allowed));
     }
 
     /// <summary>Refuses a request that the client may repeat after a wait.</summary>
@@ -98,7 +97,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     // Called only for invalid tokens: a valid token is accepted even from a blocked address.
     async Task RefuseTokenAsync(HttpContext context)
     {
-        const string Text = "the bearer token is missing or unknown";
+        const string Text = AccessMessages.Token;
         var address = context.Connection.RemoteIpAddress;
         var blocked = wrong.BlockedFor(address);
         var wait = AccessRule.HasBearer(context) ? wrong.Count(address, options.WrongTokenDelay) : TimeSpan.Zero;
@@ -109,16 +108,16 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         }
 
         counters.Count(Closure.Token);
-        log("websocket: refused a connection, too many wrong tokens from its address");
+        log(AccessMessages.TooManyWrongLog);
         // Waits even if the client disconnects, so that it occupies a place of the pending connections in the meantime.
         await Task.Delay(wait, options.Time);
-        await RefuseForNowAsync(context, blocked, $"{Text}; too many wrong tokens from this address");
+        await RefuseForNowAsync(context, blocked, AccessMessages.TooManyWrong(Text));
     }
 
     Task RefuseAsync(HttpContext context, int status, Closure why, string text)
     {
         counters.Count(why);
-        log($"websocket: refused a connection, {why}");
+        log(AccessMessages.Refused(why));
         if (status == StatusCodes.Status401Unauthorized)
             context.Response.Headers.WWWAuthenticate = "Bearer";
         return AnswerAsync(context, status, text);

@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Checks the tokens of all connections periodically, and ends a connection whose token is no longer valid. Thread-safe.</summary>
@@ -64,7 +66,7 @@ sealed class AccessWatch : IDisposable
         catch (Exception e)
         {
             // Catches all exceptions, because an unhandled exception on a timer's thread ends the process.
-            _log($"security: tokens and certificate could not be checked ({e.GetType().Name}: {e.Message})");
+            _log(AccessMessages.NotChecked(e.GetType().Name, e.Message));
         }
 
         try

@@ -1,4 +1,5 @@
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
@@ -44,6 +45,6 @@ public sealed class CertificateFile
         var pin = CertificatePin.Of(certificate);
         if (pin.Equals(_pin)) return certificate;
         certificate.Dispose();
-        throw new InputException($"{path}: has a different key (pin {pin}), which paired headsets refuse; restart the gateway to use it");
+        throw new InputException(KeyFileMessages.OtherKey(path, pin));
     }
 }

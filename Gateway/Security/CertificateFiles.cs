@@ -1,6 +1,7 @@
 using System.Net;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 
@@ -44,9 +45,7 @@ public static class CertificateFiles
         var certificate = Load(path, keyPath);
         var now = DateTime.Now;
         if (now < certificate.NotBefore || now > certificate.NotAfter)
-            throw new InputException(
-                $"{path}: valid from {certificate.NotBefore:yyyy-MM-dd} to {certificate.NotAfter:yyyy-MM-dd}, not today; "
-                + "renew it, or delete it so that the gateway creates a new one");
+            throw new InputException(KeyFileMessages.NotValidToday(path, certificate.NotBefore, certificate.NotAfter));
         return certificate;
     }
 
@@ -61,12 +60,12 @@ public static class CertificateFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or CryptographicException)
         {
-            throw new InputException($"{path}: no usable certificate with private key ({e.Message}); allowed: .pfx without password and .pem", e);
+            throw new InputException(KeyFileMessages.Unusable(path, e.Message), e);
         }
     }
 
     static X509Certificate2 WithKey(X509Certificate2 certificate, string path) => certificate.HasPrivateKey
-        ? certificate : throw new InputException($"{path}: the certificate has no private key; use a certificate with its private key");
+        ? certificate : throw new InputException(KeyFileMessages.NoPrivateKey(path));
 
     static void Save(string path)
     {
@@ -82,7 +81,7 @@ public static class CertificateFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{path}: the new certificate cannot be written ({e.Message}); check the folder's permissions", e);
+            throw new InputException(KeyFileMessages.NotWritten(path, e.Message), e);
         }
     }
 

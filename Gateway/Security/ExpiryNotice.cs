@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 
@@ -18,12 +19,11 @@ sealed class ExpiryNotice(Action<string> log)
         var (isClose, isOver) = (end - now < Ahead, end < now);
         var day = end.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture);
         if (isOver && !_isOver)
-            log($"certificate: expired on {day}, headsets refuse it; renew the file with the same key, no restart is needed");
+            log(KeyFileMessages.Expired(day));
         else if (isClose && !_isClose)
-            log(string.Create(CultureInfo.InvariantCulture,
-                $"certificate: expires on {day}, in {(end - now).TotalDays:0.0} days; renew the file with the same key, no restart is needed"));
+            log(KeyFileMessages.Expires(day, (end - now).TotalDays));
         else if (!isClose && _isClose)
-            log($"certificate: renewed, valid to {day}");
+            log(KeyFileMessages.Renewed(day));
         (_isClose, _isOver) = (isClose, isOver);
     }
 }

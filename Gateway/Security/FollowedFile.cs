@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Security;
 
 /// <summary>The content of a file. After a change of the file, the next access reads it again. Thread-safe.</summary>
@@ -55,13 +57,13 @@ sealed class FollowedFile<T>
             if (IsChangedSince(stamps)) return;
             _value = value;
             _stamps = stamps;
-            LogFault(fault, "; its other lines are used");
+            LogFault(fault, AccessMessages.OtherLinesUsed);
         }
         catch (InputException fault)
         {
             if (IsChangedSince(stamps)) return;
             // Keeps the old stamps, so that the next access tries again: the file may only have been locked.
-            LogFault(fault.Message, "; its former content stays in use, including removed lines");
+            LogFault(fault.Message, AccessMessages.FormerContentUsed);
         }
     }
 

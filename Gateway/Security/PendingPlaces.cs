@@ -1,5 +1,6 @@
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Connections.Features;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 
@@ -37,7 +38,7 @@ sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counte
     void Evict(ConnectionContext connection)
     {
         counters.Count(Closure.ConnectionLimit);
-        log("websocket: closed a connection without authentication in favour of a newer one");
+        log(AccessMessages.ClosedForNewer);
         connection.Abort();
     }
 

@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Security warnings for the operator of a gateway.</summary>
@@ -12,12 +14,11 @@ static class Precautions
     public static IEnumerable<string> Of(GatewayOptions options, string credentials)
     {
         if (Environment.IsPrivilegedProcess)
-            yield return "security: the gateway runs as root or administrator without need; run it as a separate user";
+            yield return PrecautionMessages.Root;
         if (options.Certificate == null && !options.IsLoopback)
-            yield return "security: anyone on this network can read and change the data, because of --insecure-lan; use --tls instead";
+            yield return PrecautionMessages.InsecureLan;
         foreach (var (where, bits) in options.Tokens.Weak)
-            yield return $"security: {where}: the token has a strength of {Math.Floor(bits)} bits and can be guessed; {TokenStrength.MinBits} bits "
-                + "or more are needed; replace it, for example with the output of: openssl rand -hex 32";
+            yield return PrecautionMessages.WeakToken(where, Math.Floor(bits), TokenStrength.MinBits);
         if (OperatingSystem.IsWindows()) yield break;
         foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
         {
@@ -25,7 +26,7 @@ static class Precautions
             // A file of another user, such as root, that only the gateway's group can read is as safe as a file of the gateway's user.
             var shared = (mode & Group) == UnixFileMode.GroupRead && FileOwner.IsOthersForOwnGroup(path) ? Others : Others | Group;
             if ((mode & shared) != 0)
-                yield return $"security: {path} can be read by users other than its owner (mode {Convert.ToString((int)mode, 8)}); chmod 600 {path}";
+                yield return PrecautionMessages.ReadableFile(path, Convert.ToString((int)mode, 8));
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using System.Text;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
@@ -9,7 +10,7 @@ public sealed class TokenList
 {
     public static readonly TokenList None = new([]);
 
-    const string Lines = "\"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"";
+    const string Lines = TokenFileMessages.Lines;
 
     static readonly Dictionary<string, Role> Roles =
         new() { ["observer"] = Role.Observer, ["source"] = Role.Source, ["operator"] = Role.Operator };
@@ -62,7 +63,7 @@ public sealed class TokenList
             return Hashed(Entries(path));
         }, Settles, log);
         if (tokens.Current.Length == 0)
-            throw new InputException($"{path}: contains no token; allowed: lines {Lines}");
+            throw new InputException(TokenFileMessages.NoToken(path, Lines));
         return new TokenList(tokens, path) { _weak = [.. WeakEntries(path)] };
     }
 
@@ -120,9 +121,9 @@ public sealed class TokenList
     {
         var words = line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (words.Length != 2 || !Roles.TryGetValue(words[0], out var role))
-            throw new InputException($"{where}: the line must be {Lines}, the token without spaces");
+            throw new InputException(TokenFileMessages.NotALine(where, Lines));
         if (Encoding.UTF8.GetByteCount(words[1]) > ProtocolLimits.TokenBytes)
-            throw new InputException($"{where}: the token is longer than {ProtocolLimits.TokenBytes} bytes");
+            throw new InputException(TokenFileMessages.TooLong(where, ProtocolLimits.TokenBytes));
         return (words[1], role);
     }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
@@ -33,7 +34,7 @@ sealed record OverallStatus(string Level, string Text)
         if (joints.Count > 0) return new("ok", Summary(joints) + headsets);
         var states = frames.Select(frame => frame.State).Where(state => state != CellBoard.Stationary).ToArray();
         var all = states.Length + signals.Count;
-        if (hasRobot || all == 0) return new("warning", "no source publishes joint positions yet");
+        if (hasRobot || all == 0) return new("warning", JointReasons.NoSource);
         var others = states.Concat(signals.Select(signal => signal.State)).Count(state => state != CellBoard.Live);
         return others > 0 ? new("warning", $"{others} of {Count(all, "object or signal", "objects and signals")} {(others == 1 ? "is" : "are")} not current")
             : new("ok", $"{Count(states.Length, "object")}, {Count(signals.Count, "signal")}{headsets}");
@@ -42,7 +43,7 @@ sealed record OverallStatus(string Level, string Text)
     static string Summary(IReadOnlyList<JointStatus> joints)
     {
         var resting = joints.Count(joint => joint.State == JointDataState.Rest);
-        return resting == 0 ? $"{Count(joints.Count, "joint")} live" : $"{Count(joints.Count - resting, "joint")} live, {resting} assumed at rest";
+        return resting == 0 ? $"{Count(joints.Count, "joint")} live" : JointReasons.Summary(Count(joints.Count - resting, "joint"), resting);
     }
 
     static string Count(int number, string noun, string plural = null) =>

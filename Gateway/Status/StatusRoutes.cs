@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
 
@@ -63,7 +64,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         var format = context.Request.Query["format"].ToString();
         if (format is not ("" or "json" or "csv"))
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, "format: json or csv is allowed");
+            await AccessControl.AnswerAsync(context, StatusCodes.Status400BadRequest, OperationsMessages.Format);
             return;
         }
 
@@ -85,7 +86,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
     {
         // Checks the host name, because browsers send no Origin header with a GET request of a page to its own host.
         if (accessControl.IsNoRebinding(context)) return await accessControl.AdmitAsync(context);
-        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, "use the gateway's address, its name or localhost");
+        await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, OperationsMessages.UseOwnAddress);
         return null;
     }
 

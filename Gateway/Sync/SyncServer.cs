@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Sync;
@@ -83,7 +84,7 @@ sealed class SyncServer : IDisposable
                 // Catches all exceptions, because the end of this loop would close the port permanently.
                 if (Volatile.Read(ref _isStopped))
                     return;
-                _log($"sync: a connection could not be accepted ({e.GetType().Name}: {e.Message})");
+                _log(SyncServerMessages.NotAccepted(e.GetType().Name, e.Message));
                 // Pauses, because accepting may fail repeatedly, for example until a file descriptor is free.
                 await Task.Delay(PauseAfterAFailedAccept);
             }
@@ -94,7 +95,7 @@ sealed class SyncServer : IDisposable
     {
         if (!HasPlace())
         {
-            _log($"sync: refused a connection beyond {_options.MaxConnections}");
+            _log(SyncServerMessages.Refused(_options.MaxConnections));
             socket.Dispose();
             return;
         }
@@ -155,6 +156,6 @@ sealed class SyncServer : IDisposable
             if (!_connections.Remove(connection)) return;
         Counters.Leave(why);
         if (why is not (Closure.ByPeer or Closure.Stopped))
-            _log($"sync: closed a connection, {why}{(cause != null && why == Closure.Failure ? $": {cause.GetType().Name}: {cause.Message}" : "")}");
+            _log(SyncServerMessages.Closed(why, why == Closure.Failure ? cause : null));
     }
 }

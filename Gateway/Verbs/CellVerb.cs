@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Globalization;
 using System.Net;
 using Nowpose.Gateway.Codes;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
@@ -65,7 +66,7 @@ static class CellVerb
     {
         var isPng = path.EndsWith(".png", StringComparison.OrdinalIgnoreCase);
         if (!isPng && !path.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
-            throw new InputException($"--out {path}: the file name must end in .svg or .png");
+            throw new InputException(VerbMessages.OutName(path));
         try
         {
             if (isPng) File.WriteAllBytes(path, drawn.Png(PixelsPerModule));

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Net;
 using System.Text.Json;
 using Nowpose.Gateway.Codes;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Network;
 using Nowpose.Pairing;
@@ -67,15 +68,14 @@ static class PairVerb
             using var response = await http.PostAsync(uri, body, stop);
             var text = await response.Content.ReadAsStringAsync(stop);
             if (!response.IsSuccessStatusCode)
-                throw new InputException($"{uri}: {(int)response.StatusCode} {text.Trim()}; check that the gateway was started with --pairing");
+                throw new InputException(VerbMessages.PairingRefused(uri, (int)response.StatusCode, text.Trim()));
             using var json = JsonDocument.Parse(text);
             return (TokenCode.Parse(json.RootElement.GetProperty("text").GetString()), json.RootElement.GetProperty("left_s").GetDouble());
         }
         catch (Exception e) when (e is HttpRequestException or JsonException or KeyNotFoundException or InvalidOperationException
             || (e is TaskCanceledException && !stop.IsCancellationRequested))
         {
-            throw new InputException(
-                $"{uri}: {refusal ?? (e.InnerException ?? e).Message}; check that the gateway runs; if it uses TLS, add --certificate or --pin", e);
+            throw new InputException(VerbMessages.NoGateway(uri, refusal ?? (e.InnerException ?? e).Message), e);
         }
     }
 }

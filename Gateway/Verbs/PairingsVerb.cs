@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 
 namespace Nowpose.Gateway.Verbs;
@@ -19,7 +20,7 @@ static class PairingsVerb
         {
             var path = parsed.GetValue(file);
             if (!File.Exists(path))
-                throw new InputException($"--pairing {path}: file not found; a gateway with --pairing creates it");
+                throw new InputException(VerbMessages.NoList(path));
             var name = parsed.GetValue(revoke);
             if (name != null) Revoke(path, name);
             foreach (var headset in HeadsetFile.Load(path))
@@ -36,7 +37,7 @@ static class PairingsVerb
         if (gone.Length == 0)
         {
             var there = headsets.Count == 0 ? "none" : string.Join(", ", headsets.Select(headset => $"'{headset.Name}'"));
-            throw new InputException($"--revoke '{name}': no headset has this name; the names are {there}");
+            throw new InputException(VerbMessages.UnknownHeadset(name, there));
         }
 
         HeadsetFile.Remove(path, gone);

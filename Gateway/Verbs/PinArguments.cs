@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
@@ -25,14 +26,14 @@ sealed class PinArguments
         var path = parsed.GetValue(_certificate);
         var pin = parsed.GetValue(_pin);
         if (path != null && pin != null)
-            throw new InputException("--pin: the certificate already determines the pin; use one of the two");
+            throw new InputException(VerbMessages.PinAndCertificate);
         if (pin != null)
             return CertificatePin.Parse(pin);
         if (path == null)
             return null;
         // Does not create a missing certificate, because the printed marker is used for years and must contain the pin of the gateway's actual key.
         if (!File.Exists(path))
-            throw new InputException($"--certificate {path}: file not found; the gateway creates it at its first start");
+            throw new InputException(VerbMessages.NoCertificate(path));
         using var certificate = CertificateFiles.LoadOrGenerate(path, parsed.GetValue(_key));
         return CertificatePin.Of(certificate);
     }

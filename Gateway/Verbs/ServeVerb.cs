@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 
@@ -69,7 +70,7 @@ static class ServeVerb
             var read = await AdapterProcesses.CheckAsync(files, options, stop);
             options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
             foreach (var one in read) Announcement.Log(one.Summary);
-            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log($"missing joints: {Missing(missing)}");
+            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log($"missing joints: {DryRunMessages.MissingJoints(missing)}");
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)
@@ -97,7 +98,7 @@ static class ServeVerb
             var read = await AdapterProcesses.CheckAsync(plants, options, stop);
             foreach (var good in read) findings.Good("plant", good.Summary);
             // Not an error, because another client may publish the missing joints.
-            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", Missing(missing));
+            if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) findings.Good("missing_joints", DryRunMessages.MissingJoints(missing));
         }
         catch (InputException wrong)
         {
@@ -107,14 +108,11 @@ static class ServeVerb
         findings.Conclude();
     }
 
-    static string Missing(IReadOnlyList<string> joints) =>
-        $"{string.Join(", ", joints)}; no plant configures {(joints.Count == 1 ? "it" : "them")}, so headsets show no current pose until another source publishes {(joints.Count == 1 ? "it" : "them")}";
-
     static void CheckClock(OptionResult result)
     {
         var name = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         if (name != PlantClocks.Own && !PlantClocks.IsName(name))
-            result.AddError($"--clock: '{name}' names no clock; allowed: own, and 1 to 32 of a-z, 0-9, _ and -.");
+            result.AddError(AddressOptionMessages.ClockName(name));
     }
 
     // Reads the URDF and also parses it, so that an invalid file is refused at the start.

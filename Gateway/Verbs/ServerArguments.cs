@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
@@ -164,7 +165,7 @@ sealed class ServerArguments
         var path = parsed.GetValue(_pairing);
         // A new key at each start would make paired headsets refuse the gateway after a restart.
         if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
-            throw new InputException("--pairing with --tls: headsets accept one key only, and each start would create a new one; add --certificate FILE");
+            throw new InputException(AddressOptionMessages.PairingWithTls);
     }
 
     /// <summary>Whether to enable the recorder at the start.</summary>
@@ -174,14 +175,14 @@ sealed class ServerArguments
     {
         var folder = parsed.GetValue(_recordings);
         if (folder == null && Records(parsed))
-            throw new InputException("--record: needs --recordings with a folder");
+            throw new InputException(RecorderMessages.RecordWithoutFolder);
         try
         {
             return folder == null ? null : Directory.CreateDirectory(folder).FullName;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new InputException($"--recordings {folder}: the folder cannot be created ({e.Message})", e);
+            throw new InputException(RecorderMessages.FolderNotCreated(folder, e.Message), e);
         }
     }
 
@@ -200,9 +201,9 @@ sealed class ServerArguments
     {
         if (!isSystem) return Clock(parsed);
         if (parsed.GetValue(_clockStart) != null)
-            throw new InputException("--clock-start-s: needs --own-clock monotonic, because the system clock shows Unix time. Remove one of the two options");
+            throw new InputException(AddressOptionMessages.ClockStart);
         if (SkewPpm(parsed) != 0)
-            throw new InputException("--skew-ppm: needs --own-clock monotonic, because the system clock has its own rate. Remove one of the two options");
+            throw new InputException(AddressOptionMessages.Skew);
         return new SystemControlClock();
     }
 
@@ -227,7 +228,7 @@ sealed class ServerArguments
         if (text == "any")
             return IPAddress.Any;
         if (!IPAddress.TryParse(text, out var address))
-            result.AddError($"--bind: '{text}' is not an address; allowed: an IP address, localhost and any.");
+            result.AddError(AddressOptionMessages.NotAnAddress(text));
         return address;
     }
 
@@ -237,7 +238,7 @@ sealed class ServerArguments
         var text = result.Tokens.Count == 1 ? result.Tokens[0].Value : "";
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= Last)
             return value;
-        result.AddError($"--clock-start-s: '{text}' is out of range; allowed: 0 to {Last} s.");
+        result.AddError(AddressOptionMessages.SecondsOutOfRange(text, Last));
         return null;
     }
 }

@@ -1,9 +1,9 @@
 namespace Nowpose.Studies;
 
 /// <summary>The true motion of one simulated axis.</summary>
-/// <param name="name">Name for tables.</param>
-/// <param name="seconds">Length to be studied, s. The motion is defined beyond it, too.</param>
-/// <param name="at">Position at seconds since the start, in any unit; smooth enough for differences over 1 ms.</param>
+/// <param name="name">Name of the motion in tables.</param>
+/// <param name="seconds">Duration that is studied, s. The motion is also defined after it.</param>
+/// <param name="at">Gets the position at a time since the start, s, in any unit. Must be smooth enough for differences over 1 ms.</param>
 public sealed class AxisMotion(string name, double seconds, Func<double, double> at)
 {
     const double Step = 5e-4;
@@ -14,9 +14,9 @@ public sealed class AxisMotion(string name, double seconds, Func<double, double>
 
     public double At(double t) => at(t);
 
-    /// <summary>By a central difference, per second.</summary>
+    /// <summary>Gets the velocity per second as a central difference.</summary>
     public double VelocityAt(double t) => (at(t + Step) - at(t - Step)) / (2 * Step);
 
-    /// <summary>By a central difference, per second squared.</summary>
+    /// <summary>Gets the acceleration per second squared as a central difference.</summary>
     public double AccelerationAt(double t) => (at(t + Step) - 2 * at(t) + at(t - Step)) / (Step * Step);
 }

@@ -5,12 +5,12 @@ namespace Nowpose.Studies;
 /// <summary>Root mean square, 95th percentile and maximum of absolute errors.</summary>
 public readonly record struct ErrorFigures(double Rms, double P95, double Maximum)
 {
-    /// <param name="errors">At least one error.</param>
+    /// <param name="errors">One error or more.</param>
     public static ErrorFigures Of(IReadOnlyList<double> errors)
     {
         var sorted = errors.Select(Math.Abs).ToArray();
         Array.Sort(sorted);
-        // The definition of all quantiles in results.
+        // All results use this definition of quantiles.
         var p95 = SortedArrayStatistics.QuantileCustom(sorted, 0.95, QuantileDefinition.R7);
         return new ErrorFigures(Math.Sqrt(sorted.Sum(error => error * error) / sorted.Length), p95, sorted[^1]);
     }

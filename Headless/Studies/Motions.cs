@@ -2,14 +2,14 @@ using Nowpose.Motion;
 
 namespace Nowpose.Studies;
 
-/// <summary>Simulated motions in mm, each the same for the same seed.</summary>
+/// <summary>Creates simulated motions in mm. The same seed gives the same motion.</summary>
 public static class Motions
 {
-    /// <summary>The paper's move (Fig. 12): 500 mm, 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
-    /// <remarks>The paper gives no limits; these are ours.</remarks>
+    /// <summary>A move like that of the paper's Fig. 12: 500 mm, 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
+    /// <remarks>The paper does not state the limits, so these values are assumptions.</remarks>
     internal static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
 
-    /// <see cref="PaperMove"/> forward and backward, repeated endlessly with 0.4 s dwell.
+    /// Repeats <see cref="PaperMove"/> forward and backward endlessly, with dwells of 0.4 s.
     public static AxisMotion PaperSwing(double seconds = 12)
     {
         const double dwell = 0.4;
@@ -23,26 +23,26 @@ public static class Motions
         });
     }
 
-    /// <summary>Fast moves from rest to rest, with new random limits and strokes for each.</summary>
+    /// <summary>Creates fast moves from rest to rest, each with new random limits and a new random stroke.</summary>
     public static AxisMotion FastMoves(int seed, double seconds = 30) => RandomMoves("fast 7-phase moves", seed, seconds, random => new Limits(
         Between(random, 400, 1500), Between(random, 3000, 10_000), Between(random, 30_000, 100_000)));
 
-    /// <summary>Fast moves of one drive, all under its limits: 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
+    /// <summary>Creates fast moves of one drive, all with the same limits: 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
     public static AxisMotion MovesOfOneDrive(int seed) => RandomMoves("moves of one drive", seed, 40, _ => new Limits(1000, 5000, 50_000));
 
-    /// <summary>Moves of a small robot at teaching speed.</summary>
+    /// <summary>Creates moves of a small robot at teaching speed.</summary>
     public static AxisMotion GentleMoves(int seed, double seconds = 60) => RandomMoves("gentle pick and place", seed, seconds, random => new Limits(
         Between(random, 200, 600), Between(random, 600, 2500), Between(random, 5000, 25_000)));
 
-    /// <summary>Slow moves with soft ramps.</summary>
+    /// <summary>Creates slow moves with low acceleration and jerk.</summary>
     public static AxisMotion SoftMoves(int seed, double seconds = 60) => RandomMoves("soft moves", seed, seconds, random => new Limits(
         Between(random, 100, 300), Between(random, 100, 400), Between(random, 300, 1500)));
 
-    /// <summary>Trapezoidal velocity profiles, with jumps of the acceleration.</summary>
+    /// <summary>Creates moves with trapezoidal velocity, whose acceleration changes abruptly.</summary>
     public static AxisMotion Trapezoids(int seed, double seconds = 30) => RandomMoves("trapezoidal velocity", seed, seconds, random => new Limits(
         Between(random, 300, 1200), Between(random, 2000, 8000), 1e8));
 
-    /// <summary>Moves of which some end in an emergency stop: full speed to rest within 30 to 80 ms.</summary>
+    /// <summary>Creates moves, some of which end in an emergency stop from full speed to rest within 30 to 80 ms.</summary>
     public static AxisMotion EmergencyStops(int seed, double seconds = 60)
     {
         var random = new Random(seed);
@@ -60,7 +60,7 @@ public static class Motions
         return sequence.Motion("emergency stops");
     }
 
-    /// <summary>A sum of five sines below 1.5 Hz, which is never at rest and does not repeat within the run.</summary>
+    /// <summary>Creates a sum of five sines below 1.5 Hz, which never rests and does not repeat within the run.</summary>
     public static AxisMotion Waves(int seed, double seconds = 60)
     {
         var random = new Random(seed);
@@ -69,8 +69,8 @@ public static class Motions
         return new AxisMotion("sum of sines", seconds, t => waves.Sum(wave => wave.Size * Math.Sin(wave.Rate * t + wave.Phase)));
     }
 
-    /// <summary>Repeats the same cycle of four moves.</summary>
-    /// <param name="variation">Variation between cycles; none for an exact repetition.</param>
+    /// <summary>Creates a repeated cycle of four moves.</summary>
+    /// <param name="variation">Variation between cycles; the default gives exact repetitions.</param>
     public static AxisMotion Repeats(int seed, CycleVariation variation, int cycles = 12)
     {
         var random = new Random(seed);
@@ -91,7 +91,7 @@ public static class Motions
         return sequence.Motion("repeating cycles");
     }
 
-    /// <summary>Fast moves with a damped 4 to 9 Hz oscillation of a few millimetres after each stop.</summary>
+    /// <summary>Creates fast moves, each followed by a damped oscillation of a few millimetres with 4 to 9 Hz.</summary>
     public static AxisMotion Ringing(int seed, double seconds = 30)
     {
         var random = new Random(seed);
@@ -106,7 +106,7 @@ public static class Motions
         return sequence.Motion("ringing after stops");
     }
 
-    /// <summary>Rest, interrupted by jumps of the position from one sample to the next.</summary>
+    /// <summary>Creates rests that are interrupted by jumps of the position between two samples.</summary>
     public static AxisMotion Jumps(int seed, double seconds = 30)
     {
         var random = new Random(seed);
@@ -133,7 +133,7 @@ public static class Motions
         return sequence.Motion(name);
     }
 
-    // The profile up to a given time, then the speed falls to zero as a half cosine.
+    // Follows the profile up to a given time, then reduces the speed to zero as a half cosine.
     static void Stop(MoveSequence sequence, SevenPhaseProfile profile, double at, double within)
     {
         var (from, speed) = (sequence.End, profile.VelocityAt(at));

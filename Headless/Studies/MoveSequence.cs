@@ -2,15 +2,15 @@ using Nowpose.Motion;
 
 namespace Nowpose.Studies;
 
-/// <summary>A sequence of moves and dwells, built piece by piece.</summary>
+/// <summary>Builds a motion from moves and dwells.</summary>
 sealed class MoveSequence
 {
     readonly List<Piece> _pieces = [];
 
-    /// <summary>Current end position of the sequence.</summary>
+    /// <summary>Position at the current end of the sequence.</summary>
     public double End { get; private set; }
 
-    /// <summary>Current length of the sequence, s.</summary>
+    /// <summary>Current duration of the sequence, s.</summary>
     public double Seconds { get; private set; }
 
     public void Dwell(double seconds) => Seconds += seconds;
@@ -22,7 +22,7 @@ sealed class MoveSequence
         Add(position, profile.Duration, profile.PositionAt);
     }
 
-    /// <param name="covered">Gets the covered distance at seconds since the piece's start.</param>
+    /// <param name="covered">Gets the covered distance at a time since the start of the piece, s.</param>
     public void Add(double end, double duration, Func<double, double> covered)
     {
         _pieces.Add(new Piece(Seconds, duration, End, end, covered));

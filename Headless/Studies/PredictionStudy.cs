@@ -2,14 +2,14 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Studies;
 
-/// <summary>Plays one axis' motion to a predictor in virtual time, as a headset would receive it.</summary>
+/// <summary>Plays the motion of one axis to a predictor in virtual time, as a headset would receive it.</summary>
 public static class PredictionStudy
 {
-    /// <summary>Runs all phases together.</summary>
+    /// <summary>Runs all phases and evaluates them together.</summary>
     public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
         Run(motion, settings, () => (StudySubject)newPredictor());
 
-    /// <summary>Runs all phases together.</summary>
+    /// <summary>Runs all phases and evaluates them together.</summary>
     public static StudyResult Run(AxisMotion motion, StudySettings settings, Func<StudySubject> newSubject)
     {
         var (predicted, held) = (new List<double>(), new List<double>());
@@ -41,6 +41,6 @@ public static class PredictionStudy
         }
     }
 
-    // Neighbouring seeds must give independent sequences, and the framework's own hash differs between processes.
+    // Mixes seed and phase, so that consecutive seeds give independent sequences. HashCode of .NET differs between processes.
     static int HashCode(int seed, int phase) => unchecked((int)(((uint)seed * 2654435761u + (uint)phase) * 2246822519u >> 1));
 }

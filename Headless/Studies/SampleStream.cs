@@ -2,7 +2,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Studies;
 
-/// <summary>Takes samples of a motion and delivers them to a predictor when they have arrived.</summary>
+/// <summary>Samples a motion and delivers each sample to a predictor after its delay.</summary>
 sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random)
 {
     readonly PriorityQueue<(JointSample Sample, int Index), (double, int)> _underWay = new();
@@ -10,10 +10,10 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
     int _next;
     double _newestArrival = double.NegativeInfinity;
 
-    /// <summary>Index of the newest sample delivered; −1 before the first.</summary>
+    /// <summary>Index of the newest delivered sample; −1 before the first one.</summary>
     public int Newest { get; private set; } = -1;
 
-    /// <param name="displayed">The newest displayed time, s; NaN before the first frame.</param>
+    /// <param name="displayed">Newest displayed time, s; NaN before the first frame.</param>
     public void Deliver(double until, StudySubject subject, double displayed)
     {
         while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter - settings.StampedJitter + settings.Latency <= until)
@@ -26,7 +26,7 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
         }
     }
 
-    // Every sample draws the same number of random numbers, so that one condition does not change another's numbers.
+    // Every sample draws the same number of random values, so that changing one condition does not change the values of another.
     void Send(int index)
     {
         var stamp = _firstSample + index * settings.SamplingInterval + settings.StampedJitter * Uniform();
@@ -37,8 +37,8 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
         _newestArrival = Math.Max(_newestArrival, time + settings.Latency);
         if (random.NextDouble() < settings.Loss) return;
         var sample = new JointSample(
-            stated, motion.At(time) + noise, time, settings.TellsVelocity ? motion.VelocityAt(time) : double.NaN,
-            settings.TellsAcceleration ? motion.AccelerationAt(time) : double.NaN);
+            stated, motion.At(time) + noise, time, settings.HasVelocity ? motion.VelocityAt(time) : double.NaN,
+            settings.HasAcceleration ? motion.AccelerationAt(time) : double.NaN);
         _underWay.Enqueue((sample, index), (_newestArrival + delay, index));
     }
 

@@ -2,10 +2,10 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Studies;
 
-/// <summary>Subject of a study: a predictor, or an object that contains one.</summary>
-/// <param name="Add">Takes a sample and the newest displayed time, s; NaN before the first frame.</param>
-/// <param name="At">Gets the position at a time, s.</param>
-/// <param name="Hold">Gets the newest sample's position.</param>
+/// <summary>The subject of a study: a predictor, or an object that contains a predictor.</summary>
+/// <param name="Add">Adds a sample. The second argument is the newest displayed time, s; NaN before the first frame.</param>
+/// <param name="At">Gets the predicted position at a time, s.</param>
+/// <param name="Hold">Gets the position of the newest sample.</param>
 public sealed record StudySubject(Action<JointSample, double> Add, Func<double, double> At, Func<double> Hold)
 {
     public static implicit operator StudySubject(JointPredictor predictor) =>

@@ -1,12 +1,12 @@
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>One case of the Autobahn test-suite in our notation.</summary>
-/// <param name="Number">The suite's case number.</param>
+/// <summary>One case of the Autobahn test suite, in the notation of these tests.</summary>
+/// <param name="Number">Number of the case in the suite.</param>
 /// <param name="Expected">
-/// Expected events in any order: "accepted" for each accepted message, "refused" for a message that our protocol does not use and after which
-/// the connection continues, "pong", "close:CODE" or "close". Equivalent outcomes are separated by "|".
+/// Expected events in any order: "accepted" for each accepted message; "refused" for a message that the protocol does not use and after
+/// which the connection continues; "pong"; "close:CODE" or "close". "|" separates equivalent results.
 /// </param>
-/// <param name="Play">Sends the case's frames.</param>
+/// <param name="Play">Sends the frames of the case.</param>
 public sealed record AutobahnCase(string Number, string Expected, Action<object> Play)
 {
     /// <summary>Whether the case ends the connection.</summary>

@@ -1,18 +1,18 @@
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>All cases, and the table of them in the document.</summary>
+/// <summary>Lists all cases, and creates the document's table of them.</summary>
 static class AutobahnDocument
 {
     public static readonly AutobahnSection[] Sections = [.. FramingCases.All(), .. Utf8Cases.All(), .. CloseCases.All(), .. LimitCases.All()];
 
-    /// <summary>Returns the table, with one row for each section.</summary>
+    /// <summary>Creates the table, with one row per section.</summary>
     public static string Table() => string.Concat(
         Sections.Select(section => $"| {section.Number} | {section.Cases.Length} | {section.What} | {Outcomes(section)} | {section.Note} |\n")
             .Prepend("| Cases | Tests | What is sent | Expected outcome | Note |\n| --- | --- | --- | --- | --- |\n"));
 
     static string Outcomes(AutobahnSection section) => string.Join("; ", section.Cases.Select(one => Outcome(one.Expected)).Distinct());
 
-    // An alternative with an event of another kind is listed. An alternative that only lacks events is left out: the document states this.
+    // Lists alternatives with an event of another kind. Omits alternatives that only lack events, as the document states.
     static string Outcome(string expected)
     {
         var ways = expected.Split('|').Select(Words).ToArray();

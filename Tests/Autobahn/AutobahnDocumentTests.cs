@@ -7,7 +7,7 @@ public class AutobahnDocumentTests
     const string Document = "docs/autobahn.md";
 
     [Test]
-    public void Table_OfTheDocument_MatchesTheCases()
+    public void Table_InTheDocument_MatchesTheCases()
     {
         var lines = RepositoryFiles.Read(Document).ReplaceLineEndings("\n").Split('\n').Where(line => line.StartsWith('|'));
 
@@ -17,6 +17,6 @@ public class AutobahnDocumentTests
     }
 
     [Test]
-    public void Cases_All_HaveUniqueNumbers() =>
+    public void Cases_AllSections_HaveUniqueNumbers() =>
         Assert.That(AutobahnDocument.Sections.SelectMany(section => section.Cases).Select(one => one.Number), Is.Unique);
 }

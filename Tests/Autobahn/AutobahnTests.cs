@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Runs the cases of the Autobahn test-suite against our server and both of our clients.</summary>
+/// <summary>Runs the cases of the Autobahn test suite against the gateway and against both clients.</summary>
 public class AutobahnTests
 {
     const string Marker = "marker";
@@ -39,7 +39,7 @@ public class AutobahnTests
         select new TestCaseData(subject, one).SetName($"Autobahn {one.Number}, {subject}");
 
     [TestCaseSource(nameof(Cases))]
-    public async Task Case_Played_EndsAsExpected(string kind, AutobahnCase one)
+    public async Task Play_AutobahnCase_GivesTheExpectedEvents(string kind, AutobahnCase one)
     {
         await using var subject = await OpenAsync(kind);
         var seen = new ConcurrentQueue<string>();
@@ -97,7 +97,7 @@ public class AutobahnTests
     {
         CaseScript.Text => subject.EventOf(Encoding.UTF8.GetString(payload), script),
         CaseScript.Pong when script.PingPayloads.Contains(Encoding.UTF8.GetString(payload)) => "pong",
-        // The subject sends pings or empty pongs on its own, to keep a quiet connection alive.
+        // Ignores pings and empty pongs that the subject sends to keep the connection alive.
         CaseScript.Ping => null,
         CaseScript.Pong => payload.Length == 0 ? null : "garbled pong",
         CaseScript.CloseFrame => payload.Length < 2 ? "close" : "close:" + BinaryPrimitives.ReadUInt16BigEndian(payload),

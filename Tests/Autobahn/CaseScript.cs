@@ -3,15 +3,15 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>The bytes that a case sends, and the payloads that it expects back.</summary>
-/// <param name="isMasked">Whether frames are masked like a client's. The mask is zero, so payloads do not change (RFC 6455, 5.3).</param>
-/// <param name="before">The part of an accepted message before the inner text.</param>
-/// <param name="after">The part of an accepted message after the inner text.</param>
+/// <summary>Builds the bytes that a case sends, and the payloads that it expects in return.</summary>
+/// <param name="isMasked">Whether frames have a mask, as those of a client. The mask is zero, so payloads do not change (RFC 6455, 5.3).</param>
+/// <param name="before">Part of an accepted message before the inner text.</param>
+/// <param name="after">Part of an accepted message after the inner text.</param>
 sealed class CaseScript(bool isMasked, string before, string after)
 {
     public const int Continuation = 0, Text = 1, Binary = 2, CloseFrame = 8, Ping = 9, Pong = 10;
 
-    /// <summary>Byte sequences, each of which is written to the socket in one call.</summary>
+    /// <summary>Byte sequences. Each is written to the socket in one call.</summary>
     public List<byte[]> Chunks { get; } = [];
 
     /// <summary>Inner texts of the sent messages.</summary>
@@ -19,10 +19,10 @@ sealed class CaseScript(bool isMasked, string before, string after)
 
     public HashSet<string> PingPayloads { get; } = [];
 
-    /// <summary>Size in bytes of the pieces that frames are split into; 0 to send frames whole.</summary>
+    /// <summary>Size of the pieces into which frames are split, in bytes; 0 to send complete frames.</summary>
     public int Chop { get; set; }
 
-    /// <summary>Returns an accepted message in UTF-8, padded with spaces.</summary>
+    /// <summary>Creates an accepted message in UTF-8, padded with spaces.</summary>
     public byte[] Message(string inner = "hello", int length = 0) => Message(Encoding.UTF8.GetBytes(inner), length);
 
     public byte[] Message(byte[] inner, int length = 0)
@@ -34,7 +34,7 @@ sealed class CaseScript(bool isMasked, string before, string after)
 
     public void Send(string inner = "hello", int length = 0) => Frame(Text, Message(inner, length));
 
-    /// <summary>Sends one message in the given number of frames; 0 for one frame per byte.</summary>
+    /// <summary>Sends a message in the given number of frames; 0 for one frame per byte.</summary>
     public void SendFragments(byte[] message, int fragments, Action between = null)
     {
         var size = fragments == 0 ? 1 : (message.Length + fragments - 1) / fragments;

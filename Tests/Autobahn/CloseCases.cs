@@ -4,7 +4,7 @@ using static Nowpose.Headless.Tests.Autobahn.FramingCases;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Ends of connections: part 7 of the suite.</summary>
+/// <summary>Cases that end connections: part 7 of the suite.</summary>
 static class CloseCases
 {
     static readonly int[] Good = [1000, 1001, 1002, 1003, 1007, 1008, 1009, 1010, 1011, 3000, 3999, 4000, 4999];

@@ -3,13 +3,13 @@ using System.Threading.Channels;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>The other end of a WebSocket at the level of bytes: sends a script's chunks, and reads frames until the end.</summary>
-/// <param name="goodbye">Called after the other side has closed, to end the sending direction; null for no action.</param>
+/// <summary>The other end of a WebSocket at the level of bytes. Sends the chunks of a script, and reads frames until the connection ends.</summary>
+/// <param name="goodbye">Called after the other side has closed; ends the sending direction. Null for no action.</param>
 sealed class FramedPeer(Stream stream, Action goodbye = null)
 {
     readonly Channel<(int Opcode, byte[] Payload)> _frames = Channel.CreateUnbounded<(int, byte[])>();
 
-    /// <summary>Received frames; completed when the connection ends.</summary>
+    /// <summary>Received frames. The channel is completed when the connection ends.</summary>
     public ChannelReader<(int Opcode, byte[] Payload)> Frames => _frames.Reader;
 
     public async Task SendAsync(CaseScript script)
@@ -25,7 +25,7 @@ sealed class FramedPeer(Stream stream, Action goodbye = null)
         }
         catch (Exception end) when (end is IOException or ObjectDisposedException)
         {
-            // The other side has already closed, which some cases expect.
+            // The other side has already closed the connection, which some cases expect.
         }
     }
 

@@ -2,7 +2,7 @@ using static Nowpose.Headless.Tests.Autobahn.CaseScript;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Framing, pings, reserved bits, opcodes and fragments: parts 1 to 5 and 10 of the suite.</summary>
+/// <summary>Cases for framing, pings, reserved bits, opcodes and fragments: parts 1 to 5 and 10 of the suite.</summary>
 static class FramingCases
 {
     const string Refused = "close:1002";
@@ -70,10 +70,10 @@ static class FramingCases
 
     public static string Times(string what, int times) => string.Join(' ', Enumerable.Repeat(what, times));
 
-    /// <summary>Expects an answer to the preceding valid message, or an end before it.</summary>
+    /// <summary>Expects the answer to the preceding valid message, or that the connection ends before it.</summary>
     public static string AfterOne(string expected) => $"accepted {expected}|{expected}";
 
-    // If the size is too small for a valid message, the frame is longer than the size and is invalid. For size 0 the frame is empty.
+    // If the size is too small for a valid message, the frame is longer than the size and invalid. For size 0, the frame is empty.
     static void Sized(CaseScript s, int opcode, int size)
     {
         var message = s.Message("", size);

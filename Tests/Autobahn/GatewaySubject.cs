@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Our server: a message counts as accepted when the response to its call returns with its id.</summary>
+/// <summary>The gateway as subject. A message counts as accepted if the response to its call arrives with the same id.</summary>
 sealed class GatewaySubject : IAutobahnSubject
 {
     readonly Gateway.RawWebSocket _raw;

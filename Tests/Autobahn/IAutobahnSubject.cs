@@ -1,15 +1,15 @@
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>One connection to the tested side, and the events that its behaviour is mapped to.</summary>
+/// <summary>A connection to the tested side. Maps its behaviour to events.</summary>
 interface IAutobahnSubject : IAsyncDisposable
 {
     FramedPeer Peer { get; }
 
     CaseScript NewScript();
 
-    /// <summary>Returns the event of a received data frame ("accepted", "refused" …); null for a frame without meaning here.</summary>
+    /// <summary>Gets the event of a received data frame ("accepted", "refused" …); null if the frame has no meaning in these tests.</summary>
     string EventOf(string text, CaseScript script);
 
-    /// <summary>Sets the receiver of events that are not observed through frames.</summary>
+    /// <summary>Sets the receiver of events that frames do not show.</summary>
     Action<string> Saw { set; }
 }

@@ -4,7 +4,7 @@ using static Nowpose.Headless.Tests.Autobahn.FramingCases;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Long messages and many messages: part 9 of the suite, at the limits of our protocol instead of 16 MiB.</summary>
+/// <summary>Cases with long messages and many messages: part 9 of the suite, with the limits of this protocol in place of 16 MiB.</summary>
 static class LimitCases
 {
     const int MaxBytes = 1024 * 1024;

@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>A headset's link: a message counts as accepted when it is read from the link and follows the protocol's rules.</summary>
+/// <summary>A headset's link as subject. A message counts as accepted if the link returns it and it follows the rules of the protocol.</summary>
 sealed class LinkSubject : IAutobahnSubject
 {
     readonly FakeWebSocketServer _server = new();
@@ -19,7 +19,7 @@ sealed class LinkSubject : IAutobahnSubject
 
     public Action<string> Saw { get; set; }
 
-    /// <param name="certificate">For wss with a pin, through our own upgrade; null for ws through .NET's client.</param>
+    /// <param name="certificate">Certificate for wss with a pin, which uses the link's own upgrade; null for ws with .NET's client.</param>
     public static async Task<IAutobahnSubject> OpenAsync(X509Certificate2 certificate)
     {
         var subject = new LinkSubject();
@@ -28,7 +28,7 @@ sealed class LinkSubject : IAutobahnSubject
         subject._link = WebSocketLinks.Create(settings, new StopwatchHeadsetClock());
         var opening = subject._link.OpenAsync(CancellationToken.None);
         var stream = await subject._server.AcceptStreamAsync(certificate);
-        // The server closes the TCP connection first; .NET's client waits for that.
+        // The server must close the TCP connection first, because .NET's client waits for it.
         subject.Peer = new FramedPeer(stream, stream.Dispose);
         await opening.Bounded();
         return subject;
@@ -53,7 +53,7 @@ sealed class LinkSubject : IAutobahnSubject
         _stop.Dispose();
     }
 
-    // Disposes of the link at its end, like RosbridgeClient.
+    // Disposes the link at its end, as RosbridgeClient does.
     async Task ReceiveAsync()
     {
         try
@@ -65,7 +65,7 @@ sealed class LinkSubject : IAutobahnSubject
         }
         catch (Exception)
         {
-            // Every exception ends the link.
+            // Any exception ends the link.
         }
         _link.Dispose();
     }

@@ -3,7 +3,7 @@ using static Nowpose.Headless.Tests.Autobahn.FramingCases;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Valid and invalid UTF-8 texts: part 6 of the suite.</summary>
+/// <summary>Cases with valid and invalid UTF-8: part 6 of the suite.</summary>
 static class Utf8Cases
 {
     const string Bad = "close:1007";
@@ -79,7 +79,7 @@ static class Utf8Cases
 
     static AutobahnCase Letter(string number, string bytes) => Case(number, "accepted", s => s.Frame(Text, s.Message(Hex(bytes))));
 
-    // The message is never finished, so a receiver that checks only whole messages would wait forever.
+    // The message is never completed, so a receiver that checks only complete messages would wait forever.
     static void Unfinished(CaseScript s, string bad, int chop)
     {
         s.Chop = chop;

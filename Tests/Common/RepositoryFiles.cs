@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>The files of this repository, without the output of builds and tools.</summary>
+/// <summary>Lists and reads the files of this repository, without the output of builds and tools.</summary>
 static class RepositoryFiles
 {
     public const string Package = "Packages/com.nowpose.mril";

@@ -35,7 +35,7 @@ sealed partial class StructuredText
 
     string Next => _tokens[_at];
 
-    /// <summary>Value of a variable that is not an array.</summary>
+    /// <summary>Gets or sets the value of a variable that is not an array.</summary>
     public ulong this[string name]
     {
         get => _variables[name].Values[0];

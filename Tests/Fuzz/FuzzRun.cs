@@ -3,12 +3,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Feeds seeded inputs to a reader on all cores. The reader must not throw, hang or keep memory.</summary>
+/// <summary>Feeds seeded inputs to a reader on all cores. The reader must not throw, hang or leak memory.</summary>
 sealed class FuzzRun
 {
     const long MaxGrowthBytes = 4 * 1024 * 1024;
 
-    /// <summary>Time limit of one input. A reader needs only milliseconds; the limit allows for a busy machine.</summary>
+    /// <summary>Timeout of one input. A reader needs only milliseconds, but the machine can be busy.</summary>
     static readonly TimeSpan InputTimeout = TimeSpan.FromSeconds(15);
 
     readonly string _name;
@@ -27,12 +27,12 @@ sealed class FuzzRun
         _inputs = inputs;
     }
 
-    /// <param name="newReader">Creates a reader for each thread, which reads an input and returns whether it was accepted.</param>
-    /// <returns>The number of accepted inputs.</returns>
+    /// <param name="newReader">Creates a reader for each thread. The reader reads an input and returns whether it accepted the input.</param>
+    /// <returns>Number of accepted inputs.</returns>
     public long Feed<T>(Func<Func<Random, T>> newMaker, Func<Func<T, bool>> newReader)
     {
         var watch = Stopwatch.StartNew();
-        // The first tenth creates everything that readers keep permanently, such as compiled expressions.
+        // In the first tenth, readers create everything that they keep permanently, such as compiled expressions.
         var warm = _inputs / 10;
         FeedPart(newMaker, newReader, 0, warm);
         var before = GC.GetTotalMemory(forceFullCollection: true);
@@ -63,7 +63,7 @@ sealed class FuzzRun
             var input = default(T);
             try
             {
-                // Each input has its own seed, so a failing input can be repeated without the ones before it.
+                // Each input has its own seed, so that a failing input can be repeated without the previous ones.
                 input = make(new Random(HashCode(i)));
                 if (read(input)) Interlocked.Increment(ref _accepted);
             }
@@ -85,7 +85,7 @@ sealed class FuzzRun
         }
     }
 
-    // System.HashCode is not used, because its values differ from process to process.
+    // Does not use System.HashCode, whose values differ between processes.
     int HashCode(int index) => unchecked((int)((uint)_seed * 2654435761u ^ (uint)index * 2246822519u));
 
     static string Show<T>(T input)

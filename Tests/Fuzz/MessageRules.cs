@@ -5,12 +5,12 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Properties of every rosbridge message that the reader accepts.</summary>
+/// <summary>Checks the properties of rosbridge messages that the reader has accepted.</summary>
 static class MessageRules
 {
     /// <summary>
     /// Reads a text. An accepted message must be JSON, follow every rule, and read the same after it is written again. The reader keeps
-    /// state from one message to the next, so a new reader must give the same result.
+    /// state between messages, so a new reader must give the same result.
     /// </summary>
     public static bool IsTaken(RosbridgeReader reader, byte[] utf8)
     {
@@ -22,7 +22,7 @@ static class MessageRules
         if (!isNewTaken) return reason == DropReason.None ? throw new FuzzException("refused without a reason") : false;
         Json(utf8, message);
         var isTaken = IsTaken(message, reason);
-        // Releases the message like a session, so that the next one is read into the same object.
+        // Releases the message as a session does, so that the next message is read into the same object.
         message.JointState?.Release();
         message.Transforms?.Release();
         message.Signals?.Release();
@@ -43,11 +43,11 @@ static class MessageRules
         return true;
     }
 
-    // Compares with another JSON reader, which refuses NaN and Infinity.
+    // Compares with another JSON reader, which does not allow NaN and Infinity.
     static void Json(byte[] utf8, RosbridgeMessage message)
     {
         var text = new UTF8Encoding(false, true).GetString(utf8);
-        // That reader does not decode unpaired surrogates either.
+        // The other reader does not decode unpaired surrogates, either.
         if (text.Contains("NaN") || text.Contains("Infinity") || text.Contains("\\ud", StringComparison.OrdinalIgnoreCase)) return;
         using var document = JsonDocument.Parse(utf8);
         if (message.JointState is not { } state) return;
@@ -142,7 +142,7 @@ static class MessageRules
         if (positions.Length != joints || (velocities ?? positions).Length != joints || (accelerations ?? positions).Length != joints)
             throw new FuzzException("lengths differ");
         foreach (var position in positions) Finite(position);
-        // Here NaN means "absent".
+        // NaN means that the value is absent.
         foreach (var rate in (velocities ?? []).Concat(accelerations ?? []))
             if (double.IsInfinity(rate)) throw new FuzzException(rate + " passed");
     }

@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>A million malformed inputs for all readers of external data: each is read correctly or refused with the proper error.</summary>
+/// <summary>Feeds a million malformed inputs to all readers of external data. Each must be read correctly or rejected with the right error.</summary>
 [NonParallelizable] // measures the memory of the whole process
 public class ReaderFuzzTests
 {
@@ -19,11 +19,11 @@ public class ReaderFuzzTests
         Configurations = 20_000, Pairings = 9_000, Tokens = 1_000;
 
     [Test]
-    public void Inputs_AllReaders_TotalAMillion() =>
+    public void FuzzRuns_AllReaders_HaveAMillionInputs() =>
         Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
 
     [Test]
-    public void Rosbridge_DamagedMessages_AreRefusedOrValid()
+    public void TryRead_DamagedMessages_AcceptsOnlyValidOnes()
     {
         var accepted = new FuzzRun("rosbridge messages", 1, Messages).Feed<string>(() => new TextMutator(Seeds.Messages).Next, () =>
         {
@@ -35,7 +35,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Rosbridge_DamagedBytes_AreRefusedOrValid()
+    public void TryRead_DamagedBytes_AcceptsOnlyValidOnes()
     {
         var accepted = new FuzzRun("rosbridge bytes", 10, Bytes).Feed<byte[]>(() => NextBytes, () =>
         {
@@ -54,7 +54,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void SyncFrame_DamagedFrames_AreRefusedOrRoundTrip()
+    public void SyncFrame_DamagedFrames_AcceptsOnlyThoseThatRoundTrip()
     {
         var accepted = new FuzzRun("sync frames", 2, Frames).Feed<byte[]>(() => FrameMutator.Next, () => bytes =>
         {
@@ -72,7 +72,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Clock_RandomReplies_KeepsTheEstimateValid()
+    public void ClockSynchroniser_RandomReplies_KeepsTheEstimateValid()
     {
         var accepted = new FuzzRun("sync replies", 3, Exchanges).Feed<int>(() => random => random.Next(), () => new WildServer().Reply);
 
@@ -80,7 +80,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Codes_Damaged_AreRefusedInOneLine() => Refused("pairing codes", 4, Codes, Seeds.Codes, text =>
+    public void PairingCode_DamagedText_IsRejectedInOneLine() => Refused("pairing codes", 4, Codes, Seeds.Codes, text =>
     {
         var code = CellCode.Parse(text);
         MessageRules.Finite(code.SizeMetres);
@@ -89,7 +89,7 @@ public class ReaderFuzzTests
     });
 
     [Test]
-    public void Urdf_Damaged_IsRefusedOrHasAPose() => Refused("robot descriptions", 5, Robots, Seeds.Robots, text =>
+    public void Urdf_DamagedText_IsRejectedOrGivesPoses() => Refused("robot descriptions", 5, Robots, Seeds.Robots, text =>
     {
         var robot = UrdfReader.Read(text, "fuzz");
         var poses = new RigidTransform[robot.Links.Count];
@@ -99,7 +99,7 @@ public class ReaderFuzzTests
     });
 
     [Test]
-    public void Profile_Damaged_IsRefusedOrFinite() => Refused("latency profiles", 6, Profiles, [Seeds.Profile], text =>
+    public void LatencyProfile_DamagedText_IsRejectedOrFinite() => Refused("latency profiles", 6, Profiles, [Seeds.Profile], text =>
     {
         var profile = LatencyProfileJson.Read(text, "fuzz");
         MessageRules.Finite(profile.Visualisation.Length.TotalSeconds);
@@ -107,7 +107,7 @@ public class ReaderFuzzTests
     });
 
     [Test]
-    public void Configuration_Damaged_IsReadOrEachFaultHasItsLine()
+    public void Configuration_DamagedText_IsReadOrNamesTheLineOfEachFault()
     {
         var accepted = new FuzzRun("configurations", 9, Configurations).Feed<string>(() => new TextMutator(Seeds.Configurations).Next, () => text =>
         {
@@ -123,7 +123,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void Tokens_DamagedFile_IsRefusedInOneLineWithoutTokens()
+    public void TokenFile_DamagedText_IsRejectedWithoutPrintingTokens()
     {
         using var folder = new TemporaryFolder();
 
@@ -136,7 +136,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void PairedHeadsets_DamagedLines_AreRefusedOrRoundTrip()
+    public void PairedHeadsets_DamagedLines_AreRejectedOrRoundTrip()
     {
         new FuzzRun("lists of paired headsets", 8, Pairings).Feed<string>(() => new TextMutator(Seeds.Paired).Next, () => text =>
         {
@@ -152,7 +152,7 @@ public class ReaderFuzzTests
         });
     }
 
-    // A refusal has one line and the exception type that stands for invalid input.
+    // A rejection must be one line, and an exception of the type that is used for invalid input.
     static void Refused(string name, int seed, int inputs, string[] seeds, Action<string> read, params string[] secrets)
     {
         var accepted = new FuzzRun(name, seed, inputs).Feed<string>(() => new TextMutator(seeds).Next, () => text =>

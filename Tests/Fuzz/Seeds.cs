@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Valid inputs of every kind of external data.</summary>
+/// <summary>Valid inputs for each kind of external data.</summary>
 static class Seeds
 {
     static readonly string[] Templates =

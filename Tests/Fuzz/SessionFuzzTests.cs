@@ -8,13 +8,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Malformed messages to the gateway's session without a socket, so that a failure shows the message that caused it.</summary>
+/// <summary>Passes malformed messages to the gateway's session without a socket, so that a failure shows the message that caused it.</summary>
 public class SessionFuzzTests
 {
     const int Seed = 12, Messages = 30_000;
 
     [Test]
-    public void Handle_DamagedMessages_NeverThrows()
+    public void Handle_DamagedMessages_DoesNotThrow()
     {
         var hub = new MessageHub();
         var plant = new PlantClocks(null, new StopwatchHeadsetClock());

@@ -13,7 +13,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Tens of thousands of malformed inputs over real sockets: to a running gateway, and to a headset from a malicious server.</summary>
+/// <summary>Sends tens of thousands of malformed inputs over real sockets to a running gateway, and from a malicious server to a headset.</summary>
 [NonParallelizable] // measures the memory of the whole process
 public class SocketFuzzTests
 {
@@ -23,7 +23,7 @@ public class SocketFuzzTests
     const long MaxGrowthBytes = 16 * 1024 * 1024;
 
     [Test]
-    public async Task Gateway_DamagedMessages_AnswersAValidOneAfterwards()
+    public async Task Gateway_DamagedMessages_StillAnswersAValidMessage()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SourceMessagesPerSecond = 100_000 });
         await SendSpoiltAsync(gateway, Seed, Messages / 10);
@@ -35,7 +35,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task Gateway_DamagedFrames_ServesAValidClientAfterwards()
+    public async Task Gateway_DamagedFrames_StillServesAValidClient()
     {
         await using var gateway = await Gateways.StartAsync();
         var random = new Random(Seed);
@@ -46,7 +46,7 @@ public class SocketFuzzTests
             var script = new CaseScript(true, "{\"op\":\"call_service\",\"service\":\"/rosapi/get_time\",\"id\":\"", "\"}");
             for (var n = 0; n < FramesEach; n++) Spoil(script, random);
             await new FramedPeer(raw.Stream).SendAsync(script);
-            // This ends a frame that was sent only in part. The others have ended the connection themselves.
+            // Ends the connection if the last frame was sent only in part. All others have already ended it.
             raw.EndSending();
             await raw.ExpectEndAsync();
         }
@@ -59,7 +59,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task SyncServer_DamagedFrames_AnswersAValidOneAfterwards()
+    public async Task SyncServer_DamagedFrames_StillAnswersAValidFrame()
     {
         await using var gateway = await Gateways.StartAsync();
         var random = new Random(Seed);
@@ -83,7 +83,7 @@ public class SocketFuzzTests
     }
 
     [Test]
-    public async Task Headset_MaliciousServer_ShowsFinitePosesAndAcceptsAValidMessageAfterwards()
+    public async Task Headset_MaliciousServer_ShowsFinitePosesAndStillAcceptsAValidMessage()
     {
         using var server = new FakeWebSocketServer();
         using var sync = new FakeSyncServer(new WildReplies(Seed).Answer);
@@ -124,7 +124,7 @@ public class SocketFuzzTests
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         var reading = ReadUntilAsync(client, Last);
         for (var i = 0; i < messages; i++) await client.SendAsync(mutator.Next(random));
-        // The answer on the same connection shows that all earlier messages were read and none of them ended the connection.
+        // An answer on the same connection shows that all earlier messages were read and that none of them ended the connection.
         await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, Last));
         await reading;
         await HonestAsync(gateway);

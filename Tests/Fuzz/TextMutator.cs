@@ -2,8 +2,8 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Damages texts that have a grammar. It changes the tokens that readers decide by, instead of random characters.</summary>
-/// <remarks>Most results are nearly valid, so readers get far before they detect the error. Not thread-safe.</remarks>
+/// <summary>Damages texts of a grammar. Changes the tokens on which readers decide, in place of random characters.</summary>
+/// <remarks>Most results are nearly valid, so that readers process most of the text before they detect the error. Not thread-safe.</remarks>
 sealed class TextMutator
 {
     static readonly string[] Numbers =
@@ -32,7 +32,7 @@ sealed class TextMutator
         _pieces = [.. seeds.SelectMany(Split).Distinct()];
     }
 
-    /// <summary>Returns a damaged text, or sometimes a valid one.</summary>
+    /// <summary>Gets a damaged text; sometimes the text is still valid.</summary>
     public string Next(Random random)
     {
         var pieces = Split(_seeds[random.Next(_seeds.Length)]);
@@ -83,7 +83,7 @@ sealed class TextMutator
     static void Nest(List<string> pieces, int at, Random random)
     {
         var (open, close) = random.Next(3) switch { 0 => ("[", "]"), 1 => ("{\"a\":", "}"), _ => ("<a>", "</a>") };
-        // Around the limit, and sometimes far beyond it.
+        // Uses numbers near the limit, and sometimes far beyond it.
         var depth = random.Next(50) == 0 ? 5000 : random.Next(1, 24);
         pieces[at] = new StringBuilder().Insert(0, open, depth) + pieces[at] + new StringBuilder().Insert(0, close, depth);
     }
@@ -99,7 +99,7 @@ sealed class TextMutator
         return new string(letters);
     }
 
-    // Splits into numbers, words and single other characters.
+    // Splits the text into numbers, words and single other characters.
     static List<string> Split(string text)
     {
         var pieces = new List<string>();

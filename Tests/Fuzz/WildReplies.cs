@@ -3,10 +3,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Answers of a sync server of which about half are honest. Not thread-safe.</summary>
+/// <summary>Creates replies of a sync server, about half of which are correct. Not thread-safe.</summary>
 sealed class WildReplies(int seed)
 {
-    // Puts control time after the stamps of the messages, because stamps in the future are refused without further checks.
+    // The control time is later than the stamps of the messages, because stamps in the future would be rejected without further checks.
     const long AheadNs = 1_700_000_100_000_000_000;
 
     readonly Random _random = new(seed);

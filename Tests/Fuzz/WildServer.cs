@@ -3,7 +3,9 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>A sync server with arbitrary answers, and a headset's clock: the model must stay valid for any answer. Not thread-safe.</summary>
+/// <summary>
+/// A sync server that sends arbitrary replies, and a headset's clock. The clock model must stay valid for any reply. Not thread-safe.
+/// </summary>
 sealed class WildServer
 {
     static readonly TimeSpan MaxTime = TimeSpan.FromDays(365.25 * 150);
@@ -12,7 +14,7 @@ sealed class WildServer
     readonly ExchangePace _pace = new(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(2), new Random(1));
     HeadsetTime _now = HeadsetTime.FromSeconds(100);
 
-    /// <returns>Whether the model used the reply.</returns>
+    /// <returns>Whether the clock model used the reply.</returns>
     public bool Reply(int seed)
     {
         var random = new Random(seed);
@@ -20,7 +22,7 @@ sealed class WildServer
         _now += new TimeSpan(random.NextInt64(1, 2_000_000));
         var reply = FrameMutator.Reply(random, (uint)seed, t1.Nanoseconds);
         var verdict = SyncVerdict.Dropped;
-        // Honest exchanges in between, so that the false ones do not meet an empty model.
+        // Adds correct exchanges, so that the false ones do not meet an empty model.
         if (random.Next(3) == 0) verdict = Take(random, t1, new SyncExchange(t1, Control(t1, 0.5), Control(t1, 0.6), _now));
         else if (reply.Sequence == (uint)seed && reply.T1Ns == t1.Nanoseconds)
             verdict = Take(random, t1, new SyncExchange(

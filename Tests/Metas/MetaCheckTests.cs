@@ -20,13 +20,13 @@ public sealed class MetaCheckTests
     public void TearDown() => _project.Dispose();
 
     [Test]
-    public void Faults_AllWritten_AreEmpty()
+    public void Faults_AllMetasWritten_AreEmpty()
     {
         Assert.That(MetaCheck.Faults(_project.Root), Is.Empty);
     }
 
     [Test]
-    public void Faults_FileWithoutMeta_NamesIt()
+    public void Faults_MetaMissing_NamesTheFile()
     {
         _project.Add("Assets/B.cs");
 
@@ -34,7 +34,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_MetaWithoutFile_NamesIt()
+    public void Faults_MetaWithoutAsset_NamesTheMeta()
     {
         _project.Delete("Assets/Folder/A.cs");
         _project.Add("Assets/Folder/B.txt");
@@ -62,7 +62,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_FolderWithoutFolderAsset_NamesIt()
+    public void Faults_FolderAssetMissing_NamesTheFolder()
     {
         _project.Replace("Assets/Folder.meta", "folderAsset: yes\n", "");
 
@@ -70,7 +70,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_InvalidGuid_NamesIt()
+    public void Faults_InvalidGuid_NamesTheFile()
     {
         _project.Replace("Assets/Folder.meta", "guid: ", "guid: x");
 
@@ -82,7 +82,7 @@ public sealed class MetaCheckTests
     [TestCase("Packages/com.x/A.slnx", "Packages/com.x/A.slnx")]
     [TestCase("Packages/com.x/bin/A.dll", "Packages/com.x/bin")]
     [TestCase("Packages/com.x/obj/A.json", "Packages/com.x/obj")]
-    public void Faults_BuildFileInside_NamesIt(string path, string named)
+    public void Faults_BuildFileInAssets_NamesTheFile(string path, string named)
     {
         _project.Add(path);
 

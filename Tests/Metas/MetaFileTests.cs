@@ -41,7 +41,7 @@ public sealed class MetaFileTests
     [TestCase("a.mat", "NativeFormatImporter")]
     [TestCase("a.shader", "ShaderImporter")]
     [TestCase("LICENSE", "DefaultImporter")]
-    public void ImporterName_OfFormattedFile_FollowsTheExtension(string name, string importer)
+    public void ImporterName_FormattedFile_DependsOnTheExtension(string name, string importer)
     {
         var text = MetaFile.Format(new AssetEntry("Assets/" + name, IsFolder: false), Guid);
 
@@ -59,7 +59,7 @@ public sealed class MetaFileTests
     }
 
     [Test]
-    public void Format_OfAUrdf_NamesThePackagesImporter()
+    public void Format_Urdf_NamesThePackagesImporter()
     {
         var package = Path.Combine(ProjectRoot.Find(TestContext.CurrentContext.TestDirectory), "Packages", "com.nowpose.mril");
         var importer = new MetaFile(File.ReadAllText(Path.Combine(package, "Editor", "UrdfImporter.cs.meta"))).AssetGuid;
@@ -73,13 +73,13 @@ public sealed class MetaFileTests
     [TestCase("guid: 0123456789ABCDEF0123456789abcdef\n")]
     [TestCase("guid: 0123\n")]
     [TestCase("")]
-    public void AssetGuid_NotValid_IsNull(string text)
+    public void AssetGuid_InvalidText_IsNull(string text)
     {
         Assert.That(new MetaFile(text).AssetGuid, Is.Null);
     }
 
     [Test]
-    public void AssetGuid_WindowsLineEnds_IsRead()
+    public void AssetGuid_WindowsLineEnds_ReturnsTheGuid()
     {
         Assert.That(new MetaFile("fileFormatVersion: 2\r\nguid: " + Guid + "\r\n").AssetGuid, Is.EqualTo(Guid));
     }

@@ -14,7 +14,7 @@ public sealed class MetaWriterTests
     public void TearDown() => _project.Dispose();
 
     [Test]
-    public void WriteMissing_AssetsPackagesAndSamples_WritesOnePerFileAndFolder()
+    public void WriteMissing_AssetsPackagesAndSamples_WritesAMetaForEachFileAndFolder()
     {
         _project.Add("Assets/Scenes/Demo.unity");
         _project.Add("Packages/com.x/package.json");
@@ -43,7 +43,7 @@ public sealed class MetaWriterTests
     [TestCase("Assets/cvs/a.cs")]
     [TestCase("Packages/com.x/Documentation~/a.md")]
     [TestCase("Gateway/a.cs")]
-    public void WriteMissing_HiddenOrOutside_WritesNone(string path)
+    public void WriteMissing_HiddenFileOrOtherFolder_WritesNoMeta(string path)
     {
         _project.Add(path);
 
@@ -53,7 +53,7 @@ public sealed class MetaWriterTests
     }
 
     [Test]
-    public void WriteMissing_EmptyFolder_WritesNone()
+    public void WriteMissing_EmptyFolder_WritesNoMeta()
     {
         Directory.CreateDirectory(Path.Combine(_project.Root, "Assets", "Empty", "Nested"));
 
@@ -89,7 +89,7 @@ public sealed class MetaWriterTests
     }
 
     [Test]
-    public void WriteMissing_GuidOfThePathInUse_WritesAnother()
+    public void WriteMissing_FirstGuidOfThePathInUse_WritesAnotherGuid()
     {
         _project.Add("Assets/A.cs");
         MetaWriter.WriteMissing(_project.Root);
@@ -103,7 +103,7 @@ public sealed class MetaWriterTests
     }
 
     [Test]
-    public void Prune_AssetDeleted_RemovesOnlyItsMeta()
+    public void Prune_AssetDeleted_RemovesOnlyTheMetaOfThisAsset()
     {
         _project.Add("Assets/A.cs");
         _project.Add("Assets/B.cs");

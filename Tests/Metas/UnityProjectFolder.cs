@@ -1,6 +1,6 @@
 namespace Nowpose.Headless.Tests.Metas;
 
-/// <summary>A Unity project in a temporary folder, deleted when disposed.</summary>
+/// <summary>A Unity project in a temporary folder. Dispose deletes the folder.</summary>
 sealed class UnityProjectFolder : IDisposable
 {
     public UnityProjectFolder()

@@ -34,7 +34,7 @@ public class NativeWebSocketEndTests
     }
 
     [Test]
-    public async Task Receive_Cancelled_Ends()
+    public async Task Receive_Cancelled_ThrowsAndKeepsTheLinkOpen()
     {
         using var server = new FakeWebSocketServer();
         var (link, socket) = await OpenAsync(server);
@@ -99,7 +99,7 @@ public class NativeWebSocketEndTests
     }
 
     [Test]
-    public async Task Dispose_ServerDoesNotAnswerTheClose_Ends()
+    public async Task Dispose_ServerDoesNotAnswerTheCloseFrame_ClosesTheConnection()
     {
         using var server = new FakeWebSocketServer();
         var link = Link(server.Port);

@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.Network.PlayedServer;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>The topics of several robots and of the cell's objects and signals, on one connection.</summary>
+/// <summary>Tests the topics of several robots and of the cell's objects and signals on one connection.</summary>
 public class CellTopicsTests
 {
     PlayedServer _played;
@@ -19,7 +19,7 @@ public class CellTopicsTests
     public void Stop() => _played.Dispose();
 
     [Test]
-    public async Task Subscribe_TopicAddedWhileConnected_IsSentAtOnceAndAgainAfterAReconnection()
+    public async Task Subscribe_WhileConnected_SendsImmediatelyAndAfterReconnecting()
     {
         var socket = await _played.Server.AcceptAsync();
         await NextAsync(socket, RosTopics.JointStatus);
@@ -35,7 +35,7 @@ public class CellTopicsTests
     }
 
     [Test]
-    public async Task Receive_RobotInANamespace_IsNotTheOtherOne()
+    public async Task Receive_RobotInANamespace_IsDistinguishedFromOtherRobots()
     {
         var socket = await _played.Server.AcceptAsync();
 

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>Scores session files with known errors against a truth in the format that a gateway prints.</summary>
+/// <summary>Scores session files with known errors against the true values, which have the format of the gateway's output.</summary>
 public class LinkScoreTests
 {
     const int FramesPerSecond = 50;
@@ -17,9 +17,9 @@ public class LinkScoreTests
     static readonly LinkTruth Truth = new("c1_ns = 1700000000000000000 + 1.0002 * monotonic_ns", "1700000299000000000", "youbot");
 
     [Test]
-    public void ControlAt_ClockLine_InterpolatesIt()
+    public void ControlAt_ClockLineOfTheGateway_Interpolates()
     {
-        // 300 s at 200 ppm are 60 ms.
+        // A skew of 200 ppm over 300 s gives 60 ms.
         Assert.That(Truth.ControlAt(Start).Nanoseconds, Is.EqualTo(1_700_000_300_060_000_000));
     }
 
@@ -40,18 +40,18 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_LateFrames_HasTheErrorOfClockAndTool()
+    public void Result_LateFrames_HasErrorsOfClockAndTool()
     {
         var result = Score(20, _ => "current", clockErrorUs: 20_000, statedUs: i => i % 4 == 0 ? 20_001 : 19_999);
 
         Assert.That(result.ClockErrorUsP50, Is.EqualTo(20_000).Within(0.2));
         Assert.That(result.WithinStatedShare, Is.EqualTo(0.25));
-        // 20 ms late while the held pose is 100 ms late. The triangle inequality limits the reduction to this range.
+        // The frames are 20 ms late, and the held pose is 100 ms late. By the triangle inequality, the reduction must be in this range.
         Assert.That(result.Reduction, Is.InRange(0.77, 0.8));
     }
 
     [Test]
-    public void Result_NoStatedError_IsNotWithinTheBound()
+    public void Result_NoStatedError_CountsAsNotWithinIt()
     {
         var result = Score(5, _ => "current", statedUs: _ => null);
 
@@ -60,7 +60,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_PoseNotCurrent_IsCountedFromTheFirstCurrentFrame()
+    public void Result_PoseNotCurrent_CountsFromTheFirstCurrentFrame()
     {
         var result = Score(10, i => i < 100 ? "unsynchronised" : i is >= 200 and < 225 or 300 ? "held" : "current", synchronisedAt: 90);
 
@@ -72,7 +72,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_NeverCurrent_HasNoScores()
+    public void Result_PoseNeverCurrent_HasNoScores()
     {
         var result = Score(5, _ => "unsynchronised");
 
@@ -81,9 +81,9 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_Stalls_ScoresTheWorst()
+    public void Result_SeveralStalls_ReturnsTheLongestTimes()
     {
-        // The link starts with the frames. It stalls from 8 to 9.5 s and from 16 to 17.5 s.
+        // The link starts together with the frames. It stalls from 8 to 9.5 s and from 16 to 17.5 s.
         var result = Score(
             20, i => (i / (double)FramesPerSecond) is >= 8.2 and < 9.6 or >= 16.1 and < 17.9 ? "held" : "current", LinkProfile.Roaming);
 
@@ -93,7 +93,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_StallNotShown_ExceedsTheLimit()
+    public void Result_PoseCurrentDuringAStall_ExceedsTheLimit()
     {
         var result = Score(20, _ => "current", LinkProfile.Roaming);
 
@@ -102,7 +102,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Missed_RoamingWithoutStall_NamesBothLimits()
+    public void Missed_NoStallInTheRun_NamesBothLimitsOfStalls()
     {
         var result = Score(5, _ => "current", LinkProfile.Roaming);
 
@@ -112,7 +112,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Median_MissingInHalfOfTheRuns_IsNull()
+    public void Median_ValueMissingInHalfOfTheRuns_IsNull()
     {
         var good = Score(5, _ => "current");
         var never = Score(5, _ => "unsynchronised");

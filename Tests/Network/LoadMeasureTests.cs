@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>The load tool reads and counts exactly the received messages.</summary>
+/// <summary>Tests that the load measurement reads and counts the received messages exactly.</summary>
 public class LoadMeasureTests
 {
     static readonly ControlTime Stamp = ControlTime.FromNanoseconds(5_000_000_123_400);
@@ -16,9 +16,9 @@ public class LoadMeasureTests
     [TestCase(1)]
     [TestCase(7)]
     [TestCase(1000)]
-    public void Frames_InPiecesOfAnyLength_AreRead(int pieceLength)
+    public void FrameReader_PiecesOfAnyLength_ReadsAllFrames(int pieceLength)
     {
-        // Frames as a server sends them, without a mask.
+        // The frames have no mask, as those of a server.
         byte[] frame = [0x81, (byte)126, (byte)(Message.Length >> 8), (byte)Message.Length, .. Message];
         byte[] stream = [.. frame, 0x89, 2, 1, 2, .. frame];
         var reader = new FrameReader();
@@ -35,7 +35,7 @@ public class LoadMeasureTests
                 else if (FrameReader.TryReadStamp(payload, out var stamp)) stamps.Add(stamp);
             }
 
-            reader.Forget(at);
+            reader.Discard(at);
         }
 
         Assert.That(Message.Length, Is.GreaterThan(125), "or its frame has a shorter head");
@@ -44,7 +44,7 @@ public class LoadMeasureTests
     }
 
     [Test]
-    public void Quantiles_OfHundredLatencies_AreExactToTenMicroseconds()
+    public void Quantile_HundredLatencies_IsAccurateToTenMicroseconds()
     {
         var counts = new LatencyCounts();
         for (var i = 1; i <= 100; i++) counts.Add(i * 1_000_000L);
@@ -55,9 +55,9 @@ public class LoadMeasureTests
     }
 
     [Test]
-    public void Ratio_LoadOfTheMachineChangesBetweenRounds_IsThatOfTheBuilds()
+    public void Ratio_LoadOfTheMachineChanges_EqualsTheRatioOfTheBuilds()
     {
-        // Each round has another load; the fourth has an outlier.
+        // The load differs in each round, and the fourth round has an outlier.
         double[] loads = [1, 4, 9, 2, 16];
         static LoadResult Result(double p99Ms) => new(200, 50, 10, 0, 0, 0, 0, 0, 1, p99Ms, 20, 0, 0, 0, 0, 0, 0, 0, 0);
 
@@ -67,12 +67,12 @@ public class LoadMeasureTests
     }
 
     [Test]
-    public void Memory_Growing_IsNotFlat()
+    public void MemoryWatch_GrowingMemory_ExceedsTheLimit()
     {
         var (flat, growing) = (new MemoryWatch(), new MemoryWatch());
         for (var second = 0; second < 300; second++)
         {
-            // The sawtooth of a garbage collection every few seconds.
+            // The memory has a sawtooth shape, as with a garbage collection every few seconds.
             flat.Add(100_000_000 + (second % 7 * 3_000_000));
             growing.Add(100_000_000 + (second * 60_000));
         }

@@ -11,7 +11,9 @@ public class PathRunTests
     const double SizeMs = 4;
     const int FirstSeed = 7000, Seeds = 2, SmallSeeds = 3;
 
-    /// <summary>On a quiet link exchanges are rare when the path changes, and become frequent once the error bound of the clock has grown.</summary>
+    /// <summary>
+    /// On a link with little jitter, exchanges are rare when the path changes. They become frequent when the error bound has grown.
+    /// </summary>
     [Test]
     public void Play_ChangeWhileExchangesAreRare_KeepsErrorAndSkew(
         [Range(7000, 7005)] int seed, [Values("requests longer", "replies longer", "both longer")] string change)
@@ -29,14 +31,14 @@ public class PathRunTests
         where !IsHidden(link, change)
         select new TestCaseData(link.Name, change.Name);
 
-    // The smaller part of an opposite change, 1 ms, is lost in the delays of these links: the skew moves by up to 8 ppm on `bad`.
+    // The smaller part of such a change, 1 ms, is hidden by the delays of these links. On `bad`, the skew then moves by up to 8 ppm.
     static bool IsHidden(LinkProfile link, PathChange change) =>
         (link == LinkProfile.Bad || link == LinkProfile.Roaming)
         && change.Name is ("requests longer, replies shorter" or "requests shorter, replies longer");
 
-    /// <summary>The limits of the verb `paths`, which runs more seeds and sizes. For the skew, 5 ppm apply where it allows more.</summary>
+    /// <summary>Uses the limits of the verb `paths`, which runs more seeds and sizes. The limit for the skew is at most 5 ppm.</summary>
     [TestCaseSource(nameof(Changes))]
-    public void Missed_ChangeOnALink_IsEmpty(string link, string change)
+    public void Missed_ChangeOfThePath_IsEmpty(string link, string change)
     {
         var cell = Cell(link, change, SizeMs, ClockEstimators.Default);
 
@@ -44,7 +46,7 @@ public class PathRunTests
         Assert.That(cell.SkewPpm, Is.LessThan(5), $"seeds {FirstSeed} and up");
     }
 
-    /// <summary>The first exchanges give the new minimum delays only roughly. Their later correction must not look like another skew.</summary>
+    /// <summary>The first exchanges give only approximate new minimum delays. Their later correction must not look like another skew.</summary>
     [TestCase("bad", "shorter than ever", 4, 7000)]
     [TestCase("bad", "shorter than ever", 20, 7000)]
     [TestCase("bad", "both longer", 2, 7000)]
@@ -59,14 +61,14 @@ public class PathRunTests
         }
     }
 
-    /// <summary>The round trips show a change of half a millisecond, although the margin for a wrong skew alone would hide it.</summary>
+    /// <summary>The round-trip times show a change of 0.5 ms, although the margin for a wrong skew alone would hide it.</summary>
     [TestCase("wifi", "requests longer")]
     [TestCase("wifi", "longer and back")]
     [TestCase("clean", "both longer")]
     [TestCase("cellular", "requests longer")]
     [TestCase("cellular", "replies longer")]
     [TestCase("cellular", "longer and back")]
-    public void Missed_SmallChange_IsEmpty(string link, string change) =>
+    public void Missed_ChangeOfHalfAMillisecond_IsEmpty(string link, string change) =>
         Assert.That(Cell(link, change, 0.5, ClockEstimators.Default).Missed, Is.Empty, $"seeds {FirstSeed} and up");
 
     static IEnumerable<TestCaseData> SmallChanges =>
@@ -75,11 +77,12 @@ public class PathRunTests
         select new TestCaseData(link.Name, change.Name);
 
     /// <summary>
-    /// Where half a millisecond is less than the jitter, no data distinguish it from a late packet for up to two minutes, and the estimate follows
-    /// it. The stated ± holds nevertheless. A shorter path is visible only from the first packet that needs less time than all before it.
+    /// Where 0.5 ms is less than the jitter, the change cannot be distinguished from a late packet for up to two minutes, and the estimate follows
+    /// the change. The true error must still be within the stated one. A shorter path shows only with the first packet that is faster than all
+    /// earlier ones.
     /// </summary>
     [TestCaseSource(nameof(SmallChanges))]
-    public void Within_ChangeTooSmallToRecognise_HoldsIn99Percent(string link, string name)
+    public void Within_ChangeTooSmallToDetect_IsAtLeast99Percent(string link, string name)
     {
         var runs = Play(link, Named(name), 0.5, ClockEstimators.Default, SmallSeeds);
 
@@ -87,21 +90,21 @@ public class PathRunTests
         if (!name.Contains("shorter", StringComparison.Ordinal)) Assert.That(runs.Min(run => run.Within), Is.GreaterThanOrEqualTo(0.95));
     }
 
-    /// <summary>Runs in which the ± was too small for 2 to 20 % of the time while it included only recognised changes.</summary>
+    /// <summary>Runs in which an earlier stated error, which included only detected changes, was too small in 2 to 20 % of the time.</summary>
     [TestCase("bad", "requests longer", 20014)]
     [TestCase("bad", "requests longer", 20025)]
     [TestCase("bad", "replies longer", 20000)]
     [TestCase("bad", "replies longer", 20006)]
     [TestCase("bad", "requests longer, replies shorter", 20036)]
     [TestCase("lossy", "requests longer", 20008)]
-    public void Within_EstimateFollowsASmallChange_Holds(string link, string name, int seed)
+    public void Within_EstimateFollowsASmallChange_IsAtLeast99Percent(string link, string name, int seed)
     {
         var run = PathRun.Play(LinkProfile.Named(link), Named(name), 0.5, ClockEstimators.Default, seed);
 
         Assert.That(run.Within, Is.GreaterThanOrEqualTo(0.99));
     }
 
-    /// <summary>The possible error of a change that is not recognised must not hide how accurate an undisturbed clock is.</summary>
+    /// <summary>The stated error includes possible undetected changes. It must still be small if the path does not change.</summary>
     [TestCase("clean", 0.1)]
     [TestCase("wifi", 0.35)]
     [TestCase("lossy", 0.5)]
@@ -115,9 +118,9 @@ public class PathRunTests
         Assert.That(runs.Average(run => run.StatedMs), Is.LessThan(maxMs), $"seeds {FirstSeed} and up");
     }
 
-    /// <summary>The margin for a wrong skew hides the smaller change. Half of it is an error that the stated ± must include.</summary>
+    /// <summary>The margin for a wrong skew hides the smaller change. Half of this change is an error that the stated error must include.</summary>
     [Test]
-    public void Play_ChangesOnACleanLink_ErrorStaysWithinTheStatedOne([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
+    public void Play_TwoChangesOnACleanLink_KeepsTheErrorWithinTheStatedOne([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
     {
         var before = Math.Max(0, -share);
         var change = new PathChange(
@@ -129,7 +132,7 @@ public class PathRunTests
         Assert.That(run.ErrorMs, Is.LessThan(0.15));
     }
 
-    /// <summary>Both bounds move in the direction of a step of the clock, but by different amounts.</summary>
+    /// <summary>Both bounds of the offset move in the same direction, as with a step of the clock, but by different amounts.</summary>
     [Test]
     public void Play_RequestsLongerAndRepliesSlightlyShorter_CountsNoClockStep([Range(7000, 7003)] int seed)
     {
@@ -142,8 +145,8 @@ public class PathRunTests
     }
 
     /// <summary>
-    /// One direction becomes longer and the other one shorter: an error of half the sum cannot be excluded, and the stated ± includes it. The
-    /// round trips show that no clock has stepped, on noisy links only after more exchanges.
+    /// One direction becomes longer and the other one shorter. An error of half the sum cannot be excluded, and the stated error must include it.
+    /// The round-trip times show that no clock has stepped, but on links with jitter only after more exchanges.
     /// </summary>
     [Test]
     public void Play_DirectionsChangeOppositely_CountsNoClockStep(
@@ -160,7 +163,7 @@ public class PathRunTests
     }
 
     [Test]
-    public void Missed_PapersEstimator_NamesTheSkew()
+    public void Missed_PapersEstimator_NamesTheLimitOfTheSkew()
     {
         var missed = Cell("clean", "requests longer", SizeMs, ClockEstimators.Ransac).Missed.ToArray();
 
@@ -169,7 +172,7 @@ public class PathRunTests
     }
 
     [Test]
-    public void Play_PapersEstimator_HasAnErrorOfHalfTheChangeOrMore()
+    public void Play_PapersEstimator_ErrsByHalfTheChange()
     {
         var change = Named("requests longer");
 
@@ -184,7 +187,7 @@ public class PathRunTests
         return new PathCell(LinkProfile.Named(link), Named(change), sizeMs, Play(link, Named(change), sizeMs, estimator), unchanged.Value);
     }
 
-    // The run without a change, shared by all changes.
+    // Runs without a change, which the tests of all changes share.
     static readonly ConcurrentDictionary<(string Link, string Estimator), Lazy<PathRun[]>> Unchanged = new();
 
     static PathRun[] Play(string link, PathChange change, double sizeMs, string estimator, int seeds = Seeds) =>

@@ -5,7 +5,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>Queues all that a client receives.</summary>
+/// <summary>Stores everything that a client receives in queues.</summary>
 sealed class QueuedListener : IRosbridgeListener
 {
     public ConcurrentQueue<JointStateMessage> Messages { get; } = [];
@@ -20,7 +20,7 @@ sealed class QueuedListener : IRosbridgeListener
         Robots.Enqueue(robot);
     }
 
-    /// <summary>Namespaces of the robots in the order of <see cref="Messages"/>.</summary>
+    /// <summary>Namespaces of the robots, in the same order as <see cref="Messages"/>.</summary>
     public ConcurrentQueue<string> Robots { get; } = [];
 
     public void Planned(JointTrajectoryMessage message, HeadsetTime arrival, string robot) => Plans.Enqueue(message);

@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Network;
 public class RosTimeAnswerTests
 {
     [Test]
-    public void Problem_CallFailed_IsOneShortLineWithTheRemedy()
+    public void Problem_CallFailed_ReturnsOneLineWithASuggestion()
     {
         var said = "Service /rosapi/get_time\\r\\ndoes not exist" + new string('.', 1000);
         RosbridgeReader.TryRead($$"""{"op":"service_response","service":"/rosapi/get_time","values":"{{said}}","result":false}""", out var response, out var fault);

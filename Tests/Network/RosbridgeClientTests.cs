@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.Network.PlayedServer;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>How the headset handles valid and invalid messages of a server.</summary>
+/// <summary>Tests how the headset handles valid and invalid messages of a server.</summary>
 public class RosbridgeClientTests
 {
     PlayedServer _played;
@@ -23,7 +23,7 @@ public class RosbridgeClientTests
         """;
 
     [Test]
-    public async Task Receive_JointStatus_IsPassedOnAndAMalformedOneIsCounted()
+    public async Task Receive_JointStatus_CallsTheListenerAndCountsMalformedOnes()
     {
         var socket = await _played.Server.AcceptAsync();
 
@@ -48,7 +48,7 @@ public class RosbridgeClientTests
     }
 
     [TestCaseSource(nameof(BadMessages))]
-    public async Task Receive_InvalidMessage_IsCountedAndTheNextIsPassedOn(string message, object reason)
+    public async Task Receive_InvalidMessage_CountsItAndReadsTheNext(string message, object reason)
     {
         var socket = await _played.Server.AcceptAsync();
 
@@ -60,7 +60,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_BinaryMessage_IsDropped()
+    public async Task Receive_BinaryMessage_DropsIt()
     {
         var socket = await _played.Server.AcceptAsync();
 
@@ -88,7 +88,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_LongFrameInSmallSegments_IsNotCountedAsFragments()
+    public async Task Receive_LongFrameInSmallSegments_CountsOneFragment()
     {
         var stream = await _played.Server.AcceptStreamAsync();
         var padded = Good.Replace("\"op\"", "\"padding\":\"" + new string('x', 60_000) + "\",\"op\"");
@@ -115,7 +115,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_SetPoints_ArePassedOn()
+    public async Task Receive_SetPoints_CallsTheListener()
     {
         var socket = await _played.Server.AcceptAsync();
 
@@ -127,7 +127,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_DescriptionOfNearlyOneMebibyte_IsPassedOn()
+    public async Task Receive_DescriptionOfNearlyOneMebibyte_CallsTheListener()
     {
         var socket = await _played.Server.AcceptAsync();
         var urdf = new string('x', ProtocolLimits.DescriptionBytes - 100);
@@ -139,7 +139,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_DescriptionBeyondOneMebibyte_IsDropped()
+    public async Task Receive_DescriptionAboveOneMebibyte_DropsIt()
     {
         var socket = await _played.Server.AcceptAsync();
 
@@ -172,7 +172,7 @@ public class RosbridgeClientTests
     }
 
     [Test]
-    public async Task Receive_DescriptionListenerThrows_IsCountedAndTheNextIsPassedOn()
+    public async Task Receive_DescriptionListenerThrows_CountsItAndReadsTheNext()
     {
         _played.Listener.Describing = urdf => { if (urdf == "bad") throw new InvalidOperationException("no description today"); };
         var socket = await _played.Server.AcceptAsync();

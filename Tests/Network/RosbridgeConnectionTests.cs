@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.Network.PlayedServer;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>How a client connects, subscribes, reconnects and ends.</summary>
+/// <summary>Tests how a client connects, subscribes, reconnects and ends.</summary>
 public class RosbridgeConnectionTests
 {
     PlayedServer _played;
@@ -35,7 +35,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Receive_VersionThenNewConnection_ForgetsTheVersion()
+    public async Task Receive_ConnectionClosedAfterVersion_ResetsTheVersion()
     {
         using (var first = await _played.Server.AcceptAsync())
         {
@@ -79,7 +79,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Receive_ServerCloses_StatesItInTheStatus()
+    public async Task Receive_ServerClosesTheConnection_StatesItInTheStatus()
     {
         var socket = await _played.Server.AcceptAsync();
 
@@ -92,7 +92,7 @@ public class RosbridgeConnectionTests
     [TestCase("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n", "token")]
     [TestCase("HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n", "origin")]
     [TestCase("HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n", "200")]
-    public async Task Connect_Refused_StatesTheReason(string answer, string named)
+    public async Task Connect_UpgradeRefused_StatesTheReason(string answer, string named)
     {
         await _played.Server.AnswerAsync(answer);
 
@@ -101,7 +101,7 @@ public class RosbridgeConnectionTests
 
     [TestCase("HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: bm9uc2Vuc2U=\r\n\r\n")]
     [TestCase("SSH-2.0-OpenSSH_9.2\r\n\r\n")]
-    public async Task Connect_NotAGateway_RetriesAndStatesTheReason(string answer)
+    public async Task Connect_ServerIsNotAGateway_StatesTheReasonAndRetries(string answer)
     {
         await _played.Server.AnswerAsync(answer);
 
@@ -123,7 +123,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Diagnostics_Throws_EndsTheConnectionButNotTheClient()
+    public async Task Diagnostics_ProviderThrows_EndsOnlyTheConnection()
     {
         _played.Listener.FailDiagnostics = true;
         await _played.Server.AcceptStreamAsync();
@@ -165,7 +165,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Connect_PublishingDisplayedOff_NeitherAdvertisesNorRequestsThem()
+    public async Task Connect_PublishingDisplayedJointsDisabled_DoesNotAdvertiseThem()
     {
         using var server = new FakeWebSocketServer();
         var clock = new StopwatchHeadsetClock();
@@ -204,7 +204,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Dispose_ThreadIsBlocked_DoesNotWait()
+    public async Task Dispose_ThreadBlocked_ReturnsWithoutWaiting()
     {
         await _played.Server.AcceptAsync();
         var clock = new StuckClock();

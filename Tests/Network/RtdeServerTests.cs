@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>The server of the tests against bytes written by hand from UR's guide.</summary>
+/// <summary>Compares the tests' RTDE server with bytes that were written by hand from UR's documentation.</summary>
 public sealed class RtdeServerTests
 {
     PeerProcess _server;
@@ -20,13 +20,13 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Requests_Version2_AreAnsweredAsInTheGuide()
+    public async Task Requests_Version2_AreAnsweredAsDocumentedByUR()
     {
         await StartAsync();
 
         Assert.That(await AskAsync("0005 56 0002"), Is.EqualTo(Bytes("0004 56 01")));
         Assert.That(await AskAsync("0003 76"), Is.EqualTo(Bytes("0013 76 00000005 0000000b 00000001 0001a71e")));
-        // 125 Hz, timestamp,actual_q: recipe 1, DOUBLE,VECTOR6D
+        // 125 Hz; fields timestamp and actual_q. The answer is recipe 1 with DOUBLE,VECTOR6D.
         Assert.That(
             await AskAsync("001d 4f 405f400000000000" + Ascii("timestamp,actual_q")),
             Is.EqualTo(Bytes("0013 4f 01" + Ascii("DOUBLE,VECTOR6D"))));
@@ -50,7 +50,7 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Outputs_UnknownField_IsNotFoundAndStartIsRefused()
+    public async Task Outputs_UnknownField_ReportsItAndRefusesToStart()
     {
         await StartAsync();
         await AskAsync("0005 56 0002");
@@ -64,7 +64,7 @@ public sealed class RtdeServerTests
     [TestCase("version-1", "0005 56 0002", "0004 56 00")]
     [TestCase("not-found", "000b 4f 61637475616c5f71", "000c 4f 4e4f545f464f554e44")]
     [TestCase("wrong-type", "000b 4f 61637475616c5f71", "000f 4f 564543544f5236494e543332")]
-    public async Task Fault_AtTheStart_IsReported(string fault, string request, string answer)
+    public async Task Start_FaultyRequest_ReportsTheFault(string fault, string request, string answer)
     {
         await StartAsync("--fault", fault);
 
@@ -72,7 +72,7 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Pause_Streaming_EndsTheDataUntilTheNextStart()
+    public async Task Pause_WhileStreaming_StopsTheDataUntilTheNextStart()
     {
         await StartAsync();
         await AskAsync("0005 56 0002");
@@ -86,14 +86,14 @@ public sealed class RtdeServerTests
         while (package.Type == 'U');
 
         Assert.That(package, Is.EqualTo(((byte)'P', new byte[] { 1 })));
-        // The next package is the answer, so no data arrived in between.
+        // The next package is the answer, so no data package was sent in between.
         Assert.That(await AskAsync("0003 76"), Does.StartWith("001376"));
         Assert.That(await AskAsync("0003 53"), Is.EqualTo(Bytes("0004 53 01")));
         Assert.That((await ReadAsync()).Type, Is.EqualTo((byte)'U'));
     }
 
     [Test]
-    public async Task Inputs_EachRecipe_HasItsOwnIdAndUnknownOnesAreNotFound()
+    public async Task Inputs_SeveralRecipes_HaveDifferentIdsAndReportUnknownFields()
     {
         await StartAsync();
         await AskAsync("0005 56 0002");
@@ -106,7 +106,7 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Inputs_OfAnotherClient_AreInUseUntilItDisconnects()
+    public async Task Inputs_UsedByAnotherClient_AreInUseUntilThatClientDisconnects()
     {
         await StartAsync();
         const string register = "0017 49";
@@ -125,19 +125,19 @@ public sealed class RtdeServerTests
     }
 
     [Test]
-    public async Task Package_OfUnknownType_IsAnsweredWithATextMessage()
+    public async Task Package_UnknownType_IsAnsweredWithATextMessage()
     {
         await StartAsync();
         await AskAsync("0005 56 0002");
 
-        // Length and text, length and source, level 2: a warning.
+        // Length and text, length and source, level 2 (warning).
         Assert.That(
             await AskAsync("0003 7a"),
             Is.EqualTo(Bytes("0022 4d 18" + Ascii("unknown package type 122") + "04" + Ascii("RTDE") + "02")));
     }
 
     [Test]
-    public async Task Clients_Two_ReceiveTheirOwnFieldsAtTheirOwnFrequency()
+    public async Task Clients_DifferentRecipes_ReceiveTheirFieldsAtTheirFrequency()
     {
         await StartAsync();
         using var other = await ConnectAsync();
@@ -147,14 +147,14 @@ public sealed class RtdeServerTests
         await AskAsync("0014 4f 405f400000000000" + Ascii("timestamp"));
         await AskAsync("0003 53");
         await AskAsync("0005 56 0002", slow);
-        // 25 Hz, timestamp,runtime_state
+        // 25 Hz; fields timestamp and runtime_state.
         await AskAsync("0022 4f 4039000000000000" + Ascii("timestamp,runtime_state"), slow);
         await AskAsync("0003 53", slow);
 
         var fastTimes = await TimestampsAsync(_client.GetStream(), length: 1 + 8);
         var slowTimes = await TimestampsAsync(slow, length: 1 + 8 + 4);
 
-        // A busy server skips packages and sends the next one late, but never sends two in one period.
+        // A busy server can skip packages and send the next one late, but it must not send two in one period.
         Assert.That(fastTimes.Select(time => Math.Floor(time / 0.008 + 1e-6)), Is.Unique);
         Assert.That(slowTimes.Select(time => Math.Floor(time / 0.04 + 1e-6)), Is.Unique);
         Assert.That(fastTimes.Zip(fastTimes.Skip(1), (before, after) => after - before).Min(), Is.LessThan(0.039));
@@ -162,7 +162,7 @@ public sealed class RtdeServerTests
 
     [TestCase("garbage")]
     [TestCase("none")]
-    public async Task Clients_DisconnectWhileDataAreSent_OthersAreServed(string fault)
+    public async Task Clients_OneDisconnectsWhileDataAreSent_ServesTheOthers(string fault)
     {
         await StartAsync("--fault", fault);
         for (var i = 0; i < 20; i++)
@@ -213,7 +213,7 @@ public sealed class RtdeServerTests
 
     Task<string> AskAsync(string request) => AskAsync(request, _client.GetStream());
 
-    /// <summary>Sends bytes, and gives the next package as size, type and payload.</summary>
+    /// <summary>Sends bytes, and returns size, type and payload of the next package.</summary>
     static async Task<string> AskAsync(string request, NetworkStream stream)
     {
         await stream.WriteAsync(Convert.FromHexString(Bytes(request)));

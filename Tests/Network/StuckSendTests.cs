@@ -7,29 +7,29 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>A link whose sends never complete, as with a full buffer and a lost peer.</summary>
+/// <summary>Tests a link whose sends do not complete, as with a full buffer after the other side has disappeared.</summary>
 [Parallelizable(ParallelScope.All)]
 public class StuckSendTests
 {
     const string Text = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1]}}""";
 
-    /// <summary>More messages than are sent within two seconds.</summary>
+    /// <summary>Number of messages that is larger than that sent within two seconds.</summary>
     const int ForTwoSeconds = 45;
 
-    /// <summary>Number of subscriptions and advertisements.</summary>
+    /// <summary>Number of subscriptions and advertisements, which are sent first.</summary>
     const int AtTheBeginning = 6;
 
     [TestCase(0, false, false, "nothing could be sent for 6 s")]
     [TestCase(ForTwoSeconds, false, false, "received nothing for 6 s")]
     [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]
     [TestCase(AtTheBeginning, true, true, "did not answer within 2 s")]
-    public async Task Send_NeverReturns_EndsTheConnectionAndReconnects(int taken, bool hears, bool asksTime, string reason)
+    public async Task Send_NeverCompletes_EndsTheConnectionAndReconnects(int taken, bool receives, bool asksTime, string reason)
     {
         var clock = new StopwatchHeadsetClock();
         var exchanges = asksTime ? Exchanges(clock) : null;
         var links = 0;
-        // The second link fails at once, because a status of its own would hide the reason why the first one ended.
-        IWebSocketLink Next() => Interlocked.Increment(ref links) == 1 ? new StuckLink(clock, taken, hears) : new ClosedDoor();
+        // The second link never opens, so that its status does not replace the reason why the first one ended.
+        IWebSocketLink Next() => Interlocked.Increment(ref links) == 1 ? new StuckLink(clock, taken, receives) : new NeverOpeningLink();
 
         using var client = new RosbridgeClient(Next, clock, new Listener(), Subscribed.ToRobot(), true, exchanges);
 
@@ -43,7 +43,7 @@ public class StuckSendTests
         clock, new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default), new SyncFaultCounters(),
         new ExchangePace(TimeSpan.FromMilliseconds(200), TimeSpan.FromSeconds(5), new Random(1)));
 
-    sealed class StuckLink(IHeadsetClock clock, int taken, bool hears) : IWebSocketLink
+    sealed class StuckLink(IHeadsetClock clock, int taken, bool receives) : IWebSocketLink
     {
         static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(100);
 
@@ -59,7 +59,7 @@ public class StuckSendTests
         {
             while (true)
             {
-                if (!hears) await _gone.Task;
+                if (!receives) await _gone.Task;
                 await Task.Delay(Interval, cancel);
                 take(ReceivedText.Message(Encoding.UTF8.GetBytes(Text), clock.Now));
             }
@@ -68,7 +68,7 @@ public class StuckSendTests
         public void Dispose() => _gone.TrySetException(new ObjectDisposedException(nameof(StuckLink)));
     }
 
-    sealed class ClosedDoor : IWebSocketLink
+    sealed class NeverOpeningLink : IWebSocketLink
     {
         public Task OpenAsync(CancellationToken cancel) => Task.Delay(Timeout.Infinite, cancel);
         public Task SendAsync(string text, CancellationToken cancel) => throw new NotSupportedException();

@@ -2,7 +2,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>Topics of clients in tests.</summary>
+/// <summary>Topics to which clients subscribe in tests.</summary>
 static class Subscribed
 {
     public static Subscriptions ToRobot(string robot = "")

@@ -13,7 +13,7 @@ public class SyncClientTests
     SyncFaultCounters _faults;
 
     [SetUp]
-    public void CountAnew() => _faults = new SyncFaultCounters();
+    public void ResetFaults() => _faults = new SyncFaultCounters();
 
     (SyncClient Client, ClockSynchroniser Clock) Connect(int port, CertificatePin pin = null)
     {
@@ -25,7 +25,7 @@ public class SyncClientTests
         new(SyncFrameKind.Reply, 0, sequence ?? request.Sequence, 0, t1Ns ?? request.T1Ns, t2Ns, t3Ns, 0);
 
     [Test]
-    public async Task Exchange_HonestServer_FeedsTheSynchroniser()
+    public async Task Exchange_CorrectServer_SynchronisesTheClock()
     {
         var offset = TimeSpan.FromHours(3);
         var headset = new StopwatchHeadsetClock();
@@ -50,7 +50,7 @@ public class SyncClientTests
     [TestCase(SyncExchangeFault.WrongEcho)]
     [TestCase(SyncExchangeFault.ControlTimeReversed)]
     [TestCase(SyncExchangeFault.NegativeRoundTrip)]
-    public async Task Exchange_ReplyBreaksARule_IsCountedByReasonAndTenInARowReconnect(object fault)
+    public async Task Exchange_TenInvalidRepliesInARow_CountsThemAndReconnects(object fault)
     {
         using var server = new FakeSyncServer(request => FakeSyncServer.Bytes((SyncExchangeFault)fault switch
         {
@@ -73,7 +73,7 @@ public class SyncClientTests
     [TestCase(new byte[] { 0x48, 0x54, 0x54, 0x50 }, "WrongMagic")]
     [TestCase(new byte[] { 0x53, 0x59, 0x4E, 0x43, 9 }, "WrongVersion")]
     [TestCase(new byte[] { 0x53, 0x59, 0x4E, 0x43, 1, 7 }, "WrongKind")]
-    public async Task Exchange_NotASyncFrame_ClosesWithTheReason(byte[] start, string named)
+    public async Task Exchange_ReplyIsNotASyncFrame_ClosesWithTheReason(byte[] start, string named)
     {
         using var server = new FakeSyncServer(_ =>
         {
@@ -109,7 +109,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Exchange_SilentServer_TimesOutAndReconnects()
+    public async Task Exchange_ServerDoesNotReply_TimesOutAndReconnects()
     {
         using var server = new FakeSyncServer(_ => []);
         var since = Stopwatch.GetTimestamp();
@@ -123,7 +123,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Exchange_ReplyByteByByte_TimesOut()
+    public async Task Exchange_ReplySentByteByByte_TimesOut()
     {
         using var listener = new FakeTcpServer(stream =>
         {
@@ -144,7 +144,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Connect_TlsHandshakeWithoutAnAnswer_TimesOutWithAMessage()
+    public async Task Connect_TlsHandshakeNotAnswered_TimesOutWithAReason()
     {
         using var listener = new FakeTcpServer(stream =>
         {
@@ -160,7 +160,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Exchange_ImpossibleTimes_AreCountedAndDropped()
+    public async Task Exchange_ImpossibleTimes_CountsAndDropsThem()
     {
         using var server = new FakeSyncServer(request => FakeSyncServer.Bytes(Reply(request, long.MaxValue, long.MaxValue)));
         var (client, clock) = Connect(server.Port);
@@ -173,7 +173,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Dispose_WhileTheServerIsSilent_EndsImmediately()
+    public async Task Dispose_ServerDoesNotReply_EndsImmediately()
     {
         using var server = new FakeSyncServer(_ => []);
         var (client, _) = Connect(server.Port);
@@ -186,7 +186,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Dispose_ThreadIsStuck_DoesNotWaitForIt()
+    public async Task Dispose_ThreadNeverEnds_ReturnsWithoutWaiting()
     {
         var clock = new StuckClock();
         using var server = new FakeSyncServer(_ => []);
@@ -204,7 +204,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Run_PortClosed_ReportsItAndKeepsTrying()
+    public async Task Run_PortClosed_ReportsItAndRetries()
     {
         var gone = new FakeSyncServer(_ => null);
         var port = gone.Port;

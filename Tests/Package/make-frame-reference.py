@@ -1,7 +1,8 @@
 # Writes the reference poses of FrameReferenceTests, computed by Orocos KDL 1.5.1 in double precision:
 #   apt-get install python3-pykdl
 #   /usr/bin/python3 make-frame-reference.py ../../Packages/com.nowpose.mril/Runtime/Robots/ur5.urdf OUT.json
-# A vehicle moves in the world, the arm stands askew on it, its tool carries a gripper, a part moves in the gripper, and a label is on the part.
+# A vehicle moves in the world. The arm is mounted on the vehicle at an angle, its tool carries a gripper, a part moves in the gripper, and a
+# label is on the part.
 # Tracked frames move and turn at constant rates about all axes, so their poses at the display time are known exactly.
 import json
 import random

@@ -44,7 +44,7 @@ public sealed class ArchiveTests
     [TestCase("a.tar.gz")]
     [TestCase("a.zip")]
     [TestCase("a.tar")]
-    public void Write_SameFilesAtAnotherTime_GivesTheSameBytes(string name)
+    public void Write_SameFilesWithOtherTimes_GivesTheSameBytes(string name)
     {
         var first = Packed(name);
         File.SetLastWriteTimeUtc(Path.Combine(_folder, "program"), DateTime.UnixEpoch);
@@ -53,7 +53,7 @@ public sealed class ArchiveTests
     }
 
     [Test]
-    public void WriteTarGz_Folder_HasOneTopFolderAndOrderedNames()
+    public void WriteTarGz_Folder_HasOneTopFolderAndSortedNames()
     {
         var entries = Entries(Packed("a.tar.gz"));
 
@@ -63,7 +63,7 @@ public sealed class ArchiveTests
     }
 
     [Test]
-    public void WriteTarGz_Program_KeepsOnlyTheBitForExecution()
+    public void WriteTarGz_Program_KeepsOnlyTheExecutableBit()
     {
         if (OperatingSystem.IsWindows()) Assert.Ignore("Windows has no such bits");
 
@@ -74,7 +74,7 @@ public sealed class ArchiveTests
     }
 
     [Test]
-    public void WriteTarGz_LinkToAFolder_IsALinkWithoutItsFiles()
+    public void WriteTarGz_LinkToAFolder_WritesOnlyTheLink()
     {
         if (OperatingSystem.IsWindows()) Assert.Ignore("links need privileges on Windows");
         Directory.CreateSymbolicLink(Path.Combine(_folder, "link"), "below");
@@ -85,7 +85,7 @@ public sealed class ArchiveTests
     }
 
     [Test]
-    public void WriteZip_Folder_HasTheFilesWithTheirContents()
+    public void WriteZip_Folder_ContainsAllFiles()
     {
         using var zip = new ZipArchive(new MemoryStream(Packed("a.zip")));
 

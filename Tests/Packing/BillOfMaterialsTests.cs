@@ -20,7 +20,7 @@ public sealed class BillOfMaterialsTests
         [.. Completed(bill).GetProperty("components").EnumerateArray().Select(component => component.GetProperty("name").GetString())];
 
     [Test]
-    public void Add_SeveralBills_KeepsEachShippedComponentOnce()
+    public void Add_SeveralBills_ListsEachShippedComponentOnce()
     {
         var bill = new BillOfMaterials();
         bill.Add(Bill(Component("ws"), Component("typescript")), name => name != "typescript");
@@ -30,7 +30,7 @@ public sealed class BillOfMaterialsTests
     }
 
     [Test]
-    public void Add_ExcludedComponent_IsLeftOut()
+    public void Add_ExcludedComponent_SkipsIt()
     {
         var bill = new BillOfMaterials();
         bill.Add(Bill(Component("analyzers", """, "scope": "excluded" """)), _ => true);
@@ -39,7 +39,7 @@ public sealed class BillOfMaterialsTests
     }
 
     [Test]
-    public void Add_Address_NamesVersionAndLicence()
+    public void Add_PackageAddress_HasNameVersionAndLicence()
     {
         var bill = new BillOfMaterials();
         bill.Add("pkg:deb/libstdc%2B%2B6@12.2.0-14%2Bdeb12u1?arch=amd64", "GPL-3.0 WITH GCC-exception-3.1");
@@ -51,7 +51,7 @@ public sealed class BillOfMaterialsTests
     }
 
     [Test]
-    public void Complete_Product_DependsOnEveryComponent()
+    public void Complete_Release_DependsOnEveryComponent()
     {
         var bill = new BillOfMaterials();
         bill.Add(Bill(Component("ws"), Component("ajv")), _ => true);
@@ -66,7 +66,7 @@ public sealed class BillOfMaterialsTests
     }
 
     [Test]
-    public void ShippedIn_Notices_AreTheRowsThatSayYes()
+    public void ShippedIn_Notices_ReturnsTheRowsMarkedYes()
     {
         var shipped = Notices.ShippedIn(NoticeRows).ToArray();
 
@@ -75,7 +75,7 @@ public sealed class BillOfMaterialsTests
     }
 
     [Test]
-    public void BundledIn_LicencesOfTheAdapters_AreTheHeadings()
+    public void BundledIn_LicencesOfTheAdapters_ReturnsTheHeadings()
     {
         const string Text = "mqtt 5.16.0, MIT\n\nThe MIT License\n\nCopyright 2015, Adam Rudd\n\n\n@types/ws 8.18.1, MIT\n\ntext 1.0, not a heading\n";
 

@@ -43,7 +43,7 @@ public sealed class ImageLayoutTests
     static string Digest(Stream content) => "sha256:" + Convert.ToHexStringLower(SHA256.HashData(content));
 
     [Test]
-    public void Layout_EveryBlob_HasTheNameOfItsDigest()
+    public void Blobs_AllFiles_AreNamedByTheirDigest()
     {
         var blobs = Directory.GetFiles(At("layout/blobs/sha256"));
 
@@ -52,7 +52,7 @@ public sealed class ImageLayoutTests
     }
 
     [Test]
-    public void Layout_Index_NamesTheTagAndEveryPlatform()
+    public void Index_SeveralArchitectures_NamesTheTagAndEachPlatform()
     {
         var image = Index.GetProperty("manifests")[0];
 
@@ -62,7 +62,7 @@ public sealed class ImageLayoutTests
     }
 
     [Test]
-    public void Layout_Config_ListsTheDigestsOfTheUncompressedLayers()
+    public void Config_Layers_HasTheDigestsOfTheUncompressedLayers()
     {
         var manifest = Json(Images[0]);
         var layers = manifest.GetProperty("layers").EnumerateArray().Select(Blob)
@@ -74,7 +74,7 @@ public sealed class ImageLayoutTests
     }
 
     [Test]
-    public void Layout_Config_RunsWhatTheContainerfileRuns()
+    public void Config_Containerfile_HasTheSameEntryPoint()
     {
         var config = Json(Json(Images[0]).GetProperty("config")).GetProperty("config");
 
@@ -87,7 +87,7 @@ public sealed class ImageLayoutTests
     }
 
     [Test]
-    public void Layer_System_GivesTheStateFolderToTheUser()
+    public void SystemLayer_StateFolder_IsOwnedByTheUser()
     {
         var entries = new Dictionary<string, (int Owner, int Mode)>();
         using var reader = new TarReader(new GZipStream(new MemoryStream(Blob(Json(Images[0]).GetProperty("layers")[1])), CompressionMode.Decompress));

@@ -29,11 +29,11 @@ public sealed class LicenceTextsTests
 
     [TestCase("MIT", "Permission is hereby granted")]
     [TestCase("MS-PL OR Apache-2.0", "Apache License")]
-    public void Add_LicenceWithoutAText_GetsTheStandardTextAndTheCopyright(string licence, string text) =>
+    public void Add_PackageWithoutLicenceText_UsesTheStandardText(string licence, string text) =>
         Assert.That(TextOf(licence), Does.StartWith($"Thing 1.0.0, {licence}\n\nCopyright Acme\n\n{text}\n"));
 
     [Test]
-    public void Add_TextInThePackage_IsKept()
+    public void Add_LicenceTextInThePackage_UsesIt()
     {
         File.WriteAllText(Path.Combine(_folder, "License.txt"), "its own words");
 
@@ -41,5 +41,5 @@ public sealed class LicenceTextsTests
     }
 
     [Test]
-    public void Add_UnknownLicence_IsRefused() => Assert.That(() => TextOf("GPL-2.0"), Throws.InstanceOf<InvalidDataException>().With.Message.Contains("Thing 1.0.0"));
+    public void Add_UnknownLicence_Throws() => Assert.That(() => TextOf("GPL-2.0"), Throws.InstanceOf<InvalidDataException>().With.Message.Contains("Thing 1.0.0"));
 }

@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Prediction;
 
 /// <summary>
-/// Remaining error of <c>adaptive</c> on motions that were not used for tuning: its constants were chosen on seeds 1000 to 1006
-/// and on recordings of real machines; the tests use seeds 9001 to 9003. The limits are those promised for the default predictor.
+/// Tests the error of <c>adaptive</c> on motions that were not used for tuning. Its constants were chosen with seeds 1000 to 1006 and
+/// recordings of real machines; the tests use seeds 9001 to 9003. The limits are those documented for the default predictor.
 /// </summary>
 public class AdaptiveAccuracyTests
 {
@@ -21,19 +21,19 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100, 0.65)]
     [TestCase(50, 100, 0.65)]
     [TestCase(100, 150, 0.80)]
-    public void FastMoves_Adaptive_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs, double limit) =>
+    public void Adaptive_FastMoves_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs, double limit) =>
         Assert.That(OverQuadratic(seed => Motions.FastMoves(seed), At(samplingMs, latencyMs)), Is.LessThan(limit), Message);
 
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void GentlePickAndPlace_Adaptive_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs) =>
+    public void Adaptive_GentleMoves_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs) =>
         Assert.That(OverQuadratic(seed => Motions.GentleMoves(seed), At(samplingMs, latencyMs)), Is.LessThan(0.80), Message);
 
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void SlowAndCurvedMotions_Adaptive_IsCloseToTheBestFixedPredictor(double samplingMs, double latencyMs)
+    public void Adaptive_SlowAndCurvedMotions_IsCloseToTheBestFixedPredictor(double samplingMs, double latencyMs)
     {
         Assert.That(OverBest(seed => Motions.SoftMoves(seed), At(samplingMs, latencyMs)), Is.LessThan(1.05), "soft moves, " + Message);
         Assert.That(OverBest(seed => Motions.Trapezoids(seed), At(samplingMs, latencyMs)), Is.LessThan(1.00), "trapezoids, " + Message);
@@ -43,7 +43,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void EmergencyStopsRingingAndJumps_Adaptive_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs)
+    public void Adaptive_StopsRingingAndJumps_IsMoreAccurateThanTheQuadratic(double samplingMs, double latencyMs)
     {
         foreach (var motionOf in new Func<int, AxisMotion>[] { s => Motions.EmergencyStops(s), s => Motions.Ringing(s), s => Motions.Jumps(s) })
         {
@@ -52,10 +52,10 @@ public class AdaptiveAccuracyTests
         }
     }
 
-    // For fast moves and ± 10 ms, 0.26 of the quadratic's error is also the result with clean stamps, so no stamp error remains.
+    // For fast moves and ±10 ms, the result without stamp errors is also 0.26 of the quadratic's error, so no stamp error remains.
     [TestCase(5, 0.46, 0.45)]
     [TestCase(10, 0.28, 0.25)]
-    public void StampErrors_OfAPeriodicSource_AreCorrected(double errorMs, double limit, double limitOfSwing)
+    public void Adaptive_StampErrorsOfAPeriodicSource_CorrectsThem(double errorMs, double limit, double limitOfSwing)
     {
         var settings = Usual with { StampError = errorMs / 1000 };
 
@@ -65,20 +65,20 @@ public class AdaptiveAccuracyTests
     }
 
     [Test]
-    public void SamplingJitter_StampedOrNot_IsTolerated()
+    public void Adaptive_SamplingJitter_IsMoreAccurateThanTheQuadratic()
     {
         Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { SamplingJitter = 0.005 }), Is.LessThan(0.80), "not stamped, " + Message);
         Assert.That(OverQuadratic(s => Motions.FastMoves(s), Usual with { StampedJitter = 0.010 }), Is.LessThan(0.80), "stamped, " + Message);
     }
 
     [Test]
-    public void WirelessNetwork_WithLossAndReordering_IsTolerated() => Assert.That(
+    public void Adaptive_LossAndReordering_IsMoreAccurateThanTheQuadratic() => Assert.That(
         OverQuadratic(s => Motions.FastMoves(s), Usual with { Latency = 0.06, DelayMedian = 0.012, Loss = 0.01 }), Is.LessThan(0.70), Message);
 
-    // A cycle takes three and a half to five seconds. The prediction uses it from the fourth cycle on at the latest.
+    // A cycle takes 3.5 to 5 s. The prediction must use the repetition from the fourth cycle on.
     [TestCase(20, 100)]
     [TestCase(50, 100)]
-    public void RepeatingCycles_FromTheFourthCycle_ArePredicted(double samplingMs, double latencyMs)
+    public void Adaptive_RepeatingCycles_PredictsFromTheFourthCycle(double samplingMs, double latencyMs)
     {
         var settings = At(samplingMs, latencyMs) with { WarmUp = 15 };
 
@@ -90,7 +90,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 100)]
     [TestCase(50, 100)]
     [TestCase(100, 150)]
-    public void TemplateForecaster_NonRepeatingMotion_DoesNotIncreaseTheError(double samplingMs, double latencyMs)
+    public void Adaptive_NonRepeatingMotion_TemplatesDoNotIncreaseTheError(double samplingMs, double latencyMs)
     {
         static JointPredictor WithoutTemplate() => Predictors.Adaptive(
             PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition);
@@ -102,12 +102,12 @@ public class AdaptiveAccuracyTests
 
     [TestCase(false, 0.60)]
     [TestCase(true, 0.50)]
-    public void VelocityAndAcceleration_Provided_AreUsed(bool tellsAcceleration, double limit) => Assert.That(
-        OverQuadratic(s => Motions.FastMoves(s), Usual with { TellsVelocity = true, TellsAcceleration = tellsAcceleration }), Is.LessThan(limit), Message);
+    public void Adaptive_SamplesWithVelocity_UsesIt(bool tellsAcceleration, double limit) => Assert.That(
+        OverQuadratic(s => Motions.FastMoves(s), Usual with { HasVelocity = true, HasAcceleration = tellsAcceleration }), Is.LessThan(limit), Message);
 
     [TestCase(50, 100, 0.45)]
     [TestCase(100, 150, 0.50)]
-    public void DriveLimits_Known_ProfileIsUsed(double samplingMs, double latencyMs, double limit)
+    public void Adaptive_KnownDriveLimits_UsesTheProfile(double samplingMs, double latencyMs, double limit)
     {
         var limits = new PredictionLimits(
             horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: 1000, acceleration: 5000, jerk: 50_000);
@@ -122,7 +122,7 @@ public class AdaptiveAccuracyTests
     [TestCase(20, 0.1)]
     [TestCase(50, 0.02)]
     [TestCase(50, 0.5)]
-    public void NoiseAtStandstill_AfterMotion_IsNotAmplified(double samplingMs, double noise)
+    public void Adaptive_NoiseAtStandstill_IsNotAmplified(double samplingMs, double noise)
     {
         var settings = At(samplingMs, 100) with { Noise = noise, WarmUp = 24 };
         static AxisMotion RestAfterMoves(int seed)

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-/// <summary>The error that the blend adds and its reduction of the jumps. It was tuned on seed 1; the tests use other seeds.</summary>
+/// <summary>Tests the error that the blend adds and how it reduces jumps. The blend was tuned with seed 1; the tests use other seeds.</summary>
 public class BlendStudyTests
 {
     const double Blend = PredictionSettings.DefaultBlendMs / 1000;
@@ -23,7 +23,7 @@ public class BlendStudyTests
     ];
 
     [TestCaseSource(nameof(Cases))]
-    public void Blend_NewMotions_RemovesJumpsAtLittleCost(string predictor, double samplingMs, double latencyMs)
+    public void Blend_NewMotions_RemovesJumpsWithASmallError(string predictor, double samplingMs, double latencyMs)
     {
         const int seed = 211;
         var settings = new StudySettings { SamplingInterval = samplingMs / 1000, Latency = latencyMs / 1000, Phases = 2, Seed = seed };
@@ -42,12 +42,12 @@ public class BlendStudyTests
         TestContext.Out.WriteLine($"{predictor} {samplingMs}/{latencyMs}: RMS × {rms:0.000}, jump P95 × {p95:0.00}, greatest × {max:0.00}");
 
         Assert.That(rms, Is.LessThan(1.04));
-        // At 20 ms nearly every frame has its own section, so jumps can hardly be distinguished from motion.
+        // At 20 ms, nearly every frame has its own section, so jumps can hardly be distinguished from motion.
         Assert.That(p95, Is.LessThan(samplingMs > 20 ? 0.92 : 1.005));
         Assert.That(max, Is.LessThan(samplingMs > 20 ? 0.88 : 1.005));
     }
 
-    /// <summary>Errors of the displayed joint, and the part of its motion per frame that exceeds the true motion.</summary>
+    /// <summary>Errors of the displayed joint, and by how much its motion per frame exceeds the true motion.</summary>
     sealed record Displayed(ErrorFigures Error, ErrorFigures Jump)
     {
         public static Displayed Of(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor)

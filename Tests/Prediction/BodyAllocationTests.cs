@@ -4,12 +4,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class BodyAllocationTests
 {
     [TestCase("linear")]
     [TestCase("adaptive")]
-    public void SamplesAndFrames_OfABody_AllocateNothing(string name)
+    public void AddAndAt_Body_AllocateNothing(string name)
     {
         var predictor = new BodyPredictor(name, new PredictionLimits(), blend: 0.01);
         var sum = 0.0;

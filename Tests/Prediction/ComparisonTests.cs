@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-/// <summary>The default predictor has a smaller error than all candidates, on a seed that was not used for tuning.</summary>
+/// <summary>Tests that the default predictor has a smaller error than all candidates, with a seed that was not used for tuning.</summary>
 public class ComparisonTests
 {
     static readonly int[] Seeds = [Conditions.CheckingSeeds[0]];
@@ -12,7 +12,7 @@ public class ComparisonTests
     static IEnumerable<TestCaseData> All => Conditions.All.Select(condition => new TestCaseData(condition).SetArgDisplayNames(condition.Name));
 
     [TestCaseSource(nameof(All))]
-    public void Default_ComparedWithOthers_HasTheSmallestError(Condition condition)
+    public void DefaultPredictor_AllCandidates_HasTheSmallestError(Condition condition)
     {
         var ours = condition.Ratio(Candidates.Named(Predictors.Default), Seeds);
 

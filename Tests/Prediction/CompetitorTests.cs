@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-/// <summary>The competing predictors work as their authors intended: a broken filter would make the comparison unfair.</summary>
+/// <summary>Tests that the competing predictors work as their authors intended, because a faulty filter would make the comparison unfair.</summary>
 public class CompetitorTests
 {
     const double Interval = 0.05;
@@ -15,27 +15,27 @@ public class CompetitorTests
     [TestCase("MathNet")]
     [TestCase("Kalman")]
     [TestCase("double-exponential")]
-    public void Line_OneSampleLost_IsPredictedExactly(string name)
+    public void At_LineWithOneLostSample_IsExact(string name)
     {
         Assert.That(ErrorOf(name, t => 30 - 400 * t), Is.LessThan(1e-6));
     }
 
     [TestCase("MathNet", 1e-6)]
     [TestCase("Kalman", 1e-3)]
-    public void Parabola_OneSampleLost_IsPredictedExactly(string name, double within)
+    public void At_ParabolaWithOneLostSample_IsExact(string name, double within)
     {
         Assert.That(ErrorOf(name, t => 30 - 400 * t + 900 * t * t), Is.LessThan(within));
     }
 
     [Test]
-    public void Parabola_DoubleExponential_HasTheErrorOfALine()
+    public void DoubleExponential_Parabola_ErrsLikeALine()
     {
-        // A straight line through two samples, 100 ms ahead: a (h² + h T) / 2.
+        // Error of a straight line through two samples, 100 ms ahead: a (h² + h T) / 2.
         Assert.That(ErrorOf("double-exponential", t => 900 * t * t), Is.EqualTo(900 * (Ahead * Ahead + Ahead * Interval)).Within(0.5));
     }
 
     [Test]
-    public void MathNet_SamplesOutOfOrder_EqualsTheQuadratic()
+    public void PolynomialFit_SamplesOutOfOrder_EqualsTheQuadratic()
     {
         const int seed = 5;
         var random = new Random(seed);
@@ -52,14 +52,14 @@ public class CompetitorTests
     }
 
     [Test]
-    public void OneEuro_NoiseAtRest_IsSmoothed()
+    public void OneEuro_NoiseAtRest_SmoothsIt()
     {
-        // A low-pass filter of 1 Hz weights each sample with a = 0.24 and keeps √(a / (2 − a)) = 0.37 of white noise.
+        // A low-pass filter of 1 Hz weights each sample with a = 0.24, so the factor for white noise is √(a / (2 − a)) = 0.37.
         Assert.That(NoiseLeft(Candidates.OneEuro(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));
     }
 
     [Test]
-    public void Kalman_NoiseAtRest_IsSmoothedMoreByAStifferFilter()
+    public void Kalman_LowerJerkToNoise_SmoothsMore()
     {
         var (stiff, limp) = (NoiseLeft(Candidates.Kalman(1e3), Ahead), NoiseLeft(Candidates.Kalman(1e9), Ahead));
 
@@ -76,7 +76,7 @@ public class CompetitorTests
         return Math.Abs(predictor.At(time).Position - motion(time));
     }
 
-    // RMS of the output for noise with standard deviation 1.
+    // Gets the RMS of the output for noise with standard deviation 1.
     static double NoiseLeft(JointPredictor predictor, double ahead)
     {
         const int count = 4000;

@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Prediction;
 
 /// <summary>
-/// Whether the errors of <c>gp</c> agree with its standard deviation on motions that were not used for tuning: the time constant was
-/// chosen on seeds 101 to 103; the tests use 9001 to 9003. In a normal distribution 68 % and 95 % lie within one and two deviations.
+/// Tests whether the errors of <c>gp</c> agree with its standard deviation on motions that were not used for tuning. The time constant was
+/// chosen with seeds 101 to 103; the tests use 9001 to 9003. In a normal distribution, 68 % and 95 % are within one and two deviations.
 /// </summary>
 public class DeviationCalibrationTests
 {
@@ -22,7 +22,7 @@ public class DeviationCalibrationTests
         select new TestCaseData(condition.Item1, condition.Item2, motion.Of).SetName($"{{m}}({motion.Name},{condition.Item1},{condition.Item2})");
 
     [TestCaseSource(nameof(Cases))]
-    public void Errors_OfSimulatedMotions_MatchTheStatedDeviation(double samplingMs, double latencyMs, Func<int, AxisMotion> motionOf)
+    public void Deviation_SimulatedMotions_MatchesTheErrors(double samplingMs, double latencyMs, Func<int, AxisMotion> motionOf)
     {
         var settings = new StudySettings { SamplingInterval = samplingMs / 1000, Latency = latencyMs / 1000 };
         double frames = 0, insideOne = 0, insideTwo = 0, squares = 0, variances = 0;
@@ -46,7 +46,7 @@ public class DeviationCalibrationTests
         TestContext.Out.WriteLine(message);
         Assert.That(stated, Is.InRange(0.85, 1.15), message);
         Assert.That(insideTwo / frames, Is.InRange(0.89, 0.98), message);
-        // Errors of moves and rests are not normally distributed: more of them are small, and more are large.
+        // For moves and rests, the errors are not normally distributed: there are more small and more large ones.
         Assert.That(insideOne / frames, Is.InRange(0.50, 0.82), message);
     }
 }

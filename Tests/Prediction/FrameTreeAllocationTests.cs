@@ -6,13 +6,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class FrameTreeAllocationTests
 {
     const int Objects = 50;
 
     [Test]
-    public void SamplesAndFrames_OfManyObjects_AllocateNothing()
+    public void AddAndEvaluate_ManyObjects_AllocateNothing()
     {
         var tree = new FrameTree(() => new BodyPredictor("linear", new PredictionLimits()));
         var names = Enumerable.Range(0, Objects).Select(i => "box" + i).ToArray();

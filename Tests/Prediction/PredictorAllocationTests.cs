@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class PredictorAllocationTests
 {
     static IReadOnlyList<string> Names => Predictors.Names;
@@ -21,7 +21,7 @@ public class PredictorAllocationTests
         Assert.That(sum, Is.Not.EqualTo(0));
     }
 
-    // In a separate method, because the compiler may otherwise move the boxing of the asserted numbers into the measurement.
+    // A separate method, because the compiler can otherwise move the boxing of the asserted numbers into the measured code.
     [MethodImpl(MethodImplOptions.NoInlining)]
     static long AllocatedByRun(JointPredictor predictor, out double sum)
     {

@@ -4,7 +4,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Headless.Tests.Prediction;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class SampleAllocationTests
 {
     static readonly PredictionLimits Drive = new(velocity: 1, acceleration: 4, jerk: 40);
@@ -22,7 +22,7 @@ public class SampleAllocationTests
         Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
     }
 
-    // Moves there, rests for half a second, and moves back. Each sample is displayed 0.1 s later.
+    // Moves to a position, rests for half a second, and moves back. Each sample is displayed 0.1 s later.
     static void Play(JointPredictor predictor, SevenPhaseProfile move, double from, double to)
     {
         const double interval = 0.02;

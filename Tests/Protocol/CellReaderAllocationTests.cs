@@ -5,8 +5,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>Allocations of reading messages of a cell whose sources repeat their names.</summary>
-[NonParallelizable] // counts garbage
+/// <summary>Tests the allocations when messages of a cell are read whose sources always send the same names.</summary>
+[NonParallelizable] // measures allocations
 public class CellReaderAllocationTests
 {
     const int Rounds = 200;

@@ -21,7 +21,7 @@ public class CertificatePinOfCertificateTests
 
     [TestCase("rsa")]
     [TestCase("ecdsa")]
-    public void Of_Certificate_EqualsTheHashOfDotNetsExport(string algorithm)
+    public void Of_Certificate_EqualsTheHashOfTheExportedKey(string algorithm)
     {
         using var certificate = Sign(algorithm == "rsa" ? Rsa("cell 1") : EcDsa(new string('n', 60)));
         var expected = "sha256/" + Convert.ToBase64String(SHA256.HashData(certificate.PublicKey.ExportSubjectPublicKeyInfo()));
@@ -33,7 +33,7 @@ public class CertificatePinOfCertificateTests
     }
 
     [Test]
-    public void Matches_RenewedWithTheSameKey_IsTrue()
+    public void Matches_CertificateRenewedWithTheSameKey_IsTrue()
     {
         var request = EcDsa("a");
         using var first = Sign(request);
@@ -44,7 +44,7 @@ public class CertificatePinOfCertificateTests
     }
 
     [Test]
-    public void Matches_OtherKeySameName_IsFalse()
+    public void Matches_OtherKeyWithTheSameName_IsFalse()
     {
         using var first = Sign(EcDsa("a"));
         using var second = Sign(EcDsa("a"));

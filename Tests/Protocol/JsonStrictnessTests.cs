@@ -8,7 +8,7 @@ public class JsonStrictnessTests
 {
     const int Seed = 17;
 
-    // Without N and I, because the reader accepts NaN and Infinity by design and System.Text.Json refuses them.
+    // Excludes N and I, because the reader accepts NaN and Infinity by design, and System.Text.Json rejects them.
     const string Alphabet = "{}[]\",:0123456789.eE+-\\/tfnu'* \t\u0001x";
 
     [Test]

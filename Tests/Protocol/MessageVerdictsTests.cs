@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>
-/// Messages, most of them malformed, with the verdict of the earlier reader, which decoded each message and parsed it with Newtonsoft.Json:
-/// <c>message-verdicts.tsv</c>, with reason and text per line.
+/// Compares the reader with an earlier one, which decoded each message and parsed it with Newtonsoft.Json. Its verdicts on messages, most of
+/// which are malformed, are in <c>message-verdicts.tsv</c>, with reason and text per line.
 /// </summary>
 public class MessageVerdictsTests
 {
@@ -14,9 +14,9 @@ public class MessageVerdictsTests
         [.. File.ReadLines(Path.Combine(RepositoryFiles.Root, "Tests/Protocol/message-verdicts.tsv")).Select(line => line.Split('\t'))];
 
     [Test]
-    public void TryRead_ReferenceMessages_HasTheRecordedVerdicts()
+    public void TryRead_ReferenceMessages_ReturnsTheRecordedVerdicts()
     {
-        // One reader for all messages, as on a connection: state kept from one message must not change the verdict on the next.
+        // Uses one reader for all messages, as a connection does. State from one message must not change the verdict on the next one.
         var reader = new RosbridgeReader();
         var wrong = new List<string>();
         foreach (var line in Lines)

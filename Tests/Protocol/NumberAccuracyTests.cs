@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>Numbers in messages are read as the nearest doubles, compared with exact arithmetic and .NET's parser.</summary>
+/// <summary>Tests that numbers in messages are read as the nearest doubles. The reference is exact arithmetic, or .NET's parser.</summary>
 public class NumberAccuracyTests
 {
     const int Seed = 41;
@@ -28,7 +28,7 @@ public class NumberAccuracyTests
     }
 
     [Test]
-    public void ToDouble_AnyDigitsAndExponent_AgreesWithDotNet()
+    public void ToDouble_RandomDigitsAndExponents_AgreesWithDotNet()
     {
         var random = new Random(Seed);
         for (var i = 0; i < 200_000; i++)
@@ -41,14 +41,14 @@ public class NumberAccuracyTests
         }
     }
 
-    // Halfway between two neighbours the even one is correct. One digit more or less is tested as well.
+    // Halfway between two adjacent doubles, the even one is correct. One digit more and one digit less are tested, too.
     [Test]
     public void ToDouble_HalfwayBetweenTwoDoubles_ReturnsTheEvenOne()
     {
         var random = new Random(Seed);
         for (var i = 0; i < 50_000; i++)
         {
-            // 54 bits, the last of which is dropped. The value is below 10^17, so that ten times the value fits in 19 digits.
+            // The value has 54 bits, and the last one is dropped. It is below 10^17, so that ten times the value fits in 19 digits.
             var halfway = new BigInteger((1L << 53) + random.NextInt64(1L << 53) | 1);
             var shift = random.Next(0, 9);
             var text = (halfway << shift).ToString(CultureInfo.InvariantCulture);
@@ -77,13 +77,13 @@ public class NumberAccuracyTests
     [TestCase("1e99999999999", double.PositiveInfinity)]
     [TestCase("9007199254740993", 9007199254740992.0)]
     [TestCase("18446744073709551615", 18446744073709551616.0)]
-    public void ToDouble_AtTheLimits_ReturnsTheNearest(string text, double expected)
+    public void ToDouble_LimitsOfTheRange_ReturnsTheNearestDouble(string text, double expected)
     {
         Assert.That(BitConverter.DoubleToInt64Bits(Parse(text)), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected)));
     }
 
     [Test]
-    public void ToDouble_ManyDigits_AreAllRead()
+    public void ToDouble_ManyDigits_UsesAllOfThem()
     {
         var half = "0." + new string('0', 400) + "1" + new string('0', 300) + "e401";
 

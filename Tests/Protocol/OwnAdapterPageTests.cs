@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>The gateway reads the messages shown on the manual's page about custom adapters.</summary>
+/// <summary>Tests that the gateway accepts the messages shown on the manual's page about custom adapters.</summary>
 public class OwnAdapterPageTests
 {
     static IEnumerable<string> Messages() => Regex
@@ -12,7 +12,7 @@ public class OwnAdapterPageTests
         .SelectMany(block => block.Groups[1].Value.Split('\n', StringSplitOptions.RemoveEmptyEntries));
 
     [TestCaseSource(nameof(Messages))]
-    public void Message_OfThePage_IsAccepted(string text)
+    public void Gateway_MessageOfThePage_IsAccepted(string text)
     {
         var isRead = RosbridgeReader.TryRead(text, out var message, out var reason);
 
@@ -21,7 +21,7 @@ public class OwnAdapterPageTests
     }
 
     [Test]
-    public void Answer_OfThePage_HasTimeAndResolution()
+    public void TryRead_AnswerOfThePage_HasTimeAndResolution()
     {
         var answer = Messages().Select(Read).Single(message => message.PlantTime != null).PlantTime;
 
@@ -31,7 +31,7 @@ public class OwnAdapterPageTests
     }
 
     [Test]
-    public void Failure_OfThePage_HasTheReason()
+    public void TryRead_FailureOfThePage_HasTheReason()
     {
         Assert.That(Messages().Select(Read).Single(message => !message.Result).Text, Is.EqualTo("the PLC is in stop"));
     }
@@ -42,7 +42,7 @@ public class OwnAdapterPageTests
     [TestCase("\"error_bound_ns\":\"5\"")]
     [TestCase("\"synchronised\":1")]
     [TestCase("\"received\":{\"sec\":1,\"nanosec\":0}")]
-    public void Answer_InvalidField_IsRefused(string field)
+    public void TryRead_AnswerWithInvalidField_IsRejected(string field)
     {
         const string answer = """{"op":"service_response","id":"1","service":"/nowpose/plant_time/plc","""
             + """ "values":{"received":{"sec":5,"nanosec":0},"sent":{"sec":5,"nanosec":0},FIELD}}""";

@@ -32,7 +32,7 @@ public class RecommendVerbTests
         .Single(c => c.GetProperty("predictor").GetString() == predictor);
 
     [Test]
-    public async Task Json_Motion_ListsAllPredictorsBestFirst()
+    public async Task Recommend_MotionAsJson_ListsAllPredictorsBestFirst()
     {
         using var file = new TemporaryFile(Motion(Math.Sin), ".csv.gz");
 
@@ -52,9 +52,9 @@ public class RecommendVerbTests
     }
 
     [Test]
-    public async Task Json_HalfOfAMotion_EqualsItsReplay()
+    public async Task Recommend_HalfOfAMotion_EqualsTheReplayOfThatHalf()
     {
-        // The swing is the same in both halves, so half of its travel takes half of its time.
+        // Both halves contain the same swing, so half of the travel takes half of the time.
         static double Swing(double t) => Math.Cos(Math.PI * t / 5);
         using var file = new TemporaryFile(Motion(Swing));
         using var half = new TemporaryFile(Motion(Swing, 10));
@@ -69,7 +69,7 @@ public class RecommendVerbTests
     }
 
     [Test]
-    public async Task Grid_OfAMotion_TriesThreeConditions()
+    public async Task Recommend_GridOption_EvaluatesThreeConditions()
     {
         using var file = new TemporaryFile(Motion(Math.Sin));
 
@@ -81,7 +81,7 @@ public class RecommendVerbTests
     }
 
     [Test]
-    public async Task Table_OfAMotion_NamesTheRecommendation()
+    public async Task Recommend_Motion_PrintsTheRecommendation()
     {
         using var file = new TemporaryFile(Motion(Math.Sin));
 
@@ -94,7 +94,7 @@ public class RecommendVerbTests
     }
 
     [Test]
-    public async Task Json_OfASession_UsesItsOwnTiming()
+    public async Task Recommend_Session_UsesTheTimingOfTheSession()
     {
         var path = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N") + ".jsonl");
         try
@@ -116,7 +116,7 @@ public class RecommendVerbTests
     }
 
     [TestCase("t,a\n0,1\n10,1\n20,1\n", "no joint moves")]
-    public async Task Table_UnsuitableRecording_ContainsANote(string text, string note)
+    public async Task Recommend_UnsuitableRecording_PrintsANote(string text, string note)
     {
         using var file = new TemporaryFile(text);
 
@@ -129,7 +129,7 @@ public class RecommendVerbTests
     [TestCase("t,a\n0,1\n0.3,2\n", "too few rows")]
     [TestCase("t,a\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n", "are too short")]
     [TestCase("t,a\n0,1\n0,2\n", ":3: field t")]
-    public async Task File_Unusable_IsReportedInOneLineWithExit2(string text, string expected)
+    public async Task Recommend_UnusableFile_PrintsOneLineAndExits2(string text, string expected)
     {
         using var file = new TemporaryFile(text);
 
@@ -141,7 +141,7 @@ public class RecommendVerbTests
     }
 
     [TestCase("--grid", "--sampling-ms=20")]
-    public async Task Options_Contradicting_AreRefused(params string[] options)
+    public async Task Recommend_ConflictingOptions_Fails(params string[] options)
     {
         using var file = new TemporaryFile(Motion(Math.Sin));
 

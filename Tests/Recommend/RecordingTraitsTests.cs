@@ -7,7 +7,7 @@ public class RecordingTraitsTests
 {
     const int Seed = 11;
 
-    // Traits of 12 s of a swing at 100 Hz.
+    // Gets the traits of a swing of 12 s at 100 Hz.
     static RecordingTraits Traits(Func<double, double> position, Func<int, double> time = null, int count = 1201)
     {
         var times = Enumerable.Range(0, count).Select(i => time?.Invoke(i) ?? i * 0.01).ToArray();
@@ -15,7 +15,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Warnings_OfACleanSwing_AreEmpty()
+    public void Warnings_CleanSwing_AreEmpty()
     {
         var traits = Traits(Math.Sin);
 
@@ -27,19 +27,19 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Warnings_OfAShortRecording_NameItsLength()
+    public void Warnings_ShortRecording_StateTheDuration()
     {
         Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("5.0 s is a short recording"));
     }
 
     [Test]
-    public void Warnings_Standstill_ReportTheStandstill()
+    public void Warnings_NoMotion_ReportIt()
     {
         Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("no joint moves"));
     }
 
     [Test]
-    public void Warnings_OfUnevenStamps_StateTheirSpread()
+    public void Warnings_UnevenStamps_StateTheirSpread()
     {
         var random = new Random(Seed);
 
@@ -49,9 +49,9 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Repeats_MachineSlowerThanItsRecording_AreCounted()
+    public void Repeats_RecordingFasterThanTheMachine_CountsRepeatedSamples()
     {
-        // Every fifth sample repeats the one before.
+        // Every fifth sample repeats the previous one.
         var traits = Traits(t => Math.Sin(Math.Round(t * 100) % 5 == 4 ? Math.Round(t * 100 - 1) / 100 : Math.Round(t * 100) / 100));
 
         Assert.That(traits.Repeats, Is.EqualTo(0.2).Within(0.01));
@@ -60,7 +60,7 @@ public class RecordingTraitsTests
 
     [TestCase(1e-4)]
     [TestCase(0.0005)]
-    public void RoundingStep_OfRoundedValues_IsFound(double step)
+    public void RoundingSteps_RoundedValues_ContainTheStep(double step)
     {
         var traits = Traits(t => Math.Round(Math.Sin(t) / step) * step);
 
@@ -68,7 +68,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Halving_MotionEndsAtRest_IsAtHalfTheDistance()
+    public void MiddleOf_MotionEndsAtRest_IsAtHalfTheDistance()
     {
         double[] ways = [.. Enumerable.Repeat(1.0, 40), .. Enumerable.Repeat(0.0, 40)];
 
@@ -77,7 +77,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Halving_JumpOrStandstill_KeepsEnoughOnBothSides()
+    public void MiddleOf_JumpOrStandstill_KeepsTheMinimumOnBothSides()
     {
         double[] jump = [1.0, .. Enumerable.Repeat(0.0, 99)];
 

@@ -16,7 +16,7 @@ public class VerdictTests
     static Verdict Of(params Trial[] others) => new(null, [Trial(Predictors.Default, 0.5, 0.4), Trial("hold", 1, 1), .. others]);
 
     [Test]
-    public void Recommended_NoneBetter_IsTheDefault()
+    public void Recommended_NoCandidateBetter_IsTheDefault()
     {
         var verdict = Of(Trial("cubic", 0.6, 0.41));
 
@@ -26,7 +26,7 @@ public class VerdictTests
     }
 
     [Test]
-    public void Recommended_BetterOnBothHalves_IsTheBetter()
+    public void Recommended_CandidateBetterOnBothHalves_IsThatCandidate()
     {
         var verdict = Of(Trial("linear", 0.4, 0.3), Trial("cubic", 0.45, 0.35));
 
@@ -35,7 +35,7 @@ public class VerdictTests
     }
 
     [Test]
-    public void Recommended_BetterOverallButNotOnBothHalves_IsTheDefaultAndATie()
+    public void Recommended_CandidateBetterOnOneHalfOnly_IsTheDefault()
     {
         var lucky = Trial("linear", 0.1, 0.41);
 
@@ -48,7 +48,7 @@ public class VerdictTests
     }
 
     [Test]
-    public void Recommended_MarginallyBetter_IsTheDefault()
+    public void Recommended_CandidateMarginallyBetter_IsTheDefault()
     {
         var verdict = Of(Trial("linear", 0.495, 0.396));
 
@@ -57,7 +57,7 @@ public class VerdictTests
     }
 
     [Test]
-    public void Rms_HalvesOfDifferentLength_CountsEachFrameOnce()
+    public void Rms_HalvesOfDifferentLength_WeightsAllFramesEqually()
     {
         var trial = new Trial(
             "x", new ReplayResult("f", "x", 300, [new ReplayResult.Axis("a", 2, 1, 1, 1)]),

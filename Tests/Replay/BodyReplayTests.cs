@@ -10,7 +10,7 @@ public class BodyReplayTests
 {
     const string Header = "t_s,x,y,z,qx,qy,qz,qw";
 
-    /// <summary>A row at rest.</summary>
+    /// <summary>A row of a body at rest.</summary>
     const string Row = "0.1,0,0,1,0,0,0,1";
 
     string _folder;
@@ -27,7 +27,7 @@ public class BodyReplayTests
     [TearDown]
     public void DeleteFolder() => Directory.Delete(_folder, recursive: true);
 
-    // Moves at 1 m/s along x and turns at 1 rad/s about z, in rows of 50 ms; every second quaternion has the opposite sign.
+    // The body moves at 1 m/s along x and turns at 1 rad/s about z, with a row every 50 ms. Every second quaternion has the opposite sign.
     static string Turning(int rows)
     {
         var text = new StringBuilder(Header).Append('\n');
@@ -56,7 +56,7 @@ public class BodyReplayTests
         result.GetProperty("body").GetProperty(quantity).GetProperty(key).GetDouble();
 
     [Test]
-    public async Task Json_Body_HasTheKeysOfTheContract()
+    public async Task Replay_BodyAsJson_HasTheDocumentedKeys()
     {
         var result = await RunJson();
 
@@ -68,10 +68,10 @@ public class BodyReplayTests
         Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("adaptive"));
     }
 
-    // At 20 frames per second, every frame shows the sample of 100 ms before. Sample 4 arrives at 0.3 s, so the frames from 0.3 to 2 s count.
+    // At 20 frames per second, each frame shows the sample from 100 ms before. Sample 4 arrives at 0.3 s, so frames from 0.3 to 2 s are scored.
     [TestCase("hold", 100, 5.729577951308232)]
     [TestCase("linear", 0, 0)]
-    public async Task Json_ConstantVelocities_HasTheErrorsComputedByHand(string predictor, double errorMm, double errorDegrees)
+    public async Task Replay_BodyWithConstantVelocities_HasTheComputedErrors(string predictor, double errorMm, double errorDegrees)
     {
         var result = await RunJson("--predictor", predictor, "--fps=20", "--sampling-ms=50", "--latency-ms=100");
 
@@ -90,7 +90,7 @@ public class BodyReplayTests
     [TestCase("--stamp-error-ms=5", "rms", 1)]
     [TestCase("--jitter-ms=40", "rms_hold", 1)]
     [TestCase("--loss=0.3", "rms_hold", 1)]
-    public async Task Json_Option_IsApplied(string option, string key, int sign)
+    public async Task Replay_OptionForABody_IsApplied(string option, string key, int sign)
     {
         var plain = await RunJson("--predictor=linear");
 
@@ -101,7 +101,7 @@ public class BodyReplayTests
     }
 
     [Test]
-    public async Task Json_EveryPredictor_ReadsABody(
+    public async Task Replay_BodyWithEachPredictor_Succeeds(
         [Values("quadratic", "cubic", "quadratic-h3", "quadratic-h4", "gp", "adaptive")] string predictor)
     {
         var result = await RunJson("--predictor", predictor);
@@ -111,7 +111,7 @@ public class BodyReplayTests
     }
 
     [Test]
-    public async Task Table_Body_HasRowsOfPositionAndRotation()
+    public async Task Replay_Body_PrintsPositionAndRotation()
     {
         var run = await Run(_file, "--predictor=hold", "--fps=20");
 
@@ -120,7 +120,7 @@ public class BodyReplayTests
     }
 
     [Test]
-    public async Task Body_RoundedQuaternions_AreAccepted()
+    public async Task Replay_RoundedQuaternions_AreAccepted()
     {
         File.WriteAllText(_file, $"{Header}\n0,0,0,1,0,0,0.7067,0.7067\n2,0,0,1,0,0,0.7075,0.7075\n");
 
@@ -136,9 +136,9 @@ public class BodyReplayTests
     [TestCase("0.2,0,0,1,0,0,0", ":3: 7 fields", "header has 8")]
     [TestCase("0.2,0,0,1,0,0,0,1,5", ":3: 9 fields", "header has 8")]
     [TestCase("0.1,0,0,1,0,0,0,1", ":3: field t_s", "'0.1' s")]
-    public async Task Body_InvalidRow_EndsWithOneLineThatNamesPlaceAndValue(string row, string place, string value)
+    public async Task Replay_InvalidRowOfABody_PrintsOneLineWithPlaceAndValue(string row, string place, string value)
     {
-        // A row of the invalid length 1.01 comes after a time of its own.
+        // A row with the invalid length 1.01 follows a valid row.
         var first = row.StartsWith("0,", StringComparison.Ordinal) ? Row.Replace("0.1,", "-0.1,", StringComparison.Ordinal) : Row;
         File.WriteAllText(_file, $"{Header}\n{first}\n{row}\n");
 
@@ -152,7 +152,7 @@ public class BodyReplayTests
     [TestCase("t_s,x,y,z,Qx,Qy,Qz,Qw")]
     [TestCase("t_s,x,y,z,qx,qy,qz,qw,extra")]
     [TestCase("t_s,x,y,z,qx,qy,qz")]
-    public async Task Body_SimilarHeader_EndsWithOneLineThatNamesTheRightOne(string header)
+    public async Task Replay_SimilarHeader_PrintsOneLineWithTheExpectedHeader(string header)
     {
         File.WriteAllText(_file, $"{header}\n{Row}\n0.2,0,0,1,0,0,0,1\n");
 
@@ -160,7 +160,7 @@ public class BodyReplayTests
     }
 
     [Test]
-    public async Task Recommend_Body_EndsWithOneLine() => AssertRefused(await CliRun.OfAsync(["recommend", _file]), _file, "joints only");
+    public async Task Recommend_Body_PrintsOneLineAndFails() => AssertRefused(await CliRun.OfAsync(["recommend", _file]), _file, "joints only");
 
     static void AssertRefused(CliRun run, string place, string value)
     {

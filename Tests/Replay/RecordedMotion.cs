@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Replay;
 
-/// <summary>A made-up recording in decimals, so that a reference can compute its times exactly.</summary>
+/// <summary>An artificial recording with decimal numbers, so that a reference can compute its times exactly.</summary>
 sealed class RecordedMotion
 {
     public RecordedMotion(decimal start, IEnumerable<decimal> elapsed, params Func<double, double>[] joints)
@@ -18,7 +18,7 @@ sealed class RecordedMotion
     /// <summary>Times since the start, s.</summary>
     public decimal[] Times { get; }
 
-    /// <summary>One row per time.</summary>
+    /// <summary>Positions, one row per time.</summary>
     public double[][] Positions { get; }
 
     public int Joints => Positions[0].Length;
@@ -28,7 +28,7 @@ sealed class RecordedMotion
         for (var t = 0m; t <= duration; t += step) yield return t;
     }
 
-    /// <summary>Returns times in steps of 1 to 9 ms with a resolution of 1 µs, ending exactly at the duration.</summary>
+    /// <summary>Gets times with steps of 1 to 9 ms and a resolution of 1 µs. The last one equals the duration.</summary>
     public static IEnumerable<decimal> UnevenTimes(decimal duration, int seed)
     {
         var random = new Random(seed);

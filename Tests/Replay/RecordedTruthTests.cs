@@ -16,7 +16,7 @@ public class RecordedTruthTests
     static double? At(RecordedTruth truth, double t) => truth.TryAt(ControlTime.FromSeconds(1000 + t), out var position) ? position : null;
 
     [Test]
-    public void At_QuadraticMotionUnevenlySampledAndOutOfOrder_IsExact()
+    public void TryAt_QuadraticMotionSampledUnevenly_IsExact()
     {
         static double Motion(double t) => 3 * t * t - t + 2;
         var truth = Truth(Motion, 0, 0.1, 0.35, 0.2, 0.4, 0.44, 0.6, 0.44);
@@ -27,7 +27,7 @@ public class RecordedTruthTests
 
     [TestCase(-0.001)]
     [TestCase(0.301)]
-    public void At_OutsideTheSamples_IsNull(double t)
+    public void TryAt_OutsideTheSamples_IsFalse(double t)
     {
         Assert.That(At(Truth(t => t, 0, 0.1, 0.2, 0.3), t), Is.Null);
     }
@@ -35,13 +35,13 @@ public class RecordedTruthTests
     [TestCase(0)]
     [TestCase(0.3)]
     [TestCase(0.15)]
-    public void At_EndsAndBetween_EqualsTheMotion(double t)
+    public void TryAt_WithinTheSamples_EqualsTheMotion(double t)
     {
         Assert.That(At(Truth(t => 2 * t, 0, 0.1, 0.2, 0.3), t), Is.EqualTo(2 * t).Within(1e-9));
     }
 
     [Test]
-    public void At_LongPause_IsNullWithinAndIgnoresTheOtherSide()
+    public void TryAt_WithinALongGap_IsFalse()
     {
         var truth = Truth(t => t < 0.5 ? t : 100, 0, 0.1, 0.2, 0.8, 0.9, 1.0);
 
@@ -51,7 +51,7 @@ public class RecordedTruthTests
     }
 
     [Test]
-    public void At_TooFewSamples_IsNull()
+    public void TryAt_TooFewSamples_IsFalse()
     {
         Assert.That(At(Truth(t => t), 0), Is.Null);
         Assert.That(At(Truth(t => t, 0), 0), Is.Null);

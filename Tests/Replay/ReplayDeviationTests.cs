@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Replay;
 
-/// <summary>Compares the standard deviation that a predictor reports with its errors.</summary>
+/// <summary>Tests the standard deviations that predictors state in a replay.</summary>
 public class ReplayDeviationTests
 {
     string _folder;
@@ -34,7 +34,7 @@ public class ReplayDeviationTests
     }
 
     [Test]
-    public async Task Json_Gp_StatesItsDeviationPerAxis()
+    public async Task Replay_GpAsJson_StatesTheDeviationOfEachAxis()
     {
         var axes = await Axes(_motion, "--predictor", "gp");
 
@@ -51,7 +51,7 @@ public class ReplayDeviationTests
 
     [TestCase("adaptive")]
     [TestCase("quadratic")]
-    public async Task Json_PredictorWithoutDeviation_OmitsIt(string predictor)
+    public async Task Replay_PredictorWithoutDeviation_OmitsTheField(string predictor)
     {
         var axes = await Axes(_motion, "--predictor", predictor);
 
@@ -59,7 +59,7 @@ public class ReplayDeviationTests
     }
 
     [Test]
-    public async Task Table_Gp_HasColumnsOfItsDeviation()
+    public async Task Replay_Gp_PrintsColumnsOfTheDeviation()
     {
         var (gp, adaptive) = (await CliRun.OfAsync("replay", _motion, "--predictor", "gp"), await CliRun.OfAsync("replay", _motion));
 
@@ -68,7 +68,7 @@ public class ReplayDeviationTests
     }
 
     [Test]
-    public async Task Json_GpOnASession_StatesItsDeviation()
+    public async Task Replay_GpOnASession_StatesTheDeviation()
     {
         VirtualRecording.To(_session, predictor: "gp", seconds: 30);
 
@@ -79,7 +79,7 @@ public class ReplayDeviationTests
     }
 
     [Test]
-    public void Session_FollowsAPlan_StatesDeviationsOnlyOfForecasts()
+    public void Replay_SessionWithPlan_StatesDeviationsOfForecastsOnly()
     {
         VirtualRecording.To(_session, predictor: "gp", planLagMs: 0);
         var session = RecordedSession.Read(_session);
@@ -92,7 +92,7 @@ public class ReplayDeviationTests
     }
 
     [Test]
-    public void Summary_Deviations_CountOnlyTheirFrames()
+    public void Summary_DeviationUnknownInSomeFrames_IgnoresThem()
     {
         var errors = new AxisError();
         foreach (var (error, deviation) in new[] { (-0.5, 1.0), (1.5, 1), (2, 1), (-7, 2), (9, double.NaN) }) errors.Add(0, error, deviation);

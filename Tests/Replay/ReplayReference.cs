@@ -2,8 +2,8 @@ using MathNet.Numerics;
 
 namespace Nowpose.Headless.Tests.Replay;
 
-/// <summary>A second, slow implementation of the verb's definition: decimal times, another library's fit, no virtual time.</summary>
-/// <remarks>Leaves out loss, jitter and stamp errors, which depend on the verb's own random numbers.</remarks>
+/// <summary>A second, slow implementation of the verb's definition, with decimal times, another library for the fit and no virtual time.</summary>
+/// <remarks>Does not support loss, jitter and stamp errors, which depend on the verb's random numbers.</remarks>
 sealed class ReplayReference
 {
     const int Tick = 7;
@@ -37,7 +37,7 @@ sealed class ReplayReference
 
     public double Max(int joint) => _predicted[joint].Max(Math.Abs);
 
-    /// <summary>The 95th percentile as numpy defines it: linear interpolation between the sorted values.</summary>
+    /// <summary>Gets the 95th percentile as defined by numpy: linear interpolation between the sorted values.</summary>
     public double P95(int joint)
     {
         var sorted = _predicted[joint].Select(Math.Abs).Order().ToArray();

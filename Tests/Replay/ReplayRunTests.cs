@@ -31,7 +31,7 @@ public class ReplayRunTests
 
     static readonly object[] Conditions =
     [
-        // sampling ms, latency ms, fps, predictor, degree, history, latency error ms
+        // Columns: sampling (ms), latency (ms), frames per second, predictor, degree, history, latency error (ms).
         new object[] { 50m, 100m, 60m, "hold", 0, 0, 0m },
         new object[] { 50m, 100m, 60m, "linear", 1, 1, 0m },
         new object[] { 50m, 100m, 60m, "quadratic", 2, 2, 0m },
@@ -52,7 +52,7 @@ public class ReplayRunTests
     ];
 
     [TestCaseSource(nameof(Conditions))]
-    public void Run_UnevenTimesFarFromZero_AgreesWithTheDefinition(
+    public void Run_UnevenTimesFarFromZero_AgreesWithTheReference(
         decimal samplingMs, decimal latencyMs, decimal fps, string predictor, int degree, int history, decimal latencyErrorMs)
     {
         var motion = new RecordedMotion(1234.567891m, RecordedMotion.UnevenTimes(6, seed: 3), Joints);
@@ -60,7 +60,7 @@ public class ReplayRunTests
         AssertAgrees(motion, samplingMs, latencyMs, fps, predictor, degree, history, latencyErrorMs);
     }
 
-    // The end is on a frame and on a sample; between frames; a rounding error before a frame; half a tick apart.
+    // The end is: on a frame and a sample; between frames; before a frame by a rounding error; half a tick from a frame.
     [TestCase("5")]
     [TestCase("4.99")]
     [TestCase("4.9999999")]
@@ -68,7 +68,7 @@ public class ReplayRunTests
     [TestCase("4.98333333")]
     [TestCase("4.98333336")]
     [TestCase("4.98333324")]
-    public void Run_EndNearAFrame_CountsItByTheNearestTick(string duration)
+    public void Run_EndNearAFrame_RoundsToTheNearestTick(string duration)
     {
         var end = decimal.Parse(duration, System.Globalization.CultureInfo.InvariantCulture);
         var motion = new RecordedMotion(-2.5m, RecordedMotion.UnevenTimes(end, seed: 4), Joints);
@@ -77,7 +77,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_DateStamps_KeepsThePrecision()
+    public void Run_StampsSince1970_KeepsThePrecision()
     {
         // Binary fractions, which a double represents exactly even at 1.7e9 s.
         var motion = new RecordedMotion(1700000000.25m, RecordedMotion.EvenTimes(5, 0.0078125m), Joints);
@@ -116,7 +116,7 @@ public class ReplayRunTests
 
     static void AssertSame(double value, double expected, string what)
     {
-        // The file's times are doubles with an error of 2e-13 s at 1235 s, which a cubic amplifies.
+        // The times in the file are doubles. At 1235 s, their error is 2e-13 s, which a cubic amplifies.
         Assert.That(value, Is.EqualTo(expected).Within(1e-8 * Math.Abs(expected) + 1e-14), what);
     }
 
@@ -134,9 +134,9 @@ public class ReplayRunTests
     [TestCase(0.2, 0)]
     [TestCase(0, 0.4)]
     [TestCase(0.2, 0.4)]
-    public void Run_LateAndLostSamplesOfARamp_ArePredictedExactlyByALine(double jitter, double loss)
+    public void Run_RampWithLateAndLostSamples_LineIsExact(double jitter, double loss)
     {
-        // Each t_k is known exactly, so only the horizon changes.
+        // Each t_k is known exactly, so late and lost samples change only the horizon.
         var result = Replay(Ramp(20), new ReplaySettings { Predictor = "linear", Jitter = jitter, Loss = loss });
 
         Assert.That(result.Rms, Is.LessThan(1e-12));
@@ -144,27 +144,27 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_LostSamples_HeldAgeIsGeometric()
+    public void Run_LostSamples_HoldHasTheErrorOfAGeometricAge()
     {
         const double p = 0.3, interval = 0.05;
 
         var result = Replay(Ramp(300), new ReplaySettings { Loss = p });
 
-        // Frames see a sample 0, 1/60 and 2/60 s after its arrival. For G consecutive losses: E G = p/(1-p), E G² = p (1+p)/(1-p)².
+        // Frames show a sample 0, 1/60 and 2/60 s after its arrival. For G consecutive losses, E G = p/(1-p) and E G² = p (1+p)/(1-p)².
         var square = Enumerable.Range(0, 3).Select(n => 0.1 + n / 60.0).Average(age =>
             age * age + 2 * age * interval * p / (1 - p) + interval * interval * p * (1 + p) / ((1 - p) * (1 - p)));
         Assert.That(result.RmsHold, Is.EqualTo(Math.Sqrt(square)).Within(0.02 * Math.Sqrt(square)));
     }
 
     [Test]
-    public void Run_StampErrorsOnARamp_AreAmplifiedByTheGainOfTheLine()
+    public void Run_RampWithStampErrors_AmplifiesThemByTheGainOfTheLine()
     {
         const double halfWidth = 0.001;
 
         var exact = Replay(Ramp(300), new ReplaySettings { Predictor = "linear" });
         var result = Replay(Ramp(300), new ReplaySettings { Predictor = "linear", StampError = halfWidth });
 
-        // First order: e0 (1 + x) - e1 x with x = horizon / T_s = 2, 7/3, 8/3 and variance halfWidth²/3 each.
+        // First order: e0 (1 + x) - e1 x with x = horizon / T_s = 2, 7/3, 8/3. Each error has the variance halfWidth²/3.
         var gain = new[] { 2, 7 / 3.0, 8 / 3.0 }.Average(x => (1 + x) * (1 + x) + x * x);
         var expected = halfWidth * Math.Sqrt(gain / 3);
         Assert.That(result.Rms, Is.EqualTo(expected).Within(0.03 * expected));
@@ -172,7 +172,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_StampErrorsBeyondTheInterval_KeepTheTrueOrder()
+    public void Run_StampErrorsAboveTheInterval_KeepsTheTrueOrder()
     {
         var exact = Replay(Ramp(20), new ReplaySettings { SamplingInterval = 0.01 });
 
@@ -182,7 +182,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_Jitter_DelaysWithinItsRange()
+    public void Run_Jitter_DelaysWithinTheRange()
     {
         var exact = Replay(Ramp(60), new ReplaySettings());
         var latest = Replay(Ramp(60), new ReplaySettings { Latency = 0.13 });
@@ -205,7 +205,7 @@ public class ReplayRunTests
 
     [TestCase("0.3", 1)]
     [TestCase("0.29", 0)]
-    public void Run_EndsWhenTheFourthSampleArrives_ScoresOnlyThatFrame(string duration, int frames)
+    public void Run_EndsNearTheFourthSample_ScoresAtMostOneFrame(string duration, int frames)
     {
         var motion = Ramp(decimal.Parse(duration, System.Globalization.CultureInfo.InvariantCulture));
 
@@ -214,7 +214,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_MillisecondsAsTime_IsRefused()
+    public void Run_TimesInMilliseconds_Throws()
     {
         var motion = new RecordedMotion(0, [0m, 4_000_000m, 20_000_000m], t => t);
 
@@ -223,7 +223,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_PositionsTooLargeToSquare_IsRefused()
+    public void Run_PositionsTooLargeToSquare_Throws()
     {
         var motion = new RecordedMotion(0, RecordedMotion.EvenTimes(2, 0.1m), t => 1e200 * t);
 

@@ -33,7 +33,7 @@ public class ReplayVerbTests
     static string[] Keys(JsonElement element) => [.. element.EnumerateObject().Select(property => property.Name)];
 
     [Test]
-    public async Task Json_Result_HasTheKeysOfTheContract()
+    public async Task Replay_MotionAsJson_HasTheDocumentedKeys()
     {
         var result = await RunJson();
 
@@ -47,14 +47,14 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task Json_RobotAtRest_HasNullReduction()
+    public async Task Replay_RobotAtRest_HasNullReduction()
     {
         File.WriteAllText(_file, "t,a\n0,1\n2,1\n");
 
         Assert.That((await RunJson()).GetProperty("reduction").ValueKind, Is.EqualTo(JsonValueKind.Null));
     }
 
-    // Each option alone must change a result in the direction that the option implies.
+    // Each option alone must change one result in the expected direction.
     [TestCase("--sampling-ms=100", "rms", 1)]
     [TestCase("--latency-ms=200", "rms_hold", 1)]
     [TestCase("--latency-ms=50", "rms_hold", -1)]
@@ -65,7 +65,7 @@ public class ReplayVerbTests
     [TestCase("--jitter-ms=40", "rms_hold", 1)]
     [TestCase("--loss=0.3", "rms_hold", 1)]
     [TestCase("--blend-ms=50", "rms", 1)]
-    public async Task Json_Option_IsApplied(string option, string key, int sign)
+    public async Task Replay_Option_IsApplied(string option, string key, int sign)
     {
         var plain = (await RunJson()).GetProperty(key).GetDouble();
 
@@ -77,7 +77,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task Json_Seed_ChangesOnlyRandomParts()
+    public async Task Replay_SeedOption_ChangesOnlyRandomConditions()
     {
         var jittered = (await RunJson("--jitter-ms", "40", "--seed", "1")).GetProperty("rms").GetDouble();
 
@@ -87,7 +87,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task Table_Result_ShowsEveryAxisOnStdout()
+    public async Task Replay_Motion_PrintsEveryAxisToStdout()
     {
         var run = await Run(_file);
 
@@ -114,7 +114,7 @@ public class ReplayVerbTests
     [TestCase("--seed", "1.5", "")]
     [TestCase("--predictor", "quartic", "hold, linear, quadratic, cubic")]
     [TestCase("--window", "3", "--window")]
-    public async Task Option_Invalid_IsReportedInOneLineWithExit2(string option, string value, string allowed)
+    public async Task Replay_InvalidOption_PrintsOneLineAndExits2(string option, string value, string allowed)
     {
         var run = await Run(_file, option, value);
 
@@ -124,7 +124,7 @@ public class ReplayVerbTests
     [TestCase("--fps")]
     [TestCase("--sampling-ms")]
     [TestCase("--predictor")]
-    public async Task Option_WithoutValue_IsReportedInOneLineWithExit2(string option)
+    public async Task Replay_OptionWithoutValue_PrintsOneLineAndExits2(string option)
     {
         var run = await Run(_file, option);
 
@@ -132,7 +132,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task File_NotGiven_IsReportedInOneLineWithExit2()
+    public async Task Replay_NoFile_PrintsOneLineAndExits2()
     {
         var run = await Run();
 
@@ -140,7 +140,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task File_Missing_IsReportedInOneLineWithExit2()
+    public async Task Replay_FileMissing_PrintsOneLineAndExits2()
     {
         var run = await Run(Path.Combine(_folder, "none.csv"));
 
@@ -152,7 +152,7 @@ public class ReplayVerbTests
     [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not later than")]
     [TestCase("t,a\n1,1\n", "motion.csv: 1 rows of data")]
     [TestCase("t,a\n0,1\n0.2,2\n", "are too short")]
-    public async Task File_Invalid_IsReportedInOneLineWithExit2(string content, string expected)
+    public async Task Replay_InvalidFile_PrintsOneLineAndExits2(string content, string expected)
     {
         File.WriteAllText(_file, content);
 
@@ -162,7 +162,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task Loss_OfAllSamples_IsReportedInOneLineWithExit2()
+    public async Task Replay_AllSamplesLost_PrintsOneLineAndExits2()
     {
         var run = await Run(_file, "--loss", "1");
 

@@ -9,7 +9,7 @@ public sealed class MessageRoomTests
     const string Runtime = RepositoryFiles.Package + "/Runtime/";
     const string Core = Runtime + "Core/";
 
-    static readonly string[] Products = [Core];
+    static readonly string[] Products = [Runtime, RepositoryFiles.Package + "/Editor/", "Gateway/", "Cli/"];
 
     /// <summary>Calls whose arguments describe an option, a verb or a metric, beside its name.</summary>
     static readonly string[] Help = ["Command", "RootCommand", "NumberOption.Create"];

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Checks that each test that the table of threats names exists.</summary>
+/// <summary>Checks that all tests that the table of threats names exist.</summary>
 public sealed partial class SecurityDocumentTests
 {
     const string Page = "SECURITY.md";

@@ -9,7 +9,7 @@ public class RosClockResolutionTests
 
     static TimeSpan Floored(TimeSpan at, double stepMs) => new(at.Ticks / Ms(stepMs).Ticks * Ms(stepMs).Ticks);
 
-    // Requests like the exchanges: 3 ms after an answer during the measurement, otherwise after a pause. An answer takes 2 ms.
+    // Sends requests like the exchanges: 3 ms after an answer during the measurement, otherwise after a pause. An answer takes 2 ms.
     static void Ask(RosClockResolution resolution, double fromSeconds, double toSeconds, Func<TimeSpan, TimeSpan> shown, double pauseMs = 1000)
     {
         for (var at = TimeSpan.FromSeconds(fromSeconds); at < TimeSpan.FromSeconds(toSeconds);)
@@ -29,7 +29,7 @@ public class RosClockResolutionTests
     [TestCase(1)]
     [TestCase(4)]
     [TestCase(10)]
-    public void Value_SimulatedClockInWholeSteps_IsTheStep(double stepMs)
+    public void Value_SimulatedClockWithSteps_EqualsTheStep(double stepMs)
     {
         var resolution = Asked(5, at => Floored(at, stepMs));
 
@@ -38,7 +38,7 @@ public class RosClockResolutionTests
     }
 
     [Test]
-    public void Value_WallClock_IsATick()
+    public void Value_SystemClock_IsAtMostAMicrosecond()
     {
         var random = new Random(7);
 
@@ -50,16 +50,16 @@ public class RosClockResolutionTests
     [TestCase(16)]
     [TestCase(100)]
     [TestCase(250)]
-    public void Value_NewestMessageOfARarelySentClock_IsThePauseBetweenMessages(double everyMs)
+    public void Value_RarelyPublishedClock_EqualsTheIntervalOfItsMessages(double everyMs)
     {
-        // The clock shows times of whole milliseconds.
+        // The clock shows whole milliseconds.
         var resolution = Asked(5, at => Floored(at, everyMs) + Ms(3));
 
         Assert.That(resolution.Value, Is.EqualTo(Ms(everyMs)));
     }
 
     [Test]
-    public void Value_RareUpdatesReadRarely_StaysConstant()
+    public void Value_RareUpdatesAndRequests_StaysConstant()
     {
         var resolution = new RosClockResolution();
         for (var second = 100; second < 700; second++)
@@ -70,7 +70,7 @@ public class RosClockResolutionTests
     }
 
     [Test]
-    public void Value_BriefStandstill_ExpiresAfterTwoMeasurements()
+    public void Value_BriefStandstill_IsForgottenAfterTwoMeasurements()
     {
         var resolution = new RosClockResolution();
         static TimeSpan Shown(TimeSpan at) => at.TotalSeconds is > 110 and < 110.5 ? TimeSpan.FromSeconds(110) : Floored(at, 1);
@@ -83,14 +83,14 @@ public class RosClockResolutionTests
     }
 
     [Test]
-    public void IsKnown_FewAnswersOrIncompleteStandstill_IsFalse()
+    public void IsKnown_FewAnswersOrFewSteps_IsFalse()
     {
         Assert.That(Asked(0.07, at => at).IsKnown, Is.False, "15 answers");
         Assert.That(Asked(0.3, at => Floored(at, 400)).IsKnown, Is.False, "one change at most");
     }
 
     [Test]
-    public void IsStopped_SimulationPaused_IsReportedAndNotCountedAsResolution()
+    public void IsStopped_SimulationPaused_IsTrueAndKeepsTheResolution()
     {
         var resolution = new RosClockResolution();
         static TimeSpan Shown(TimeSpan at) => at.TotalSeconds is > 105 and < 115 ? TimeSpan.FromSeconds(105) : Floored(at, 1);

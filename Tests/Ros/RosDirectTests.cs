@@ -14,7 +14,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>A headset at a rosbridge server without a gateway, with the clock of /rosapi/get_time.</summary>
+/// <summary>Tests a headset that is connected to a rosbridge server without a gateway, with the clock of /rosapi/get_time.</summary>
 public class RosDirectTests
 {
     static readonly TimeSpan Bracket = TimeSpan.FromMicroseconds(50);
@@ -73,7 +73,7 @@ public class RosDirectTests
             var before = _headsetClock.Now;
             var truth = _control.Now;
             var between = _headsetClock.Now - before;
-            // Repeats if the thread was interrupted between its readings of the clocks, because the pause would count as their difference.
+            // Reads again if the thread was interrupted between the readings, because the pause would count as difference of the clocks.
             if (between < Bracket) return model.ToControl(before + between / 2) - truth;
         }
     }
@@ -93,7 +93,7 @@ public class RosDirectTests
 
         await Soon.BecomesAsync(() => Tick() == PoseState.Current, "current");
         _session.RestartErrorRun();
-        // On a busy machine late samples need a longer horizon. Starts another run until one meets the limit.
+        // On a busy machine, late samples need a longer horizon. Restarts the measurement until the limit is met.
         await Soon.BecomesAsync(
             () =>
             {
@@ -147,21 +147,21 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Clock_SimulatedTimeInSteps_HasItsResolution()
+    public async Task Clock_SimulatedTimeInSteps_HasTheResolutionOfTheSteps()
     {
         var step = TimeSpan.FromMilliseconds(10);
         Start(RosFlavour.Ros2, resolution: step);
 
         await Soon.BecomesAsync(() => _session.Clock.Exchanges > 30, "exchanges");
 
-        // The model estimates the time between the steps; the displayed time of the clock is up to one step behind.
+        // The model estimates the time between the steps. The time that the clock shows is up to one step behind.
         var error = ClockError(out var model);
         Assert.That(_session.Clock.Resolution, Is.EqualTo(step));
         Assert.That(error, Is.InRange(-model.ErrorBound, model.ErrorBound + step));
     }
 
     [Test]
-    public async Task Exchanges_SlowServer_AreSequential()
+    public async Task Exchanges_SlowServer_DoNotOverlap()
     {
         Start(RosFlavour.Ros1, before: TimeSpan.FromMilliseconds(120));
 
@@ -171,7 +171,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Exchanges_UnexpectedAnswers_AreCountedAndIgnored()
+    public async Task Exchanges_UnexpectedAnswers_CountsAndIgnoresThem()
     {
         Start(RosFlavour.Ros2);
         await SynchronisedAsync();
@@ -188,7 +188,7 @@ public class RosDirectTests
 
     [TestCase(RosFlavour.Ros1)]
     [TestCase(RosFlavour.Ros2)]
-    public async Task Status_RosapiIsMissing_NamesTheRemedyAndRecovers(RosFlavour flavour)
+    public async Task Status_RosapiMissing_SuggestsToStartItAndRecovers(RosFlavour flavour)
     {
         Start(flavour, hasRosapi: false);
 
@@ -215,7 +215,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Status_NoAnswer_EndsTheConnectionAndReconnects()
+    public async Task Exchanges_NoAnswer_EndsTheConnectionAndReconnects()
     {
         Start(RosFlavour.Ros2);
         _rosbridge.IsMute = true;

@@ -4,7 +4,7 @@ using Nowpose.Gateway.Clock;
 
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>The ROS graph behind a rosbridge: topics with their types, the time, and rosbridge's log.</summary>
+/// <summary>Simulates the ROS graph behind a rosbridge: topics with their types, the time, and rosbridge's log.</summary>
 sealed class RosGraph(RosFlavour flavour, IControlClock clock)
 {
     readonly Dictionary<string, string> _types = [];
@@ -15,13 +15,13 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
 
     public RosFlavour Flavour => flavour;
 
-    /// <summary>Whether the node rosapi runs in addition to rosbridge.</summary>
+    /// <summary>Whether the node rosapi also runs.</summary>
     public bool HasRosapi { get; set; } = true;
 
-    /// <summary>Errors of clients. Both versions of rosbridge write them only to their own log and send no answer to the client.</summary>
+    /// <summary>Errors of clients. Both versions of rosbridge write them only to their log and do not answer the client.</summary>
     public IReadOnlyCollection<string> Log => _log;
 
-    /// <summary>Messages that clients published and that fit their type.</summary>
+    /// <summary>Messages that clients published and that match the type of their topic.</summary>
     public IReadOnlyCollection<(string Topic, JsonObject Message)> Published => _published;
 
     public JsonObject Time()
@@ -34,9 +34,9 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
 
     public void Error(string text) => _log.Enqueue(text);
 
-    /// <summary>Publishes a message from a node of ROS.</summary>
-    /// <param name="text">The whole rosbridge message as its clients receive it.</param>
-    /// <param name="isLatched">Latched in ROS 1, transient local in ROS 2: kept for later subscribers.</param>
+    /// <summary>Publishes a message as a ROS node.</summary>
+    /// <param name="text">Complete rosbridge message that clients receive.</param>
+    /// <param name="isLatched">Whether the message is kept for later subscribers: latched in ROS 1, transient local in ROS 2.</param>
     public void Publish(string topic, string type, string text, bool isLatched = false)
     {
         lock (_types)
@@ -48,8 +48,8 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
         }
     }
 
-    /// <summary>Registers a topic with its type, or checks that a known topic has this type.</summary>
-    /// <exception cref="RosException">With rosbridge's message.</exception>
+    /// <summary>Registers a topic with its type. If the topic is known, checks that the type is the same.</summary>
+    /// <exception cref="RosException">The type differs. The message is that of rosbridge.</exception>
     public void Establish(string topic, string type)
     {
         lock (_types)
@@ -77,8 +77,8 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
         lock (_types) _subscribers.RemoveAll(subscriber => subscriber.Send == send);
     }
 
-    /// <summary>Receives a message that a client publishes.</summary>
-    /// <exception cref="RosException">The type does not have one of the fields: ROS 2, for example, has no header.seq.</exception>
+    /// <summary>Receives a message that a client has published.</summary>
+    /// <exception cref="RosException">The message has a field that the type lacks. In ROS 2, for example, header.seq does not exist.</exception>
     public void Receive(string topic, JsonObject message)
     {
         string type;
@@ -90,7 +90,7 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
         _published.Enqueue((topic, message));
     }
 
-    // ROS 1 accepts only package/Name; ROS 2 removes the middle part.
+    // ROS 1 accepts only package/Name. ROS 2 also accepts a name with a middle part, and removes this part.
     string NameOf(string type)
     {
         var parts = type.Split('/', StringSplitOptions.RemoveEmptyEntries);

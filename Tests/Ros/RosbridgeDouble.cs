@@ -3,11 +3,11 @@ using Nowpose.Headless.Tests.Network;
 
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>A double of the rosbridge server, which Debian does not package, written from its protocol document and its source.</summary>
+/// <summary>Simulates a rosbridge server, which Debian does not package. Written from rosbridge's protocol document and source code.</summary>
 /// <remarks>
-/// Follows rosbridge_suite's branches ros1 and ros2: operations, type names, the format and order of answers, the threads that serve
-/// calls, and errors that are only logged. Leaves out features that headsets do not use: throttling and queues of subscriptions, PNG and
-/// CBOR, services and actions of clients, parameters.
+/// Follows the branches ros1 and ros2 of rosbridge_suite: operations, type names, format and order of answers, threads of service calls, and
+/// errors that are only logged. Omits features that headsets do not use: throttling and queues of subscriptions, PNG and CBOR, services and
+/// actions of clients, parameters.
 /// </remarks>
 sealed class RosbridgeDouble : IDisposable
 {
@@ -26,13 +26,13 @@ sealed class RosbridgeDouble : IDisposable
     public RosGraph Graph { get; }
     public int Port => _server.Port;
 
-    /// <summary>Duration of a service call before the time is read: ROS 2 first looks up the service each time.</summary>
+    /// <summary>Duration of a service call before the time is read. In ROS 2, the service is looked up in each call.</summary>
     public TimeSpan BeforeReading { get; set; }
 
     /// <summary>Duration of a service call after the time is read.</summary>
     public TimeSpan AfterReading { get; set; }
 
-    /// <summary>Whether calls are accepted and never answered, as when the glob of allowed services excludes the service.</summary>
+    /// <summary>Whether calls are accepted but never answered, as when the list of allowed services excludes the service.</summary>
     public bool IsMute { get; set; }
 
     /// <summary>Maximum number of concurrent calls.</summary>
@@ -40,7 +40,7 @@ sealed class RosbridgeDouble : IDisposable
 
     public int Connections { get { lock (_clients) return _clients.Count; } }
 
-    /// <summary>Sends an unsolicited message to every client.</summary>
+    /// <summary>Sends a message to all clients, although none has requested it.</summary>
     public void Send(string text)
     {
         lock (_clients)
@@ -74,7 +74,7 @@ sealed class RosbridgeDouble : IDisposable
             }
             catch (Exception end) when (end is SocketException or ObjectDisposedException or TimeoutException or IOException or InvalidOperationException)
             {
-                // The server was stopped, no client connected for a while, or a client left before its upgrade.
+                // The server was stopped, no client connected for some time, or a client disconnected before its upgrade.
             }
         }
     }

@@ -7,7 +7,7 @@ using System.Threading.Channels;
 
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>One connection of a <see cref="RosbridgeDouble"/>.</summary>
+/// <summary>A connection of a <see cref="RosbridgeDouble"/>.</summary>
 sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, CancellationToken stop)
 {
     const string GetTime = "/rosapi/get_time";
@@ -78,7 +78,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
         }
     }
 
-    // The real server buffers invalid JSON and waits for the rest; headsets send only whole messages.
+    // The real server stores invalid JSON and waits for the rest. Headsets send only complete messages.
     JsonObject Parse(string text)
     {
         try
@@ -108,7 +108,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
                 break;
             case "unadvertise": _advertised.Remove(topic); break;
             case "publish":
-                // An unregistered publisher is registered with the type in the message, or with the known one.
+                // A publisher that is not registered is registered with the type in the message or, if there is none, with the known type.
                 if (_advertised.Add(topic)) Graph.Establish(topic, type);
                 Graph.Receive(topic, (JsonObject)message["msg"]);
                 break;
@@ -120,7 +120,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
 
     Task CallAsync(JsonObject call)
     {
-        // ROS 1 uses a thread per call. In ROS 2 the client's next message waits for the answer.
+        // ROS 1 uses a thread per call. In ROS 2, the client's next message waits for the answer.
         var answering = AnswerAsync((string)call["service"], (string)call["id"]);
         return Graph.Flavour == RosFlavour.Ros2 ? answering : Task.CompletedTask;
     }
@@ -140,7 +140,7 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
         if (!server.IsMute) Send(response.ToJsonString());
     }
 
-    // A single delay may end some milliseconds early.
+    // Delays repeatedly, because a single delay can end some milliseconds early.
     async Task PassAsync(TimeSpan time)
     {
         for (var since = Stopwatch.StartNew(); since.Elapsed < time;) await Task.Delay(1, stop);

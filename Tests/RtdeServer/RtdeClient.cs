@@ -57,7 +57,7 @@ sealed class RtdeClient : IDisposable
     }
 
     /// <summary>
-    /// Sends the data of one control cycle if the client requested them. Skips the cycle if the client has not read the previous ones.
+    /// Sends the data of one control cycle if the client requested them. Skips the cycle if the client has not read the previous data.
     /// </summary>
     public void SendCycle(long cycle, RobotState state)
     {

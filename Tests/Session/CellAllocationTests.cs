@@ -11,8 +11,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Allocations of a frame with many objects, signals and two robots, of which one picks and places an object every second.</summary>
-[NonParallelizable] // counts garbage
+/// <summary>Tests the allocations of a frame with many objects, signals and two robots. One robot picks and places an object every second.</summary>
+[NonParallelizable] // measures allocations
 public class CellAllocationTests
 {
     const int Objects = 50;

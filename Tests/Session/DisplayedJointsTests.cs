@@ -8,8 +8,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>The displayed joints that a headset reports.</summary>
-[NonParallelizable] // counts garbage
+/// <summary>Tests the displayed joint positions that a headset reports.</summary>
+[NonParallelizable] // measures allocations
 public class DisplayedJointsTests
 {
     static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
@@ -22,7 +22,7 @@ public class DisplayedJointsTests
     public void TearDown() => _session.Dispose();
 
     [Test, Order(1)]
-    public void Displayed_WithoutTheClock_IsNull()
+    public void Displayed_ClockUnsynchronised_IsNull()
     {
         _session.Listener.Received(Sample(HeadsetTime.FromSeconds(9)), HeadsetTime.FromSeconds(9));
 
@@ -32,7 +32,7 @@ public class DisplayedJointsTests
     }
 
     [Test, Order(2)]
-    public void Displayed_EachFrame_IsReturnedOnceWithItsDisplayTime()
+    public void Displayed_EachFrame_IsReturnedOnceWithTheDisplayTime()
     {
         var now = HeadsetTime.FromSeconds(10);
         for (var i = 0; i < 60; i++) Frame(now += TimeSpan.FromMilliseconds(50));
@@ -49,7 +49,7 @@ public class DisplayedJointsTests
     }
 
     [Test, Order(3)]
-    public void Displayed_ReadDuringFrames_DoesNotAllocateOnTheirThread()
+    public void Displayed_ReadDuringFrames_DoesNotAllocateOnTheFrameThread()
     {
         var now = HeadsetTime.FromSeconds(20);
         for (var i = 0; i < 200; i++) Frame(now += TimeSpan.FromMilliseconds(16));
@@ -61,12 +61,12 @@ public class DisplayedJointsTests
             while (!stop.IsCancellationRequested)
             {
                 if (_session.Displayed() != null) Interlocked.Increment(ref displayed);
-                // Pauses, because taking the session's lock without a pause would block the frames.
+                // Pauses between readings. Taking the session's lock without a pause would block the frames.
                 Thread.Sleep(1);
             }
         });
         var allocated = 0L;
-        // On a loaded machine the other thread may start late.
+        // On a busy machine, the other thread can start late.
         for (var i = 0; i < 2000 || Volatile.Read(ref displayed) == 0 && !background.IsCompleted; i++)
         {
             Feed(now += TimeSpan.FromMilliseconds(16));
@@ -82,7 +82,7 @@ public class DisplayedJointsTests
         Assert.That(displayed, Is.GreaterThan(0));
     }
 
-    // The runtime allocates a wait object when a thread first meets a held lock. This allocation must not count as a cost of a frame.
+    // The runtime allocates a wait object when a thread waits for a lock for the first time. This does not count as a cost of a frame.
     void WaitOnceForTheSession(HeadsetTime now)
     {
         var (waiting, isHeld, isAtTheLock) = (Thread.CurrentThread, new ManualResetEventSlim(), new ManualResetEventSlim());
@@ -95,7 +95,7 @@ public class DisplayedJointsTests
         _session.Ticked += Hold;
         var holding = Task.Factory.StartNew(() => _session.Tick(now), TaskCreationOptions.LongRunning);
         Assert.That(SpinWait.SpinUntil(() => isHeld.IsSet, Soon.Limit), Is.True);
-        // SpinUntil itself sleeps, which would look like waiting for the lock.
+        // SpinUntil itself sleeps, which would count as waiting for the lock.
         isAtTheLock.Set();
         _session.Displayed();
         _session.Ticked -= Hold;

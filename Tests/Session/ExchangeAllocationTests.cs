@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class ExchangeAllocationTests
 {
     [Test]
@@ -30,7 +30,7 @@ public class ExchangeAllocationTests
     }
 
     [Test]
-    public void Follow_ACorrection_AllocatesNothing()
+    public void Follow_Correction_AllocatesNothing()
     {
         var clock = new ClockSynchroniser(new EnvelopeClockEstimator(), ClockSettings.Default);
         var display = new DisplayClock();

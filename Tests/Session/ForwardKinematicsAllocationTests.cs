@@ -4,11 +4,11 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class ForwardKinematicsAllocationTests
 {
     [Test]
-    public void FrameOfJoints_AfterTheFirst_AllocatesNothing()
+    public void ForwardKinematics_SecondFrame_AllocatesNothing()
     {
         var model = RobotFiles.Load("youbot");
         var kinematics = new ForwardKinematics(model);

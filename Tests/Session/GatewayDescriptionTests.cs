@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>The robot description that a gateway sends to a session, over loopback.</summary>
+/// <summary>Tests the robot description that a gateway sends to a session over loopback.</summary>
 public class GatewayDescriptionTests
 {
     readonly StopwatchHeadsetClock _clock = new();
@@ -25,7 +25,7 @@ public class GatewayDescriptionTests
 
     [TestCase("youbot", RobotDescriptionMatch.Same)]
     [TestCase("ur5", RobotDescriptionMatch.Different)]
-    public async Task Session_GatewayDescribesItsRobot_IsCompared(string displayed, object expected)
+    public async Task Session_GatewayDescribesItsRobot_ComparesItWithTheDisplayedRobot(string displayed, object expected)
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -53,7 +53,7 @@ public class GatewayDescriptionTests
     }
 
     [Test]
-    public async Task Session_InvalidDescription_IsCountedAndSamplesContinue()
+    public async Task Session_InvalidDescription_CountsItAndReceivesSamples()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();

@@ -11,13 +11,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Set-points of a simulated cell pass through a gateway to a session, over loopback.</summary>
+/// <summary>Tests that set-points of a simulated cell reach a session through a gateway over loopback.</summary>
 public class GatewayPlanTests
 {
     static readonly CellTiming Timing = new(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
 
     [Test]
-    public async Task Session_CellPublishesItsPlan_ShowsIt()
+    public async Task Session_CellPublishesSetPoints_FollowsThem()
     {
         var control = new StopwatchControlClock(ControlTime.FromSeconds(1_700_000_000));
         var headset = new StopwatchHeadsetClock();
@@ -37,7 +37,7 @@ public class GatewayPlanTests
     }
 
     [Test]
-    public async Task Publish_ByAnObserver_IsRefusedAndByASourceForwarded()
+    public async Task Publish_SetPoints_RequiresTheRoleSource()
     {
         var options = new Nowpose.Gateway.GatewayOptions { SyncPort = 0, WebSocketPort = 0, Tokens = Gateways.Tokens };
         await using var gateway = await Gateways.StartAsync(options);

@@ -10,10 +10,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>The gateway stops during a session and starts again, as after an update or a power failure.</summary>
+/// <summary>Tests a session during which the gateway stops and starts again, as after an update or a power failure.</summary>
 public class GatewayRestartTests
 {
-    // The longest pause between two attempts, plus the time that a loaded machine needs to connect.
+    // Longest pause between two connection attempts, plus the time that a busy machine needs to connect.
     static readonly TimeSpan ReconnectLimit = ProtocolLimits.BackoffLongest * (1 + ProtocolLimits.BackoffJitter) + TimeSpan.FromSeconds(15);
 
     [TestCase(0)]
@@ -53,7 +53,7 @@ public class GatewayRestartTests
         Assert.That(session.Clock.Steps, clockStepSeconds == 0 ? Is.Zero : Is.GreaterThan(0));
     }
 
-    // Repeats if the thread was interrupted between the two readings, because the pause would add to the step of the clock.
+    // Reads again if the thread was interrupted between the readings, because the pause would add to the step of the clock.
     static StopwatchControlClock Stepped(StopwatchControlClock clock, TimeSpan by)
     {
         while (true)

@@ -12,8 +12,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Allocations of a sample on the whole path: from the socket through reader, queue and frame to the predictors.</summary>
-[NonParallelizable] // counts garbage
+/// <summary>Tests the allocations of a sample on its complete path: from the socket through reader, queue and frame to the predictors.</summary>
+[NonParallelizable] // measures allocations
 public class ReceiveAllocationTests
 {
     const int Warm = 500, Messages = 2000;
@@ -38,7 +38,7 @@ public class ReceiveAllocationTests
         var (before, after) = (0L, 0L);
         var socket = new MemoryWebSocket(texts, i =>
         {
-            // The frame runs on the receiving thread, so its allocations are counted as well.
+            // Runs the frame on the receiving thread, so that its allocations are counted, too.
             clock.Now = At(i);
             if (i % 20 == 0) Synchronise(session, clock.Now);
             if (i > 0) session.Tick(clock.Now);
@@ -112,7 +112,7 @@ public class ReceiveAllocationTests
         protected override Task<WebSocket> OpenSocketAsync(CancellationToken cancel) => Task.FromResult(socket);
     }
 
-    /// <summary>A socket that returns the given messages from memory, one per receive call, and nothing after them.</summary>
+    /// <summary>A socket that returns the given messages from memory, one per receive call. After the last one, it receives nothing.</summary>
     sealed class MemoryWebSocket(byte[][] messages, Action<int> beforeMessage) : WebSocket
     {
         readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);

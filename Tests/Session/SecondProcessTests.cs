@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Headset and clients run in their own processes, as on other machines, over TLS and with tokens.</summary>
+/// <summary>Tests headset and clients in separate processes, as on other machines, with TLS and tokens.</summary>
 public class SecondProcessTests
 {
     const string ObserverToken = "observer-3f9d2c";
@@ -65,7 +65,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Headset_WrongPin_RefusesBothConnections()
+    public async Task Headset_WrongPin_EndsBothConnections()
     {
         await StartAsync(CertificateFiles.Generate());
         var other = CertificatePin.Of(CertificateFiles.Generate());
@@ -78,7 +78,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Headset_WrongToken_IsRefusedByTheGatewayOnBothConnections()
+    public async Task Headset_WrongToken_GatewayRefusesBothConnections()
     {
         await StartAsync(CertificateFiles.Generate());
         using var headset = Headset(_gateway.Pin.ToString(), "guessed");
@@ -89,7 +89,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Headset_ExpiredCertificate_IsRefusedEvenWithItsPin()
+    public async Task Headset_ExpiredCertificateWithCorrectPin_EndsTheConnection()
     {
         await StartAsync(CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(-30), DateTimeOffset.UtcNow.AddDays(-1)));
         using var headset = Headset(_gateway.Pin.ToString(), ObserverToken);
@@ -100,7 +100,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Client_ForeignOrigin_IsRefused()
+    public async Task Client_ForeignOrigin_GatewayRefusesIt()
     {
         await StartAsync(CertificateFiles.Generate());
         using var client = Client(ObserverToken, "https://elsewhere.example");

@@ -7,11 +7,11 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>A frame's thread ends a session and continues at once, in any state of the network.</summary>
+/// <summary>Tests that a frame's thread can end a session without waiting, in any state of the network.</summary>
 public class SessionEndTests
 {
     [Test]
-    public async Task Dispose_NetworkIsBlocked_ReturnsImmediatelyAndEndsLater()
+    public async Task Dispose_NetworkBlocked_ReturnsImmediatelyAndEndsLater()
     {
         var clock = new StuckClock();
         using var silent = new FakeSyncServer(_ => []);
@@ -30,7 +30,7 @@ public class SessionEndTests
     }
 
     [Test]
-    public async Task Connect_AfterDisconnect_OpensNewConnectionsAndEndsBoth()
+    public async Task Connect_AfterDisconnect_OpensNewConnections()
     {
         using var server = new FakeWebSocketServer();
         var clock = new StopwatchHeadsetClock();

@@ -9,14 +9,14 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Each pause of the application ends a session, which must not leave any resources behind.</summary>
+/// <summary>Tests that a session leaves no resources behind. Each pause of the application ends a session.</summary>
 [NonParallelizable] // measures the memory of the whole process
 public class SessionLeakTests
 {
     readonly StopwatchHeadsetClock _clock = new();
 
     [Test]
-    public async Task Sessions_ConnectedAndDisposedRepeatedly_LeaveNoThreadsOrConnections()
+    public async Task Sessions_ConnectedAndDisposed_LeaveNoThreadsOrConnections()
     {
         await using var gateway = await Gateways.StartAsync();
         await CycleAsync(gateway, 10);
@@ -35,7 +35,7 @@ public class SessionLeakTests
         {
             using var session = new CompensationSession(settings, RobotFiles.Load("youbot"), _clock);
             session.Connect();
-            // Every second session ends before it is connected.
+            // Every second session is ended before it has connected.
             if (i % 2 == 0)
                 await Soon.BecomesAsync(() => session.Statistics(_clock.Now).SyncLink.State == LinkState.Connected, "connected");
         }

@@ -12,10 +12,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>The frame's thread connects and disconnects, so neither may block a frame for long, in any state of the other side.</summary>
+/// <summary>Tests that connecting and disconnecting do not block the frame's thread for long, in any state of the other side.</summary>
 public class SessionNonBlockingTests
 {
-    /// <summary>Below every timeout of the protocol, so waiting for the other side exceeds it; far above the delays of a busy machine.</summary>
+    /// <summary>
+    /// Maximum time of a call: less than all timeouts of the protocol, so that waiting for the other side exceeds it; far more than delays
+    /// of a busy machine.
+    /// </summary>
     static readonly TimeSpan Bearable = TimeSpan.FromSeconds(1.5);
 
     [SetUp]
@@ -49,7 +52,7 @@ public class SessionNonBlockingTests
         }
     }
 
-    // Gives the connections time to begin waiting for an answer, which has no signal.
+    // Gives the connections time to start waiting for an answer. No signal shows when they wait.
     static void AMoment() => Thread.Sleep(50);
 
     [Test]
@@ -89,7 +92,7 @@ public class SessionNonBlockingTests
     [Test]
     public void Session_HostDoesNotAnswer_DoesNotBlock()
     {
-        using var deaf = new DeafHost();
+        using var deaf = new UnresponsiveHost();
         using var session = Session("127.0.0.1", deaf.Port, deaf.Port);
 
         RequireQuick(session, AMoment);
@@ -104,11 +107,11 @@ public class SessionNonBlockingTests
     }
 
     [Test]
-    public void Session_LinkNeverOpensNorCloses_DoesNotBlock()
+    public void Session_LinkBlocksOpenAndClose_DoesNotBlock()
     {
         using var release = new ManualResetEventSlim();
         using var sync = new FakeTcpServer(_ => release.Wait(Soon.Limit));
-        using var session = Session("127.0.0.1", sync.Port, 1, (_, _) => new StubbornLink(release));
+        using var session = Session("127.0.0.1", sync.Port, 1, (_, _) => new BlockingLink(release));
 
         RequireQuick(session, AMoment);
 
@@ -118,7 +121,7 @@ public class SessionNonBlockingTests
     [Test]
     public async Task Clients_HostDoesNotAnswer_EndShortlyAfterDispose()
     {
-        using var deaf = new DeafHost();
+        using var deaf = new UnresponsiveHost();
         var clock = new StopwatchHeadsetClock();
         var settings = new ConnectionSettings("127.0.0.1", deaf.Port, deaf.Port);
         var synchroniser = new ClockSynchroniser(
@@ -134,13 +137,13 @@ public class SessionNonBlockingTests
         await rosbridge.Ended.WaitAsync(ProtocolLimits.DialTimeout / 2);
     }
 
-    /// <summary>A host with a full queue of connections: it does not answer connection requests.</summary>
-    sealed class DeafHost : IDisposable
+    /// <summary>A host that does not answer connection requests, because its queue of connections is full.</summary>
+    sealed class UnresponsiveHost : IDisposable
     {
         readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         readonly List<Socket> _fill = [];
 
-        public DeafHost()
+        public UnresponsiveHost()
         {
             _listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
             _listener.Listen(1);
@@ -164,7 +167,7 @@ public class SessionNonBlockingTests
     }
 
     /// <summary>A link that blocks the calling thread when it is opened or disposed.</summary>
-    sealed class StubbornLink(ManualResetEventSlim release) : IWebSocketLink
+    sealed class BlockingLink(ManualResetEventSlim release) : IWebSocketLink
     {
         public Task OpenAsync(CancellationToken cancel)
         {

@@ -12,7 +12,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-[NonParallelizable] // counts garbage
+[NonParallelizable] // measures allocations
 public class TickAllocationTests
 {
     [TestCase("hold", false)]

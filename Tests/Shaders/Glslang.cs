@@ -8,7 +8,7 @@ static class Glslang
 {
     const string Tool = "glslangValidator";
 
-    /// <summary>Ignores the test if the compiler is not installed; in CI the test fails instead.</summary>
+    /// <summary>Ignores the test if the compiler is not installed. In CI, the test fails instead.</summary>
     public static void Require()
     {
         var folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
@@ -18,12 +18,12 @@ static class Glslang
         Assert.Ignore(missing);
     }
 
-    /// <summary>Compiles every variant of a program for both stages.</summary>
-    /// <returns>The errors, each with shader, pipeline, pass, variant, stage and line; empty if all compile.</returns>
+    /// <summary>Compiles both stages of every variant of a program.</summary>
+    /// <returns>The errors, each with shader, pipeline, pass, variant, stage and line; empty if all variants compile.</returns>
     public static IReadOnlyList<string> Compile(PassProgram program)
     {
         using var folder = new TemporaryFolder();
-        // The lines before the program are empty, so that line numbers are those of the shader's file.
+        // Adds empty lines before the program, so that line numbers are those of the shader's file.
         var file = Path.GetFileName(program.Shader.Path);
         File.WriteAllText(Path.Combine(folder.Path, file), new string('\n', program.Pass.Program.Line - 1) + program.Pass.Program.Text);
         return program.Variants

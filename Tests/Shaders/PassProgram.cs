@@ -2,10 +2,10 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>The program of one pass, with its includes and the variants that Unity compiles from it.</summary>
+/// <summary>The program of a pass with its includes, and the variants that Unity compiles from it.</summary>
 public sealed class PassProgram
 {
-    /// <summary>Folder of the stand-ins for Unity's includes.</summary>
+    /// <summary>Folder of the substitutes for Unity's includes.</summary>
     public const string StandIns = "Tests/Shaders/StandIns";
 
     static readonly Regex Includes = new("(?m)^\\s*#include\\s+\"([^\"]+)\"", RegexOptions.CultureInvariant);
@@ -22,7 +22,7 @@ public sealed class PassProgram
 
     public ShaderPass Pass { get; }
 
-    /// <summary>Folders that are searched for includes, in this order.</summary>
+    /// <summary>Folders in which includes are searched, in this order.</summary>
     public IEnumerable<string> Folders =>
         new[] { Path.GetDirectoryName(Shader.Path), StandIns, "" }.Select(folder => Path.Combine(RepositoryFiles.Root, folder ?? ""));
 
@@ -30,12 +30,12 @@ public sealed class PassProgram
 
     public string FragmentFunction => Single("fragment");
 
-    /// <summary>Sets of keywords, each of which is a separate program on the device.</summary>
+    /// <summary>Sets of keywords. Each set is a separate program on the device.</summary>
     public IReadOnlyList<string[]> Variants
     {
         get
         {
-            // Unity adds the stereo keywords to every program by itself. Double-wide stereo exists in the built-in pipeline only.
+            // Unity adds the stereo keywords to every program. Only the built-in pipeline has double-wide stereo.
             string[] stereo = ["", "STEREO_INSTANCING_ON", "STEREO_MULTIVIEW_ON"];
             List<string[]> axes = [SubShader.IsUniversal ? stereo : [.. stereo, "UNITY_SINGLE_PASS_STEREO"]];
             foreach (Match pragma in Pragmas.Matches(Pass.Program.Text))
@@ -46,10 +46,10 @@ public sealed class PassProgram
         }
     }
 
-    /// <summary>The program with the package's own includes inserted, but without Unity's.</summary>
+    /// <summary>The program with the package's own includes inserted, but without Unity's includes.</summary>
     public string OwnText => Inlined(Pass.Program.Text, new HashSet<string>());
 
-    /// <summary>Unity's includes that the program names.</summary>
+    /// <summary>Unity's includes that the program uses.</summary>
     public IReadOnlyList<string> UnityIncludes =>
         Includes.Matches(Pass.Program.Text).Select(m => m.Groups[1].Value).Where(IsStandIn).Select(Path.GetFileName).ToList();
 

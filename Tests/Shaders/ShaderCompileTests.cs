@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>Every variant of every shader compiles, for both render pipelines, against stand-ins for Unity's includes.</summary>
+/// <summary>Tests that every variant of every shader compiles for both render pipelines, with substitutes for Unity's includes.</summary>
 public sealed class ShaderCompileTests
 {
     const string Broken = """
@@ -34,7 +34,7 @@ public sealed class ShaderCompileTests
     static IEnumerable<PassProgram> Programs => ShaderFiles.Programs;
 
     [TestCaseSource(nameof(Programs))]
-    public void Program_EveryVariant_Compiles(PassProgram program)
+    public void Compile_EveryVariant_Succeeds(PassProgram program)
     {
         Glslang.Require();
 
@@ -42,7 +42,7 @@ public sealed class ShaderCompileTests
     }
 
     [Test]
-    public void Programs_All_CoverTheShippedShadersAndAnExample()
+    public void Programs_ShippedShadersAndExample_AreCovered()
     {
         Assert.That(ShaderFiles.Shipped.Select(s => s.Name), Is.EquivalentTo(new[] { "Nowpose/Hologram", "Nowpose/Occluder", "Nowpose/Text" }));
         Assert.That(ShaderFiles.Examples, Is.Not.Empty);
@@ -66,7 +66,7 @@ public sealed class ShaderCompileTests
     [TestCase("Hologram", "NowposeOpacity(fade, hatch, fragment.metres)", "NowposeOpacity(fade, hatch)")]
     [TestCase("Occluder", "UNITY_VERTEX_OUTPUT_STEREO", "UNITY_VERTEX_OUTPUT_STEREOS")]
     [TestCase("Text", "half4(fragment.colour.rgb, fragment.colour.a * letter)", "half4(fragment.color)")]
-    public void Compile_FaultInASharedPass_IsReportedForBothPipelines(string name, string right, string wrong)
+    public void Compile_FaultInASharedPass_ReportsItForBothPipelines(string name, string right, string wrong)
     {
         Glslang.Require();
         var folder = RepositoryFiles.Package + "/Runtime/Shaders/";
@@ -90,7 +90,7 @@ public sealed class ShaderCompileTests
     }
 
     [Test]
-    public void Variants_Keywords_AreMultiplied()
+    public void Variants_SeveralKeywordSets_AreCombined()
     {
         const string keywords = "#pragma multi_compile _ A B\n#pragma shader_feature_local C";
         var text = Broken.Replace("#pragma multi_compile_instancing", keywords, StringComparison.Ordinal);

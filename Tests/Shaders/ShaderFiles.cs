@@ -1,7 +1,7 @@
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>The shaders of the package, and the example shaders of its manual.</summary>
+/// <summary>Finds the shaders of the package, and the example shaders of its manual.</summary>
 static class ShaderFiles
 {
     const string Fence = "```shaderlab\n";
@@ -10,7 +10,7 @@ static class ShaderFiles
     public static IEnumerable<ShaderSource> Shipped =>
         RepositoryFiles.Under(RepositoryFiles.Package, ".shader").Select(path => ShaderLabReader.Read(RepositoryFiles.Read(path), path));
 
-    /// <summary>Blocks of code in the manual that are marked as ShaderLab.</summary>
+    /// <summary>Code blocks of the manual that are marked as ShaderLab.</summary>
     public static IEnumerable<ShaderSource> Examples => RepositoryFiles.Under(RepositoryFiles.Package, ".md").SelectMany(ExamplesIn);
 
     public static IEnumerable<PassProgram> Programs => Shipped.Concat(Examples).SelectMany(Of);

@@ -1,6 +1,6 @@
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>Thrown for a shader file whose structure Unity would refuse or this check does not support.</summary>
+/// <summary>Thrown if Unity would reject the structure of a shader file, or if this check does not support it.</summary>
 public sealed class ShaderLabException : Exception
 {
     public ShaderLabException(string file, int line, string problem)

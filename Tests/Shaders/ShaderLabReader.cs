@@ -3,8 +3,8 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>Reads ShaderLab: the part of a .shader file that Unity interprets before it compiles the programs in it.</summary>
-/// <remarks>Supports only the commands that the package uses; anything else is an error with its line number.</remarks>
+/// <summary>Reads ShaderLab, the part of a .shader file that Unity interprets before it compiles the programs in the file.</summary>
+/// <remarks>Supports only the commands that the package uses. For any other command, the error names the line.</remarks>
 public sealed class ShaderLabReader
 {
     static readonly Regex Tokens = new(
@@ -31,7 +31,7 @@ public sealed class ShaderLabReader
         }
     }
 
-    /// <param name="firstLine">Line number in the file of the first line of the text.</param>
+    /// <param name="firstLine">Line number, within the file, of the first line of the text.</param>
     public static ShaderSource Read(string text, string path, int firstLine = 1) => new ShaderLabReader(text, path, firstLine).Shader();
 
     ShaderSource Shader()
@@ -106,7 +106,7 @@ public sealed class ShaderLabReader
         Take("SubShader");
         Take("{");
         IReadOnlyList<string> requirements = [];
-        // Unity requires this block before everything else.
+        // Unity requires this block before all others.
         if (TryTake("PackageRequirements")) requirements = Requirements();
         var tags = new Dictionary<string, string>();
         var passes = new List<ShaderPass>();
@@ -164,7 +164,7 @@ public sealed class ShaderLabReader
         return new ShaderPass(name, tags, states, program, line);
     }
 
-    // A render state ends at the end of its line.
+    // A render state ends at the end of the line.
     void State(Dictionary<string, string> states)
     {
         var line = Line;

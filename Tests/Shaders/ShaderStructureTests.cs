@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>Checks the requirements of Unity, URP's SRP batcher and single-pass instanced stereo on a shader's structure.</summary>
+/// <summary>Checks what Unity, URP's SRP batcher and single-pass instanced stereo require of a shader's structure.</summary>
 public sealed class ShaderStructureTests
 {
     const string Shaders = RepositoryFiles.Package + "/Runtime/Shaders/";
@@ -38,9 +38,9 @@ public sealed class ShaderStructureTests
         Assert.That(shader.Name, Is.EqualTo("Nowpose/" + Path.GetFileNameWithoutExtension(shader.Path)));
     }
 
-    /// <summary>URP takes the first SubShader that has its tag or none.</summary>
+    /// <summary>URP uses the first SubShader that has the tag of URP or no tag.</summary>
     [TestCaseSource(nameof(Shipped))]
-    public void Shader_SubShaders_AreForUrpThenBuiltInPipeline(ShaderSource shader)
+    public void Shader_SubShaders_UrpComesBeforeTheBuiltInPipeline(ShaderSource shader)
     {
         Assert.That(shader.SubShaders.Select(s => s.Pipeline), Is.EqualTo(new[] { "URP", "built-in" }));
         Assert.That(shader.SubShaders[0].Requirements, Is.EqualTo(new[] { "com.unity.render-pipelines.universal" }));
@@ -67,9 +67,9 @@ public sealed class ShaderStructureTests
         Assert.That(shader.SubShaders[0].Passes[0].States, Is.EquivalentTo(shader.SubShaders[1].Passes[0].States));
     }
 
-    /// <summary>The SRP batcher requires every property in this buffer, and the same buffer in every pass; textures are outside it.</summary>
+    /// <summary>The SRP batcher requires that this buffer contains every property except textures, and that it is the same in every pass.</summary>
     [TestCaseSource(nameof(Programs))]
-    public void Program_MaterialBuffer_HasTheProperties(PassProgram program)
+    public void Program_MaterialBuffer_ContainsAllProperties(PassProgram program)
     {
         var expected = program.Shader.Properties.Where(p => p.Type != "2D").Select(p => (p.Name, p.Type is "Color" or "Vector" ? "float4" : "float"));
 
@@ -99,7 +99,7 @@ public sealed class ShaderStructureTests
     }
 
     [Test]
-    public void Occluder_Passes_WriteOnlyDepthAndFirst()
+    public void Occluder_Passes_WriteOnlyDepthAndAreDrawnFirst()
     {
         var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Occluder.shader"), "Occluder.shader");
 
@@ -111,7 +111,7 @@ public sealed class ShaderStructureTests
         }
     }
 
-    /// <summary>The font's own shader has ZTest Always and ZWrite Off: text shows through hands and arm, without depth for reprojection.</summary>
+    /// <summary>The font's shader has ZTest Always and ZWrite Off. Its text would cover hands and arm, and have no depth for reprojection.</summary>
     [Test]
     public void Text_Passes_TestAndWriteDepth()
     {
@@ -142,7 +142,7 @@ public sealed class ShaderStructureTests
     [TestCase("Range(0, 1)) = 0", "Range(0, 1)) =", "not a number")]
     [TestCase("ENDHLSL", "ENDCG", "ends as the other kind")]
     [TestCase("_Hatch (\"", "_Fade (\"", "property _Fade is declared twice")]
-    public void Read_BrokenStructure_IsRefusedWithItsLine(string right, string wrong, string problem)
+    public void Read_InvalidStructure_ThrowsWithTheLine(string right, string wrong, string problem)
     {
         var text = RepositoryFiles.Read(Shaders + "Hologram.shader");
         var at = text.IndexOf(right, StringComparison.Ordinal);
@@ -152,7 +152,7 @@ public sealed class ShaderStructureTests
     }
 
     [Test]
-    public void NowposePose_Stripes_AreInObjectSpaceAndACentimetreWide()
+    public void NowposePose_Stripes_AreOneCentimetreWideInObjectSpace()
     {
         var include = RepositoryFiles.Read(Shaders + "NowposePose.hlsl");
 
@@ -161,11 +161,11 @@ public sealed class ShaderStructureTests
     }
 
     /// <summary>
-    /// The columns of the object-to-world matrix are the object's axes in the world; their lengths are its scale. Without it the stripes of a
-    /// part of millimetres scaled by 0.001 would be 10 m wide.
+    /// The columns of the object-to-world matrix are the object's axes in the world, and their lengths are its scale. If the scale were ignored,
+    /// the stripes of a part in millimetres, scaled by 0.001, would be 10 m wide.
     /// </summary>
     [Test]
-    public void NowposeMetres_Position_IsScaledByTheObjectsAxes()
+    public void NowposeMetres_ScaledObject_ReturnsMetres()
     {
         var include = RepositoryFiles.Read(Shaders + "NowposePose.hlsl");
 

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Shaders;
 
-/// <summary>The listed names that Unity's includes declare: one list for each include that a shader uses.</summary>
+/// <summary>Lists names that Unity's includes declare, with one list for each include that a shader uses.</summary>
 static class UnityNames
 {
     public const string List = "Tests/Shaders/unity-shader-names.txt";
@@ -19,7 +19,7 @@ static class UnityNames
 
     static readonly Regex Comments = new("//[^\n]*|/\\*.*?\\*/", RegexOptions.Singleline | RegexOptions.CultureInvariant);
 
-    /// <summary>Names by include, without its folder.</summary>
+    /// <summary>Names of each include. The key is the include's name without its folder.</summary>
     public static IReadOnlyDictionary<string, IReadOnlySet<string>> Read()
     {
         var lists = new Dictionary<string, IReadOnlySet<string>>();
@@ -32,11 +32,11 @@ static class UnityNames
         return lists;
     }
 
-    /// <summary>Returns the names that a stand-in declares, without its own, which begin with NOWPOSE_.</summary>
+    /// <summary>Gets the names that a substitute declares, without the names of its own, which begin with NOWPOSE_.</summary>
     public static IEnumerable<string> DeclaredBy(string text) => Declarations.Matches(Comments.Replace(text, ""))
         .Select(m => m.Groups["name"].Value).Where(n => !n.StartsWith("NOWPOSE_", StringComparison.Ordinal)).Distinct();
 
-    /// <summary>Returns the names in a shader that look like Unity's. The name of the material's buffer is the shader's own.</summary>
+    /// <summary>Gets the names in a shader that look like Unity's. Excludes the name of the material's buffer, which the shader defines.</summary>
     public static IEnumerable<string> UsedBy(string text) =>
         Uses.Matches(Comments.Replace(text, "")).Select(m => m.Value).Where(n => n != "UnityPerMaterial").Distinct();
 }

@@ -154,19 +154,19 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void SetNudgeMs_OfASession_ShiftsTheDisplayTime()
+    public void SetNudgeMs_SessionRunning_ShiftsTheDisplayTime()
     {
-        var before = Light();
+        var before = DisplayTimeAhead();
 
         _actions.SetNudgeMs(12);
         Run(0.1);
 
-        Assert.That((Light() - before).TotalMilliseconds, Is.EqualTo(12).Within(0.01));
+        Assert.That((DisplayTimeAhead() - before).TotalMilliseconds, Is.EqualTo(12).Within(0.01));
         Assert.That(_actions.NudgeMs, Is.EqualTo(12));
     }
 
     [Test]
-    public void Change_ByAButton_AddsUpWithinTheLimits()
+    public void ChangeMethods_CalledRepeatedly_AddUpWithinTheLimits()
     {
         for (var press = 0; press < 3; press++) _actions.ChangeNudgeMs(-2);
         _actions.ChangeOpacity(-0.25f);
@@ -179,8 +179,8 @@ public sealed class CellActionsTests
         Assert.That(_actions.Opacity, Is.EqualTo(1));
     }
 
-    // The offset of the two clocks is constant here, so differences between these values are meaningful.
-    TimeSpan Light() => _session.Frame.DisplayTime.Value.SinceEpoch - _session.Frame.Start.SinceEpoch;
+    // Display time minus start of the frame. It contains the offset of the two clocks, which is constant, so only differences are meaningful.
+    TimeSpan DisplayTimeAhead() => _session.Frame.DisplayTime.Value.SinceEpoch - _session.Frame.Start.SinceEpoch;
 
     [Test]
     public void SetNudgeMs_SessionRestarts_IsKept()
@@ -195,7 +195,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void Changed_ByAnotherScript_IsRaisedOnce()
+    public void Changed_AnotherScriptChangesTheState_IsRaisedOnce()
     {
         Assert.That(_changes, Is.Zero);
 
@@ -206,7 +206,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void Methods_OfTheActions_AreCallableByUnityEvents()
+    public void PublicMethods_All_AreCallableByUnityEvents()
     {
         var methods = typeof(CellActions).GetMethods(BindingFlags.Public | BindingFlags.Instance | BindingFlags.DeclaredOnly)
             .Where(m => !m.IsSpecialName);
@@ -221,7 +221,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void Act_MissingComponents_LogsThemAndContinues()
+    public void Actions_ComponentsMissing_LogThemAndContinue()
     {
         var lone = new GameObject("Buttons").AddComponent<CellActions>();
 

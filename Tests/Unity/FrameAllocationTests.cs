@@ -8,7 +8,10 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>The package's cells with all their components: after a warm-up a frame allocates nothing. Messages are created outside it.</summary>
+/// <summary>
+/// Tests that, after a warm-up, a frame of the package's cells with all their components does not allocate. The messages are created outside of
+/// the measurement.
+/// </summary>
 public class FrameAllocationTests
 {
     const double WarmSeconds = 20;
@@ -97,7 +100,7 @@ public class FrameAllocationTests
 
     void Run(double seconds, Means means) => _cell.Run(seconds, _session, () => Next(means));
 
-    /// <summary>Prepares the next frame: another render time, and a turned head.</summary>
+    /// <summary>Prepares the next frame with another render time and another rotation of the head.</summary>
     void Next(Means means)
     {
         var ms = 6 + _frames++ % 37 * 0.2;

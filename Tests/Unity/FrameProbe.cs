@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>A script as a user would write it.</summary>
+/// <summary>A script in place of a user's script. It calls delegates of the test.</summary>
 sealed class FrameProbe : MonoBehaviour
 {
     public Action Updated { get; set; }

@@ -4,7 +4,7 @@ using UnityEngine.Serialization;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>Sets and gets serialised fields, like a user in the Inspector.</summary>
+/// <summary>Sets and gets serialised fields by name, as a user does in the Inspector.</summary>
 static class Inspector
 {
     public static T With<T>(this T target, string field, object value) where T : class

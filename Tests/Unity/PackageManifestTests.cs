@@ -15,7 +15,7 @@ public sealed class PackageManifestTests
     [TestCase("version", "0.2.0")]
     [TestCase("unity", "2021.3")]
     [TestCase("license", "MIT")]
-    public void Package_Field_HasThePublishedValue(string field, string value)
+    public void PackageManifest_Field_HasThePublishedValue(string field, string value)
     {
         Assert.That(Manifest.GetProperty(field).GetString(), Is.EqualTo(value));
     }
@@ -23,7 +23,7 @@ public sealed class PackageManifestTests
     [TestCase("documentationUrl", "/Documentation~/index.md")]
     [TestCase("changelogUrl", "/CHANGELOG.md")]
     [TestCase("licensesUrl", "/LICENSE.md")]
-    public void Package_Address_IsOfAnExistingFile(string field, string file)
+    public void PackageManifest_Address_PointsToAnExistingFile(string field, string file)
     {
         var address = Manifest.GetProperty(field).GetString();
 
@@ -32,7 +32,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Package_Dependencies_AreExactlyThese()
+    public void PackageManifest_Dependencies_AreExactlyTheExpected()
     {
         var others = Dependencies(Manifest).Where(d => !d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
 
@@ -44,10 +44,10 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Package_ModuleDependencies_AreTheModulesItsSourcesUse()
+    public void PackageManifest_ModuleDependencies_AreTheModulesInUse()
     {
         var declared = Dependencies(Manifest).Where(d => d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
-        // The modules for colliders and canvases come with XR Interaction Toolkit, which that sample requires.
+        // The sample for MRTK3 is excluded: XR Interaction Toolkit, which it requires, brings the modules for colliders and canvases.
         var used = UnityModules.UsedUnder(RepositoryFiles.Package, RepositoryFiles.Package + "/Samples~/HoloLens 2 (MRTK3)")
             .Select(m => ModulePrefix + m + " 1.0.0");
 
@@ -55,7 +55,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Package_Samples_Exist()
+    public void PackageManifest_Samples_Exist()
     {
         if (!Manifest.TryGetProperty("samples", out var samples)) return;
 
@@ -64,7 +64,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Project_Dependencies_ContainThePackagesAtTheSameVersions()
+    public void ProjectManifest_Dependencies_IncludeThePackagesDependencies()
     {
         var project = Dependencies(Project);
 
@@ -74,7 +74,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Project_ModulesUsedByAssets_AreAvailable()
+    public void ProjectManifest_ModulesUsedByAssets_AreIncluded()
     {
         var available = Dependencies(Project).Keys.Concat(Dependencies(Manifest).Keys);
 
@@ -82,7 +82,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void Project_Testables_ContainThePackage()
+    public void ProjectManifest_Testables_ContainThePackage()
     {
         Assert.That(Project.GetProperty("testables").EnumerateArray().Select(t => t.GetString()), Does.Contain("com.nowpose.mril"));
     }

@@ -11,7 +11,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>A session component in a running scene, and a control system that sends it exchanges and samples in virtual time.</summary>
+/// <summary>A running scene, and a simulated control system that sends clock exchanges and samples to a session in virtual time.</summary>
 sealed class PlayedCell : IDisposable
 {
     const double FrameSeconds = 1 / 60.0;
@@ -25,7 +25,7 @@ sealed class PlayedCell : IDisposable
     string[] _names = [];
     AssetLibrary _assets;
 
-    /// <summary>Default settings; the ports that they name are closed.</summary>
+    /// <summary>Default settings with ports that are closed.</summary>
     public static SessionSettings Offline { get; } =
         new(new ConnectionSettings("127.0.0.1", 1, 1), VisualisationLatency.FromMilliseconds(40), new PredictionSettings());
 
@@ -34,7 +34,7 @@ sealed class PlayedCell : IDisposable
     {
     }
 
-    /// <param name="assets">Source of the scenes; null for an empty scene.</param>
+    /// <param name="assets">Library from which scenes and prefabs are loaded; null for an empty scene.</param>
     public PlayedCell(AssetLibrary assets)
     {
         _assets = assets;
@@ -44,25 +44,25 @@ sealed class PlayedCell : IDisposable
     public Player Player { get; }
     public SteppedClock Clock { get; } = new();
 
-    /// <summary>Seconds since the start.</summary>
+    /// <summary>Time since the start in s.</summary>
     public double Now { get; private set; }
 
-    /// <summary>Whether exchanges succeed.</summary>
+    /// <summary>Whether clock exchanges succeed.</summary>
     public bool IsSyncUp { get; set; } = true;
 
     /// <summary>Whether samples arrive.</summary>
     public bool IsPlantUp { get; set; } = true;
 
-    /// <summary>Sum of the steps of the control clock, s.</summary>
+    /// <summary>Sum of all steps of the control clock in s.</summary>
     public double ControlStepSeconds { get; set; }
 
     /// <summary>Messages in the console.</summary>
     public IEnumerable<string> Messages => Player.Logs.Select(log => log.Message);
 
-    /// <summary>Factor of all positions before they are sent, to simulate a source with another unit.</summary>
+    /// <summary>Factor by which all sent positions are multiplied, to simulate a source with another unit.</summary>
     public double Scale { get; set; } = 1;
 
-    /// <summary>Creates an inactive object with a session that gets its data from this cell instead of a gateway.</summary>
+    /// <summary>Creates an inactive object with a session that receives its data from this cell and not from a gateway.</summary>
     public MrilSession NewSession(string robot = "youbot", SessionSettings settings = null)
     {
         var cell = new GameObject("Cell");
@@ -74,13 +74,13 @@ sealed class PlayedCell : IDisposable
         return session;
     }
 
-    /// <summary>Creates an inactive cell of the package that gets its data from this cell. If its prefab has no robot, it gets the UR5.</summary>
-    /// <param name="prefab">Name of the prefab.</param>
+    /// <summary>Creates an inactive instance of a cell prefab whose session receives its data from this cell.</summary>
+    /// <param name="prefab">Name of the prefab. If it has no robot, its robot is the UR5.</param>
     public MrilSession NewSessionOf(string prefab)
     {
         _assets ??= new AssetLibrary(RepositoryFiles.Root);
         var asset = _assets.Load<GameObject>($"Packages/com.nowpose.mril/Runtime/Prefabs/{prefab}.prefab");
-        // A copy of an inactive object is inactive too.
+        // The copy of an inactive object is inactive.
         asset.SetActive(false);
         var session = UnityEngine.Object.Instantiate(asset).GetComponent<MrilSession>().With("_connectOnEnable", false);
         session.Settings = Offline;
@@ -97,13 +97,13 @@ sealed class PlayedCell : IDisposable
         return session;
     }
 
-    /// <summary>Runs frames at 60 Hz. The data that the control system has sent is received before each frame.</summary>
+    /// <summary>Runs frames at 60 Hz. Before each frame, the session receives the data that the control system has sent.</summary>
     public void Run(double seconds, MrilSession session, Action seen = null)
     {
         for (var end = Now + seconds; Now < end; seen?.Invoke()) Frame(session);
     }
 
-    /// <summary>Runs one frame; the session may be null or destroyed.</summary>
+    /// <summary>Runs one frame. The session may be null or destroyed.</summary>
     public void Frame(MrilSession session)
     {
         Now += FrameSeconds;
@@ -114,16 +114,19 @@ sealed class PlayedCell : IDisposable
         _allocated += GC.GetAllocatedBytesForCurrentThread() - before;
     }
 
-    /// <summary>Returns the bytes that frames allocate, including the player's own part.</summary>
-    /// <param name="run">Runs the frames; called a second time if the first run allocates.</param>
+    /// <summary>Returns the number of bytes that frames allocate, including allocations of the player.</summary>
+    /// <param name="run">Runs the frames. It is called a second time if the first run allocates.</param>
     public long AllocatedIn(Action run)
     {
         var once = MeasureIn(run);
-        // On a loaded machine about one frame in ten thousand shows bytes that do not recur; the allocations of a script do recur.
+        // On a loaded machine, about one frame in ten thousand shows an allocation that does not recur. Allocations of scripts recur in each run.
         return once == 0 ? 0 : Math.Min(once, MeasureIn(run));
     }
 
-    /// <summary>Position of a moving joint at a headset time, rad or m: swings by 0.004 about 0.005, or as near as its limits allow.</summary>
+    /// <summary>
+    /// Returns the true position of a moving joint at a headset time, in rad or m. It oscillates around 0.005 with the amplitude 0.004, within the
+    /// limits of the joint.
+    /// </summary>
     public static double PositionAt(RobotModel robot, HeadsetTime at, int joint)
     {
         var limits = robot.MovingJoints[joint].Limits;

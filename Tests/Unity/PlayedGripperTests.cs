@@ -7,7 +7,7 @@ using static Nowpose.Unity.Tests.PlayedRig;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>Gripper and ghost below a running session.</summary>
+/// <summary>Tests the gripper and the ghost below a running session.</summary>
 public class PlayedGripperTests
 {
     PlayedRig _played;
@@ -19,7 +19,7 @@ public class PlayedGripperTests
     public void Stop() => _played.Dispose();
 
     [Test]
-    public void Gripper_FingerDestroyed_TheOtherStillMoves()
+    public void Gripper_OneFingerDestroyed_OtherFingerStillMoves()
     {
         var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
         var lost = Below<FrameProbe>("Left", gripper.transform).transform;

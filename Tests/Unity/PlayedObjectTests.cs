@@ -10,11 +10,11 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>Objects of the cell in a running scene: tracked, placed by hand, and gripped.</summary>
+/// <summary>Tests objects of the cell in a running scene: tracked, placed by hand, and gripped.</summary>
 public class PlayedObjectTests : PlayedParts
 {
     [Test]
-    public void TrackedObject_Moving_IsShownAtTheDisplayTimeBelowTheMovedAnchor()
+    public void TrackedObject_Moving_IsShownAtTheDisplayTimeRelativeToTheAnchor()
     {
         var anchor = Below<BaseAnchor>("Base Anchor", _session.transform);
         anchor.transform.position = new Vector3(1, 2, 3);
@@ -33,7 +33,7 @@ public class PlayedObjectTests : PlayedParts
     }
 
     [Test]
-    public void TrackedObject_ParentIsALink_IsInTheDisplayedGripper()
+    public void TrackedObject_ParentIsALink_MovesWithTheDisplayedGripper()
     {
         var rig = Below<RobotRig>("Robot", _session.transform);
         var part = Below<TrackedObject>("part", _session.transform);
@@ -97,7 +97,7 @@ public class PlayedObjectTests : PlayedParts
         AssertAt(lid.transform, fixture.transform, Along(0.05));
         Assert.That(fixture.GetComponent<PoseAppearance>().Look.IsHatched, Is.False);
 
-        // A new run of the app, in which the base is elsewhere.
+        // Simulates a new run of the application, with the base at another place.
         var place = anchor.transform.InverseTransformPoint(fixture.transform.position);
         _cell.Dispose();
         Begin();
@@ -110,7 +110,7 @@ public class PlayedObjectTests : PlayedParts
     }
 
     [Test]
-    public void StationaryObject_SourcePublishesItsFrame_ReplacesThePlaceByHand()
+    public void StationaryObject_SourcePublishesItsFrame_ReplacesTheHandPlacedPose()
     {
         StationaryFrameFile.Save(Path.Combine(_folder, "stationary-objects.json"), new TransformsMessage(
             Along(1).ToTransform(default, "world", "fixture"), Along(2).ToTransform(default, "world", "other")));
@@ -146,7 +146,7 @@ public class PlayedObjectTests : PlayedParts
     }
 
     [Test]
-    public void StationaryObject_UnusableFile_IsPutAsideAndNamed()
+    public void StationaryObject_InvalidFile_IsRenamedAndReported()
     {
         var path = Path.Combine(_folder, "stationary-objects.json");
         File.WriteAllText(path, "{");
@@ -159,7 +159,7 @@ public class PlayedObjectTests : PlayedParts
     }
 
     [Test]
-    public void TrackedObject_Held_IsWhereTheNewestPosePutsItAndNotListed()
+    public void TrackedObject_ShowsHeldPose_IsAtTheNewestPoseAndNotListed()
     {
         var ghost = Below<TrackedObject>("ghost", _session.transform).With("_frame", "box").With("_shows", RigPose.Held);
         Run(2, t => SendPose("world", "box", t, Along(0.3 * t)));
@@ -167,7 +167,7 @@ public class PlayedObjectTests : PlayedParts
         Run(1, t => SendPose("world", "box", t, Along(0.3 * t)), () =>
         {
             Assert.That(ghost.State, Is.EqualTo(PoseState.Current));
-            // The pose of the frame before arrived after that frame.
+            // The pose that was sent in the previous frame arrived after that frame, so it is the newest pose.
             AssertAt(ghost.transform, _session.transform, Along(0.3 * (_cell.Now - 1 / 60.0 - Latency)), 1e-4);
         });
         Assert.That((_session.Parts.Count, _session.Parts.Objects.Count), Is.EqualTo((0, 0)));
@@ -219,7 +219,7 @@ public class PlayedObjectTests : PlayedParts
     }
 
     [Test]
-    public void GripByReach_UnknownLink_IsNamedOnceAndOnThePanel()
+    public void GripByReach_UnknownLink_IsLoggedOnceAndShownOnThePanel()
     {
         var (_, grip, _) = NewGrip("hand");
         Run(1);

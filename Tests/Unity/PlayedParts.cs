@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>A running scene, and a source that sends poses and signals to it.</summary>
+/// <summary>Base class of tests with a running scene and a source that sends poses and signals to it.</summary>
 public abstract class PlayedParts
 {
     protected const double Latency = 0.08, Visu = 0.04;
@@ -40,7 +40,7 @@ public abstract class PlayedParts
         Directory.Delete(_folder, true);
     }
 
-    // The headset clock starts at 1000 s and is 300 s behind the control clock.
+    // Returns the control time of a scene time: the headset clock starts at 1000 s, and the control clock is 300 s ahead.
     protected static ControlTime At(double seconds) => ControlTime.FromSeconds(1300 + seconds);
 
     protected T Below<T>(string name, Transform parent) where T : Component

@@ -7,7 +7,7 @@ using static Nowpose.Unity.Tests.PlayedRig;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>The rig below a running session.</summary>
+/// <summary>Tests the rig below a running session.</summary>
 public class PlayedRobotTests
 {
     PlayedRig _played;
@@ -19,7 +19,7 @@ public class PlayedRobotTests
     public void Stop() => _played.Dispose();
 
     [Test]
-    public void Rig_EachFrame_HasThePoseOfTheFrame()
+    public void Rig_EachFrame_ShowsThePoseOfTheSessionsFrame()
     {
         _played.Session.transform.SetPositionAndRotation(new Vector3(1, 0, 2), Quaternion.Euler(0, 30, 0));
         _played.Session.gameObject.SetActive(true);
@@ -63,7 +63,7 @@ public class PlayedRobotTests
     }
 
     [Test]
-    public void Rig_AnotherRobot_RemovesTheOld()
+    public void Rig_AnotherRobot_ReplacesThePreviousRobot()
     {
         _played.Play();
         var objects = _played.Cell.Player.ObjectCount;
@@ -110,7 +110,7 @@ public class PlayedRobotTests
     [Test]
     public void Rig_LinkMissing_IsLoggedOnceAndTheRestContinues()
     {
-        // The root link alone counts as a hierarchy.
+        // An object with the name of the root link is sufficient for the rig to search for all links.
         Below<FrameProbe>("arm_link_0", _played.Rig.transform);
         var ghost = _played.NewGhost();
 

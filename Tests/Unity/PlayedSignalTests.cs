@@ -11,7 +11,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests;
 
-/// <summary>Planned paths, signals and a second robot of the cell in a running scene.</summary>
+/// <summary>Tests planned paths, signals, and a second robot of the cell in a running scene.</summary>
 public class PlayedSignalTests : PlayedParts
 {
     [Test]
@@ -74,7 +74,7 @@ public class PlayedSignalTests : PlayedParts
         return (rig, path, path.GetComponent<LineRenderer>());
     }
 
-    // The set-points are those that the robot follows; they arrive with the samples' latency.
+    // Sends the set-points that the robot follows. They arrive with the latency of the samples.
     void SendPlan(double from, double seconds)
     {
         var robot = _session.Session.Robot;
@@ -89,7 +89,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Signal_Changes_RaiseEventsOnceInOrderAndInTime()
+    public void Signal_Changing_RaisesEachEventOnceInOrderAndInTime()
     {
         var signal = Below<CellSignal>("gripper", _session.transform);
         var seen = new List<(double Light, double Value)>();
@@ -112,7 +112,7 @@ public class PlayedSignalTests : PlayedParts
     [TestCase(0)]
     [TestCase(0.06)]
     [TestCase(0.25)]
-    public void Signal_AnyDelayOfTheMessage_RaisesEventsInTheFrameOfItsStampOrItsArrival(double delay)
+    public void Signal_MessageDelayed_RaisesEventsAtItsStampOrAtItsArrivalIfLater(double delay)
     {
         const double frame = 1 / 60.0;
         var signal = Below<CellSignal>("gripper", _session.transform);
@@ -137,7 +137,7 @@ public class PlayedSignalTests : PlayedParts
     [TestCase("on;;off", 1, "on")]
     [TestCase("on;;off", 0, "off")]
     [TestCase("Z", 2.5, "2.5")] // not a format
-    public void Signal_WithAnAssignedText_WritesTheValue(string format, double value, string expected)
+    public void Signal_TextAssigned_WritesTheFormattedValue(string format, double value, string expected)
     {
         var words = Below<TextMesh>("words", _session.transform);
         var onText = new UnityEvent<string>();
@@ -151,7 +151,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Signal_NoGateway_StatesIt()
+    public void Signal_NoGateway_FaultStatesIt()
     {
         var signal = Below<CellSignal>("gripper", _session.transform);
         Run(0.5);
@@ -186,9 +186,9 @@ public class PlayedSignalTests : PlayedParts
 
     [TestCase(-3600)]
     [TestCase(3600)]
-    public void ActuatedPart_ControlClockSteps_StaysAtTheEndOfItsValueAndMovesFromThere(double step)
+    public void ActuatedPart_ControlClockSteps_StaysAtItsPositionAndMovesFromThere(double step)
     {
-        // Control times stay positive after the step.
+        // With this start value, control times stay positive after the step.
         _cell.ControlStepSeconds = 7200;
         void Send(double value) =>
             SendSignal("jaw", _cell.Now - Latency + _cell.ControlStepSeconds, value, Latency - _cell.ControlStepSeconds);
@@ -213,7 +213,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Rig_InANamespace_ShowsItsRobotOnItsMovingBase()
+    public void Rig_WithNamespace_ShowsItsRobotOnItsMovingBase()
     {
         var text = RobotFiles.LoadText("youbot");
         var rig = Second(text);
@@ -248,7 +248,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Rig_InANamespaceWithoutDescription_StatesWhatToAssign()
+    public void Rig_WithNamespaceButNoDescription_StatesWhatToAssign()
     {
         var rig = Second(null);
         Run(0.5);
@@ -271,7 +271,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Parts_NotCurrent_AreNamedWithTheirFaults()
+    public void CellParts_NotCurrent_AreNamedWithTheirFaults()
     {
         Below<TrackedObject>("part", _session.transform);
         Below<TrackedObject>("lid", _session.transform);

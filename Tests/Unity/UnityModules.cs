@@ -3,12 +3,12 @@ using System.Text.RegularExpressions;
 namespace Nowpose.Unity.Tests;
 
 /// <summary>
-/// Finds the built-in module packages of Unity (<c>com.unity.modules.NAME</c>) that a text requires. Unity compiles types of a module only
-/// if the project or a package names the module. Types in Unity's core modules need none.
+/// Finds Unity's module packages (<c>com.unity.modules.NAME</c>) that a source file or asset requires. Types of such a module are available only
+/// if the project or a package depends on the module. Types in Unity's core modules are always available.
 /// </summary>
 static partial class UnityModules
 {
-    /// <summary>Names of types and namespaces, as regular expressions without word boundaries.</summary>
+    /// <summary>Names of the types and namespaces of each module, as regular expressions without word boundaries.</summary>
     static readonly (string Module, string Names)[] ByName =
     {
         ("ai", @"UnityEngine\.AI|NavMesh\w*"),
@@ -41,12 +41,12 @@ static partial class UnityModules
         ("video", @"UnityEngine\.Video|VideoPlayer"),
         ("vr", @"XR(Settings|Device|Stats)"),
         ("wind", @"WindZone"),
-        // UnityEngine.XR.Something is the namespace of an optional package, which brings the module with it.
+        // Excludes UnityEngine.XR.SOMETHING, which is the namespace of an optional package. Such a package brings the module with it.
         ("xr", @"UnityEngine\.XR(?!\s*\.\s*\w+(\s*;|\s*\.))|XR(Node|NodeState|DisplaySubsystem\w*|InputSubsystem\w*|MeshSubsystem\w*)|InputDevices"
             + @"|InputTracking"),
     };
 
-    /// <summary>Numbers of the serialised classes, as after <c>!u!</c> in scenes and prefabs.</summary>
+    /// <summary>Numbers of the serialised classes of each module, which follow <c>!u!</c> in scenes and prefabs.</summary>
     static readonly (string Module, int[] Classes)[] ByClass =
     {
         ("ai", new[] { 195, 208 }),
@@ -65,7 +65,8 @@ static partial class UnityModules
         ("wind", new[] { 182 }),
     };
 
-    /// <param name="source">C# source. A file that does not mention Unity uses none of its types, even if its own types have the same names.</param>
+    /// <summary>Returns the modules that a C# source file uses.</summary>
+    /// <param name="source">The source. If it does not mention Unity, its own types may have the same names, and it uses no module.</param>
     public static IEnumerable<string> UsedByCode(string source)
     {
         var code = CSharpCode.Of(source);
@@ -73,15 +74,16 @@ static partial class UnityModules
         return ByName.Where(m => Regex.IsMatch(code, $@"\b(?:{m.Names})\b")).Select(m => m.Module);
     }
 
-    /// <param name="yaml">A scene, prefab or other asset.</param>
+    /// <summary>Returns the modules that an asset uses.</summary>
+    /// <param name="yaml">Text of a scene, prefab or other asset.</param>
     public static IEnumerable<string> UsedByAsset(string yaml)
     {
         var classes = ClassNumbers().Matches(yaml).Select(m => int.Parse(m.Groups[1].Value)).ToHashSet();
         return ByClass.Where(m => m.Classes.Any(classes.Contains)).Select(m => m.Module);
     }
 
-    /// <summary>Returns the modules of all sources, scenes and prefabs under a folder of the repository, without repetition.</summary>
-    /// <param name="except">Subfolders to leave out.</param>
+    /// <summary>Returns the modules that the sources, scenes and prefabs in a folder of the repository use, each module once.</summary>
+    /// <param name="except">Subfolders that are excluded.</param>
     public static IEnumerable<string> UsedUnder(string folder, params string[] except)
     {
         bool IsLookedAt(string file) => !except.Any(e => file.StartsWith(e + "/", StringComparison.Ordinal));

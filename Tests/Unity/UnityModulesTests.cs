@@ -23,7 +23,7 @@ public sealed class UnityModulesTests
     [TestCase("using UnityEngine; class A { void B(Texture2D t) => t.EncodeToPNG(); }", "imageconversion")]
     [TestCase("using UnityEngine; class A { Terrain _a; }", "terrain")]
     [TestCase("using UnityEngine.Video;", "video")]
-    public void UsedByCode_TypeOfAModule_NamesIt(string source, string module)
+    public void UsedByCode_TypeOfAModule_ReturnsTheModule(string source, string module)
     {
         Assert.That(UnityModules.UsedByCode(source), Does.Contain(module));
     }
@@ -36,7 +36,7 @@ public sealed class UnityModulesTests
     [TestCase("using UnityEditor; class A { object _a = PlayerSettings.WSACapability.Microphone; }")]
     [TestCase("namespace Nowpose { class Terrain { Event _event; Physics _physics; } }")]
     [TestCase("using System.Text.Json;")]
-    public void UsedByCode_CoreTypesOrOwnNames_NamesNone(string source)
+    public void UsedByCode_CoreTypesOrOwnNames_ReturnsNone(string source)
     {
         Assert.That(UnityModules.UsedByCode(source), Is.Empty);
     }
@@ -44,13 +44,13 @@ public sealed class UnityModulesTests
     [TestCase("--- !u!82 &1\nAudioSource:\n", "audio")]
     [TestCase("--- !u!1 &1\nGameObject:\n--- !u!65 &2\nBoxCollider:\n", "physics")]
     [TestCase("--- !u!223 &1\nCanvas:\n", "ui")]
-    public void UsedByAsset_ComponentOfAModule_NamesIt(string yaml, string module)
+    public void UsedByAsset_ComponentOfAModule_ReturnsTheModule(string yaml, string module)
     {
         Assert.That(UnityModules.UsedByAsset(yaml), Is.EqualTo(new[] { module }));
     }
 
     [Test]
-    public void UsedByAsset_CoreComponents_NamesNone()
+    public void UsedByAsset_CoreComponents_ReturnsNone()
     {
         Assert.That(UnityModules.UsedByAsset("--- !u!1 &65\nGameObject:\n--- !u!4 &82\nTransform:\n--- !u!102 &3\nTextMesh:\n"), Is.Empty);
     }

@@ -8,10 +8,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Upgrade;
 
-/// <summary>This version with files that version 0.1.0 wrote: its gateway, its <c>calibrate vlc</c> and its headset runtime.</summary>
+/// <summary>Tests this version with files that version 0.1.0 wrote: those of its gateway, its <c>calibrate vlc</c> and its headset runtime.</summary>
 public class UpgradeTests
 {
-    // From the output of the gateway 0.1.0 that used this certificate, and the token that it gave to the headset in the list.
+    // Values from the output of gateway 0.1.0 with this certificate, and the token that it gave to the headset in the list.
     const string Pin = "sha256/KYsY3W9/oD/uxQHs+oel3oavjwI4EKYns9CeLWLIJqw=";
     const string PairedToken = "4NK6J5gS0zNgp01WA4sKxeT7fuT3IH9pJHSQoNjIL4E";
 
@@ -42,7 +42,7 @@ public class UpgradeTests
     });
 
     [Test]
-    public async Task Configuration_Checked_IsValid()
+    public async Task Configuration_FromVersion01_IsValid()
     {
         var (status, _, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(
             ["serve", "--config", At("gateway.yaml"), "--sync-port", "0", "--ws-port", "0", "--check"]).Bounded());
@@ -51,7 +51,7 @@ public class UpgradeTests
     }
 
     [Test]
-    public async Task Certificate_AfterTheUpgrade_HasTheSamePin()
+    public async Task Certificate_FromVersion01_HasTheSamePin()
     {
         await using var gateway = await StartAsync();
 
@@ -60,12 +60,12 @@ public class UpgradeTests
 
     [TestCase(PairedToken)]
     [TestCase("watch-0123456789abcdef")]
-    public async Task Headset_WithItsPinAndToken_ConnectsToBothPorts(string token)
+    public async Task Headset_PinAndTokenFromVersion01_ConnectsToBothPorts(string token)
     {
         await using var gateway = await StartAsync();
         using var headset = new FaultHeadset(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port, CertificatePin.Parse(Pin), token);
 
-        // The connection of the positions counts as connected after the first message, here the version of the gateway.
+        // The connection for positions counts as connected after its first message, which is the version of the gateway.
         await headset.BecomesAsync(() => headset.IsConnected, "both connections are open");
     }
 
@@ -73,11 +73,11 @@ public class UpgradeTests
     [TestCase("plant-0123456789abcdef", Role.Source)]
     [TestCase("hall-0123456789abcdef", Role.Operator)]
     [TestCase("another", null)]
-    public void Tokens_AfterTheUpgrade_HaveTheirRoles(string token, Role? role) =>
+    public void Tokens_FromVersion01_HaveTheSameRoles(string token, Role? role) =>
         Assert.That(TokenList.Read(At("tokens.txt")).RoleOf(token), Is.EqualTo(role));
 
     [Test]
-    public void Profile_AfterTheUpgrade_HasItsValues()
+    public void Profile_FromVersion01_HasTheSameValues()
     {
         var profile = LatencyProfileFile.Load(At("profile.json"));
 
@@ -87,7 +87,7 @@ public class UpgradeTests
 
     [TestCase("gateway.jsonl.gz")]
     [TestCase("headset.jsonl.gz")]
-    public async Task Recording_AfterTheUpgrade_IsReplayed(string file)
+    public async Task Recording_FromVersion01_CanBeReplayed(string file)
     {
         var run = await CliRun.OfAsync("replay", At(file), "--json");
 
@@ -96,7 +96,7 @@ public class UpgradeTests
     }
 
     [Test]
-    public async Task Exchanges_OfARecording_AreEvaluated()
+    public async Task Sync_RecordingFromVersion01_EvaluatesTheExchanges()
     {
         var run = await CliRun.OfAsync("sync", At("headset.jsonl.gz"));
 

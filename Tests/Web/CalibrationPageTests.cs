@@ -12,7 +12,7 @@ public sealed class CalibrationPageTests
         """;
 
     [Test]
-    public void Render_Data_IsInThePageWithoutExternalRequests()
+    public void Render_Data_MakesNoExternalRequests()
     {
         if (!CalibrationPage.HasPlots) Assert.Ignore("Node.js was missing when this was built: the page has no plots");
 
@@ -23,7 +23,7 @@ public sealed class CalibrationPageTests
     }
 
     [Test]
-    public void Render_WithoutScript_HasResultWarningFactsAndNumbers()
+    public void Render_PlainPage_HasResultWarningFactsAndNumbers()
     {
         using var data = JsonDocument.Parse(Data);
 

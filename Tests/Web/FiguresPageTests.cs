@@ -12,7 +12,7 @@ public sealed class FiguresPageTests
     }
 
     [Test]
-    public void Render_Data_IsInThePage()
+    public void Render_Data_EmbedsItInThePage()
     {
         var page = FiguresPage.Render("{\"title\":\"a < b\",\"figures\":[]}");
 
@@ -31,7 +31,7 @@ public sealed class FiguresPageTests
 
     [TestCase("{\"a\":NaN}", "not JSON")]
     [TestCase("[1]", "a JSON Array")]
-    public void Render_NotAnObject_IsRefused(string json, string reason)
+    public void Render_JsonIsNotAnObject_Throws(string json, string reason)
     {
         Assert.That(() => FiguresPage.Render(json), Throws.ArgumentException.With.Message.Contains(reason));
     }

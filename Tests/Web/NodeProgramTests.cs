@@ -14,10 +14,10 @@ public sealed class NodeProgramTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public void In_FolderWithoutNode_IsTheMachinesOwn() => Assert.That(NodeProgram.In(_folder), Is.EqualTo("node"));
+    public void In_FolderWithoutNode_ReturnsTheInstalledNode() => Assert.That(NodeProgram.In(_folder), Is.EqualTo("node"));
 
     [Test]
-    public void In_FolderOfARelease_IsTheIncludedOne()
+    public void In_FolderOfARelease_ReturnsTheIncludedNode()
     {
         var program = Path.Combine(_folder, "node", OperatingSystem.IsWindows() ? "node.exe" : "node");
         Directory.CreateDirectory(Path.GetDirectoryName(program));
@@ -27,7 +27,7 @@ public sealed class NodeProgramTests
     }
 
     [Test]
-    public void Start_MissingScript_NamesTheNeedAndTheRemedy() => Assert.That(
+    public void Start_ScriptMissing_StatesTheReasonAndASuggestion() => Assert.That(
         () => NodeProgram.Start("Node.js is needed to read", Path.Combine(_folder, "script.mjs"), []),
         Throws.InstanceOf<InputException>().With.Message.StartsWith("Node.js is needed to read; ").And.Message.Contains("build again"));
 }

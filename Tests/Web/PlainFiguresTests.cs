@@ -26,7 +26,7 @@ public sealed class PlainFiguresTests
     }
 
     [Test]
-    public void Render_HostileText_IsText()
+    public void Render_HostileText_IsEscaped()
     {
         const string Hostile = "</td><script>alert(1)</script>";
         var json = JsonSerializer.Serialize(new

@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Web;
 public sealed class PlainReportTests
 {
     [Test]
-    public void Render_WithoutScript_HasTables()
+    public void Render_PlainPage_HasTables()
     {
         var page = Render("""
             {"title": "A run", "subtitle": "20 s",
@@ -41,7 +41,7 @@ public sealed class PlainReportTests
     }
 
     [Test]
-    public void Render_HostileText_IsText()
+    public void Render_HostileText_IsEscaped()
     {
         const string Hostile = "</td><script>alert(1)</script>";
         var json = JsonSerializer.Serialize(new
@@ -56,7 +56,7 @@ public sealed class PlainReportTests
     }
 
     [Test]
-    public void Render_BuiltWithoutNode_NamesTheRemedy()
+    public void Render_BuiltWithoutNode_SuggestsToInstallNode()
     {
         Assert.That(Render("{}"), Does.Contain("Install Node.js 20 or newer"));
     }

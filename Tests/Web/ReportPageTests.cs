@@ -52,7 +52,7 @@ public sealed class ReportPageTests
         var page = ReportPage.Render("{}");
 
         Assert.That(page, Does.Contain("default-src 'none'"));
-        // Checks the styles only: scripts call new URL(…) and similar, and the policy prevents requests from them.
+        // Checks only the styles. Scripts contain calls such as new URL(…), and the content security policy prevents requests from them.
         var outside = Regex.Match(page, @"(?i)<script[^>]+src|<link[^>]+stylesheet|@import|(?-i:\burl\((?!data:))");
         Assert.That(outside.Value, Is.Empty);
     }
@@ -61,7 +61,7 @@ public sealed class ReportPageTests
     [TestCase("", "not JSON")]
     [TestCase("{\"a\":1", "not JSON")]
     [TestCase("[1]", "a JSON Array")]
-    public void Render_NotAnObject_IsRefused(string json, string reason)
+    public void Render_JsonIsNotAnObject_Throws(string json, string reason)
     {
         var refusal = Assert.Throws<ArgumentException>(() => ReportPage.Render(json));
 

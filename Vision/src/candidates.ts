@@ -3,21 +3,21 @@ import { isPlausible, type Point, type Quad } from './geometry';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** Minimum side of a code, px: cells of 7 px. */
+/** Minimum side of a code, px. A cell then has 7 px. */
 export const minSide = 56;
 
-/** Size of the blocks in which edges are searched, px; a finer position is not needed. */
+/** Size of the blocks in which edges are searched, px. A higher resolution is not needed. */
 const block = 4;
-/** Maximum distance between edges of one code, in blocks: two cells, for codes of all sizes. */
+/** Maximum distances between edges of the same code, in blocks: two cells, for codes of all sizes. */
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
-/** Connected edges up to this width, in gaps, are an edge or a cable of the scene, not a code. */
+/** Width, in gaps, up to which connected edges count as an edge or a cable of the scene and not as a code. */
 const narrow = 1.3;
-/** Minimum steps of light at edges, of 255: from weak holograms in front of a bright scene up to LEDs in bright surroundings. */
+/** Minimum steps of light at edges; 255 is white. From weak holograms in front of a bright scene to LEDs in bright surroundings. */
 const edges = [6, 8, 10, 13, 16, 20, 26, 34];
 
 /**
- * Finds quads that may be codes, clockwise from any corner, in px: areas with many edges. The scene behind a hologram adds edges and
- * removes none, so the hologram is found in front of structured scenes, too.
+ * Finds quads that can be codes, clockwise from any corner, in px: areas with many edges. The scene behind a hologram adds edges but never
+ * removes them, so holograms are also found in front of structured scenes.
  */
 export function candidatesIn(light: Mat): Quad[] {
   const steps = stepsIn(light);
@@ -25,7 +25,7 @@ export function candidatesIn(light: Mat): Quad[] {
   const binary = new cv.Mat();
   const quads: Quad[] = [];
   for (const gap of gaps) {
-    // Closing and opening commute with the threshold, so they are needed only once per gap.
+    // Closing and opening commute with the threshold, so each is computed only once per gap.
     const within = square(gap);
     const across = square(Math.round(narrow * gap));
     cv.morphologyEx(steps, areas, cv.MORPH_CLOSE, within);
@@ -40,7 +40,7 @@ export function candidatesIn(light: Mat): Quad[] {
   return quads;
 }
 
-/** Returns the mean change of light between adjacent pixels in each block; 255 is white. It does not depend on the background. */
+/** Returns the mean change of light between adjacent pixels for each block; 255 is white. It is independent of the background light. */
 function stepsIn(light: Mat): Mat {
   const bytes = new cv.Mat();
   const small = new cv.Mat();

@@ -3,24 +3,24 @@ import { Equations, leastAbsolute } from './leastAbsolute';
 import { lightThrough, type Light } from './levels';
 import { type Band, Cell, cellAt, eachEdge, isWithinBand, type Kind, type Pattern } from './pattern';
 
-/** Samples along one side of a cell. */
+/** Number of samples along one side of a cell. */
 const samples = 8;
-/** Samples of filled cells: their distances from the edge between two cells, on either side, and their positions along it. */
+/** Sample positions in filled cells: distances from the edge between two cells, on both sides, and positions along the edge. */
 const filled = { across: [1, 2], along: [1, 2, 3, 4, 5, 6] };
-/** Samples of LEDs, which leave gaps. */
+/** Sample positions in LEDs, which leave gaps between them. */
 const dots = { across: [4], along: [3, 4] };
 
 /**
  * Estimates the light of each cell without the scene behind it; 1 is white.
  *
- * Between adjacent cells, light steps by their difference along the whole edge. An edge of the scene crosses it and affects few samples.
- * The model of the steps is therefore the cells' light plus a quadratic scene, fitted with the minimum sum of absolute residuals:
- * outliers in few samples do not count, however bright they are.
+ * Along the whole edge between two adjacent cells, the light changes by the difference between the cells. An edge of the scene crosses this
+ * edge and affects only a few samples. The steps are therefore modelled as the cells' light plus a quadratic scene. The model is fitted with
+ * the minimum sum of absolute residuals, so a few outliers have no effect, however bright they are.
  */
 export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind): number[] {
   const { side } = pattern;
   const cell = cellAt(pattern, kind);
-  // Order of the unknowns: the code's light, the light of the cells of pairs, the five coefficients of the scene.
+  // Order of the unknowns: light of the ring, light of the cells of pairs, five coefficients of the scene.
   const unknowns = new Map<number, number>(pattern.pairs.flatMap(left => [left, left + 1]).map((each, i) => [each, 1 + i]));
   const slope = 1 + unknowns.size;
   const count = slope + 5;
@@ -44,7 +44,7 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
       const beside = (start + at + 0.5) / samples / side - 0.5;
       if (before !== after && after !== null) equations.term(after, 1);
       if (before !== after && before !== null) equations.term(before, -1);
-      // Difference of the scene's b x + c y + d x² + e xy + f y² across the edge.
+      // The difference across the edge of the scene, which is modelled as b x + c y + d x² + e xy + f y².
       equations.term(isBeside ? slope : slope + 1, apart);
       equations.term(isBeside ? slope + 2 : slope + 4, 2 * onEdge * apart);
       equations.term(slope + 3, beside * apart);
@@ -59,8 +59,8 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
 }
 
 /**
- * Returns the mean deviation of the visible pairs from a lit and a dark cell, relative to the light of a lit cell and at most 1 for each
- * pair. A pair that changed during the exposure does not deviate: its light is that of one lit cell, divided between both.
+ * Returns by how much the visible pairs deviate on average from one lit and one dark cell, relative to the light of a lit cell and at most 1
+ * per pair. A pair that changed during the exposure does not deviate, because its cells together have the light of one lit cell.
  */
 export function pairDeviation(levels: number[], { side, pairs, ring }: Pattern, { lit }: Kind, hidden: Band): number {
   const isVisible = (cell: number) => !isWithinBand(hidden, ((cell % side) + 0.5) / side, (Math.floor(cell / side) + 0.5) / side);
@@ -75,10 +75,10 @@ export function pairDeviation(levels: number[], { side, pairs, ring }: Pattern, 
   return deviations.reduce((a, b) => a + b) / deviations.length;
 }
 
-/** Minimum light of a white pixel: byte 252. */
+/** Minimum light of a white pixel, which has the byte value 252. */
 const white = 0.97;
 
-/** Returns the share of a code's cells that are white in their middle: an overexposed cell has lost its light. */
+/** Returns the share of cells whose middle is white. Such cells are overexposed, and their light cannot be measured. */
 export function whiteShare(picture: Light, quad: Quad, side: number): number {
   const seen = homography(quad);
   const middles = Array.from({ length: side * side }, (_, i) =>
@@ -87,7 +87,7 @@ export function whiteShare(picture: Light, quad: Quad, side: number): number {
   return middles.filter(light => light >= white).length / middles.length;
 }
 
-/** Samples light along the code's rows and columns, from one cell before the code to one behind it. */
+/** Samples the light along the rows and columns of a code, from one cell outside the code to one cell outside on the other side. */
 function samplesOf(picture: Light, quad: Quad, side: number): (row: number, column: number) => number {
   const seen = homography(quad);
   const length = (side + 2) * samples;

@@ -12,39 +12,39 @@ import type { Fit } from './refine';
 /** A code in a picture. */
 export interface Found {
   kind: string;
-  /** In px: the top left corner of the upright code, then clockwise. */
+  /** Corners in px. The first is the top left corner of the upright code; the others follow clockwise. */
   corners: Quad;
-  /** Share of the steps of light between cells that are as expected, at most 1. */
+  /** Share of the steps of light between cells that agree with the code; at most 1. */
   share: number;
-  /** Whether there is a clearer code of this kind, and this one may be another object: it counts only if it can be read. */
+  /** Whether a better match of this kind exists, so that this one can be another object. A weak code counts only if it can be read. */
   isWeak: boolean;
-  /** Share of the cells that are white in their middle. */
+  /** Share of the cells whose middle is white. */
   white: number;
   /** Light of each cell without the scene behind it, row by row; linear, 1 is white. */
   levels: number[];
 }
 
-/** Maximum side of the searched picture, px. A larger one takes longer and finds no code that can be read. */
+/** Maximum side of the searched picture, px. A larger one takes longer but contains no additional codes that can be read. */
 const maxSearchedSide = 1280;
-/** Minimum light, 1 is white, and minimum share of agreeing steps of a code. */
+/** Minimum light of a code (1 is white), and minimum share of agreeing steps. */
 const minLight = 0.02;
 const minShare = 0.6;
-/** Share of agreeing steps from which nothing better is searched at a position. A code that is taken for another kind reaches up to 0.85. */
+/** Share of agreeing steps from which no better match is searched at a position. A code that is matched as the other kind reaches 0.85. */
 const minShareOfCertain = 0.88;
 /**
- * Share of agreeing steps below which a second code of one kind is weak, and below which it is ignored. Other objects reach up to 0.74,
- * most of them less than 0.7; one in four of them has pairs that can be read by chance.
+ * Shares of agreeing steps below which a second code of the same kind is weak, and below which it is ignored. Other objects reach 0.74, most
+ * of them less than 0.7. A quarter of them has pairs that can be read by chance.
  */
 const minShareOfSecond = 0.77;
 const minShareOfWeak = 0.7;
-/** The same threshold if no code of the other kind is found: a bright scene may have made that code similar to the first kind. */
+/** Threshold for a weak code if no code of the other kind is found. A bright scene can make that code similar to the first kind. */
 const minShareOfOnlyKind = 0.9;
-/** Minimum agreement of a candidate before any refinement. */
+/** Minimum agreement of a candidate before the first refinement. */
 const minShareOfGuess = 0.1;
-/** Maximum distance between the corners of candidates that count as one, in cells. The search around a candidate covers it. */
+/** Maximum distance between the corners of candidates that count as the same, in cells. The search around a candidate covers it. */
 const maxDistanceOfSame = 0.5;
 
-/** Finds all codes in a picture. The result depends on this picture alone, not on earlier ones. */
+/** Finds all codes in a picture. The result does not depend on earlier pictures. */
 export class Finder {
   readonly #pattern: Pattern;
   readonly #matcher: Matcher;
@@ -67,7 +67,7 @@ export class Finder {
     }
   }
 
-  /** Refines all candidates, the most probable one first. */
+  /** Refines all candidates in decreasing order of probability. */
   #search(picture: Mat, layers: Layer[], light: Light): Fit[] {
     if (layers.length === 0) return [];
     const { quads, clearCount } = this.#quadsIn(picture, layers[0]);
@@ -96,8 +96,8 @@ export class Finder {
   }
 
   /**
-   * Returns candidates in px of the picture: first those whose steps of light are clear, then those of the square root of the light. The
-   * root raises the steps of a weak code beside a bright one. It raises those of dark structures, too, so parts of codes are not searched there.
+   * Returns candidates in px of the picture: first those with clear steps of light, then those from the square root of the light. The root
+   * amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so parts of codes are not searched in the latter.
    */
   #quadsIn(picture: Mat, { factor }: Layer): { quads: Quad[]; clearCount: number } {
     const { side } = this.#pattern;
@@ -138,25 +138,25 @@ function searched({ width, height, data }: Light): Mat {
   return picture;
 }
 
-/** Whether a fit is strong and unambiguous enough for a code. */
+/** Returns whether a fit is strong and unambiguous enough to be a code. */
 const isCode = (fit: Fit, layer: Layer) => fit.light >= minLight && fit.share >= minShare && layer.refiner.isClear(fit);
 
 const isCertain = ({ share }: Fit) => share >= minShareOfCertain;
 
-/** Whether a fit may be another object, or a code of the other kind, because a fit of its kind is stronger. Expects the best fit first. */
+/** Returns whether a fit can be another object or a code of the other kind, because a better fit of its kind exists. Expects the best fit first. */
 function isWeak(fit: Fit, codes: Fit[]): boolean {
   const isOnlyKind = codes.every(({ kind }) => kind === fit.kind);
   return fit !== codes.find(({ kind }) => kind === fit.kind) && fit.share < (isOnlyKind ? minShareOfOnlyKind : minShareOfSecond);
 }
 
-/** Keeps the best fit at each position. A fit to a part of a code agrees less than the fit to the whole code. */
+/** Keeps the best fit at each position. A fit to a part of a code agrees less than a fit to the whole code. */
 function bestOfEach(fits: Fit[]): Fit[] {
   const kept: Fit[] = [];
   for (const fit of fits.sort((a, b) => b.share - a.share)) if (!kept.some(other => isWithin(fit.quad, other.quad))) kept.push(fit);
   return kept;
 }
 
-/** Keeps one of several candidates with nearly the same corners, in any order of the corners. */
+/** Keeps one of several candidates whose corners nearly coincide, in any order of the corners. */
 function distinct(quads: Quad[], side: number): Quad[] {
   const kept: Quad[] = [];
   for (const quad of quads) {

@@ -1,6 +1,6 @@
 export type Point = [x: number, y: number];
 
-/** Corners of a code in the picture, px: top left, top right, bottom right, bottom left of the upright code. */
+/** Corners of a code in the picture, px: top left, top right, bottom right and bottom left of the upright code. */
 export type Quad = [Point, Point, Point, Point];
 
 /** Maps u, v to x = (a u + b v + c) / (g u + h v + 1), y = (d u + e v + f) / (g u + h v + 1). */
@@ -15,7 +15,7 @@ export interface Homography {
   h: number;
 }
 
-/** Returns the perspective map of the unit square to a quad (Heckbert 1989). u runs along the code's top edge, v along its left edge. */
+/** Returns the perspective map from the unit square to a quad (Heckbert 1989). u runs along the code's top edge, v along its left edge. */
 export function homography([p0, p1, p2, p3]: Quad): Homography {
   const sx = p0[0] - p1[0] + p2[0] - p3[0];
   const sy = p0[1] - p1[1] + p2[1] - p3[1];
@@ -52,13 +52,13 @@ export const scaled = (q: Quad, factor: number): Quad => q.map(p => [p[0] * fact
 
 export const shiftedBy = (q: Quad, dx: number, dy: number): Quad => q.map(p => [p[0] + dx, p[1] + dy]) as Quad;
 
-/** Scales a quad about its centre. */
+/** Scales a quad around its centre. */
 export function grownBy(q: Quad, factor: number): Quad {
   const [x, y] = centreOf(q);
   return q.map(p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]) as Quad;
 }
 
-/** Whether the quad is convex and clockwise (y down), and its sides differ at most as much as those of a code seen at an angle. */
+/** Returns whether a quad is convex and clockwise (y down), and its sides differ no more than those of a code that is seen at an angle. */
 export function isPlausible(q: Quad, minSide: number): boolean {
   const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));
   if (Math.min(...sides) < minSide || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;
@@ -70,7 +70,7 @@ export function isPlausible(q: Quad, minSide: number): boolean {
   });
 }
 
-/** Moves a side of a quad, which starts at the corner of its index, so that the sides next to it become longer by a factor. */
+/** Moves one side of a quad so that the adjacent sides become longer by a factor. The index of the side is that of its first corner. */
 export function extendedBy(q: Quad, side: number, factor: number): Quad {
   const moved = (corner: number, fixed: number): Point => [
     q[fixed][0] + factor * (q[corner][0] - q[fixed][0]),
@@ -80,5 +80,5 @@ export function extendedBy(q: Quad, side: number, factor: number): Quad {
   return q.map((p, i) => (i === side ? moved(i, (side + 3) & 3) : i === next ? moved(i, (side + 2) & 3) : p)) as Quad;
 }
 
-/** Whether the centres of two quads are so close that both cannot be codes. */
+/** Returns whether the centres of two quads are so close that at most one of them can be a code. */
 export const isWithin = (quad: Quad, other: Quad) => distance(centreOf(quad), centreOf(other)) < 0.55 * Math.max(sizeOf(quad), sizeOf(other));

@@ -1,2 +1,2 @@
-// Ctrl-C in a terminal reaches all of its programs. The process that started this one ends it by closing its standard input.
+// Ignores Ctrl-C, which a terminal sends to all of its processes. The parent process ends this one by closing its standard input.
 process.on('SIGINT', () => {});

@@ -6,23 +6,23 @@ import { Refiner, type Fit } from './refine';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** Codes above this size are searched in a smaller copy of the picture, which is smooth at the size of their cells. */
+/** Side above which codes are searched in a smaller copy of the picture, which is smooth at the size of their cells, px. */
 const maxSide = 1.8 * minSide;
 
-/** A copy of the picture, reduced by a factor. */
+/** A copy of the picture that is scaled by a factor. */
 export interface Layer {
   factor: number;
   refiner: Refiner;
 }
 
-/** Returns the picture and smaller copies, until the largest possible code has at most the maximum size. */
+/** Returns the picture and smaller copies of it, so that the largest possible code has at most the maximum side in one of them. */
 export function layersOf(picture: Mat, whole: number, matcher: Matcher, isFilled: boolean[]): Layer[] {
   const layers: Layer[] = [];
   for (let factor = 1; Math.min(picture.cols, picture.rows) * factor >= minSide; factor /= 2) {
     const copy = new cv.Mat();
     cv.resize(picture, copy, new cv.Size(Math.round(picture.cols * factor), Math.round(picture.rows * factor)), 0, 0, cv.INTER_AREA);
     if (factor < 1) smooth(copy);
-    // The data are copied because OpenCV's memory moves when it grows.
+    // Copies the data, because OpenCV's memory moves when it grows.
     layers.push({
       factor: factor * whole,
       refiner: new Refiner(matcher, isFilled, { width: copy.cols, height: copy.rows, data: copy.data32F.slice() }),
@@ -32,10 +32,10 @@ export function layersOf(picture: Mat, whole: number, matcher: Matcher, isFilled
   return layers;
 }
 
-/** Returns the layer in which a quad is searched. */
+/** Returns the layer in which a quad of a given size is searched. */
 export const layerFor = (quad: Quad, layers: Layer[]) => layers.find(layer => sizeOf(quad) * layer.factor <= maxSide) ?? layers.at(-1)!;
 
-/** Converts a fit from the pixels of its layer to those of the picture. */
+/** Converts a fit from px of its layer to px of the picture. */
 export const inPicture = (fit: Fit, layer: Layer): Fit => ({ ...fit, quad: scaled(fit.quad, 1 / layer.factor) });
 
 export const smooth = (picture: Mat) => cv.GaussianBlur(picture, picture, new cv.Size(5, 5), 1.4);

@@ -4,15 +4,15 @@ import { cv } from './opencv';
 type Mat = InstanceType<typeof cv.Mat>;
 
 const rounds = 15;
-/** Residuals up to this multiple of their median are noise and have equal weight. */
+/** Multiple of the median residual up to which residuals count as noise and have equal weights. */
 const noise = 1.5;
-/** Regularisation for unknowns without a measurement. Too small to affect the others. */
+/** Regularisation for unknowns without a measurement. Small enough not to affect the others. */
 const held = 1e-6;
 
-/** Linear equations: sums of unknowns times factors, and the measured value of each. In flat arrays, because there are thousands. */
+/** Linear equations: a sum of unknowns times factors equals a measured value. Stored in flat arrays, because there are thousands. */
 export class Equations {
   readonly #measured: number[] = [];
-  /** Index of each equation's first term. */
+  /** Index of the first term of each equation. */
   readonly #starts: number[] = [0];
   readonly #unknowns: number[] = [];
   readonly #factors: number[] = [];
@@ -21,7 +21,7 @@ export class Equations {
     return this.#measured.length;
   }
 
-  /** Adds a term to the equation that the next call of `end` completes. */
+  /** Adds a term to the current equation, which the next call of `end` completes. */
   term(unknown: number, factor: number): void {
     this.#unknowns.push(unknown);
     this.#factors.push(factor);
@@ -32,7 +32,7 @@ export class Equations {
     this.#starts.push(this.#unknowns.length);
   }
 
-  /** Sets the absolute residual of each equation. */
+  /** Computes the absolute residual of each equation. */
   setResiduals(values: Float64Array, residuals: Float64Array): void {
     for (let i = 0; i < residuals.length; i++) {
       let residual = this.#measured[i];
@@ -41,7 +41,7 @@ export class Equations {
     }
   }
 
-  /** Sets the normal equations, AᵀWA and AᵀWy. */
+  /** Computes the normal equations, AᵀWA and AᵀWy. */
   setNormal(weights: Float64Array, squares: Float64Array, products: Float64Array): void {
     const count = products.length;
     squares.fill(0);
@@ -57,7 +57,7 @@ export class Equations {
   }
 }
 
-/** Finds the unknowns with the minimum sum of absolute residuals, by iteratively reweighted least squares. */
+/** Finds the unknowns that minimise the sum of absolute residuals, by iteratively reweighted least squares. */
 export function leastAbsolute(equations: Equations, count: number): Float64Array {
   const [normal, right, found] = [count, 1, 1].map(columns => new cv.Mat(count, columns, cv.CV_64FC1)) as [Mat, Mat, Mat];
   const weights = new Float64Array(equations.count).fill(1);

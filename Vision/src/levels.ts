@@ -1,13 +1,13 @@
 import type { Homography } from './geometry';
 
-/** A grey picture, one byte per pixel, row by row. */
+/** A grey picture with one byte per pixel, row by row. */
 export interface Grey {
   width: number;
   height: number;
   data: Uint8Array;
 }
 
-/** Swaps left and right. */
+/** Mirrors a picture horizontally. */
 export function mirrored({ width, height, data }: Grey): Grey {
   const swapped = new Uint8Array(data.length);
   for (let row = 0; row < height; row++)
@@ -21,13 +21,13 @@ export function mirrored({ width, height, data }: Grey): Grey {
   return { width, height, data: swapped };
 }
 
-/** Converts a byte of a picture to linear light, 0 to 1. Cameras write sRGB. */
+/** Converts a byte of a picture to linear light, 0 to 1. Cameras store sRGB. */
 export const lightOfByte = Float32Array.from({ length: 256 }, (_, v) => {
   const s = v / 255;
   return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
 });
 
-/** A picture in linear light, 0 to 1 per pixel, row by row. Smoothing needs linear light; otherwise edges move towards bright areas. */
+/** A picture in linear light, 0 to 1 per pixel, row by row. If sRGB values were smoothed, edges would move towards bright areas. */
 export interface Light {
   width: number;
   height: number;
@@ -40,7 +40,7 @@ export function lightOf({ width, height, data }: Grey): Light {
   return { width, height, data: light };
 }
 
-/** Light at a point, interpolated between the centres of pixels; NaN outside of the picture. */
+/** Returns the light at a point, interpolated between the centres of pixels; NaN outside the picture. */
 function lightAt({ width, height, data }: Light, x: number, y: number): number {
   const column = Math.floor(x - 0.5);
   const row = Math.floor(y - 0.5);
@@ -53,18 +53,18 @@ function lightAt({ width, height, data }: Light, x: number, y: number): number {
   return above * (1 - down) + below * down;
 }
 
-/** Light at a point of the unit square that a homography maps to the picture. */
+/** Returns the light at a point of the unit square, which a homography maps to the picture. */
 export function lightThrough(picture: Light, { a, b, c, d, e, f, g, h }: Homography, u: number, v: number): number {
   const w = 1 / (g * u + h * v + 1);
   return lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
 }
 
-/** Light to which the brightest parts of a dark picture are raised, the share of the pixels that count as these, and the maximum factor. */
+/** Light to which the brightest pixels of a dark picture are raised, the share of pixels that count as the brightest, and the maximum factor. */
 const raisedTo = 0.5;
 const brightest = 0.001;
 const maxGain = 16;
 
-/** Brightens a dark picture, so that its codes are searched like those of a bright one. */
+/** Brightens a dark picture, so that its codes are found as in a bright one. */
 export function brightened(light: Light): Light {
   const steps = 1024;
   const counts = new Uint32Array(steps + 1);

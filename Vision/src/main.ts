@@ -1,4 +1,4 @@
-// Worker process of the command line. It reads one request per line from standard input and writes one answer per line, in that order.
+// Worker process of the command line. Reads one request per line from standard input and writes one answer per line, in the same order.
 import './interrupts';
 import { createInterface } from 'node:readline';
 import { Finder, type Found } from './finder';
@@ -10,15 +10,15 @@ import { readPicture, writePicture } from './pictureFile';
 import { take, type Shot } from './render/camera';
 import { type Box, type Place, Tracker } from './track';
 
-/** Has exactly one of: the pattern, a file's path, grey bytes in Base64, or a picture to render. The first request is the pattern. */
+/** Contains exactly one of: pattern, path of a file, grey bytes in Base64, picture to render. The first request contains the pattern. */
 interface Request {
   pattern?: Pattern;
   file?: string;
   grey?: { width: number; height: number; data: string };
   shot?: Shot;
-  /** File to which the rendered picture is written. Without it, the picture is searched for codes. */
+  /** Path to which the rendered picture is written. If absent, the picture is searched for codes. */
   to?: string;
-  /** Follows patches instead of searching for codes. The first picture gives their boxes. */
+  /** Tracks patches instead of searching for codes. The first of these requests contains their boxes. */
   track?: { boxes?: Box[] };
 }
 
@@ -45,7 +45,7 @@ async function answer(request: Request): Promise<Answer> {
   return { width: picture.width, height: picture.height, codes: isMirrored ? [] : codes, isMirrored };
 }
 
-/** Whether the codes of the mirrored picture agree clearly better. A mirrored code agrees with an upright one in up to 82 % of its steps. */
+/** Returns whether the codes of the mirrored picture agree clearly better. A mirrored code agrees with an upright one in up to 82 % of its steps. */
 function isFitBetter(codes: Found[], ofMirrored: () => Found[]): boolean {
   const best = (found: Found[]) => Math.max(0, ...found.map(({ share }) => share));
   return best(codes) < 0.85 && best(ofMirrored()) > best(codes) + 0.1;

@@ -3,25 +3,25 @@ import { lightThrough, type Light } from './levels';
 import { medianOf } from './median';
 import { Band, Expected, isWithinBand, outer, stepsOf, type Pattern, type Step } from './pattern';
 
-/** Agreement of a quad with a kind of code whose top left corner is the quad's first. */
+/** Agreement of a quad with a kind of code. The quad's first corner is the top left corner of the code. */
 export interface Agreement {
-  /** Light of a lit cell minus that of a dark one, linear, 1 is white. */
+  /** Light of a lit cell minus that of a dark cell; linear, 1 is white. */
   light: number;
-  /** Share of the steps from cell to cell that are as expected, −1 to 1. */
+  /** Share of the steps from cell to cell that agree with the code, −1 to 1. */
   share: number;
 }
 
-/** Distance from the outer edge at which light is sampled, in lengths of a step. */
+/** Distance from the outer edge at which light is sampled, relative to the length of a step. */
 const outerReach = 0.5;
 
 /**
- * Computes the agreement of a picture with codes from the steps of light between cells. A step counts at most as much as the code's
+ * Computes how well a picture agrees with codes, from the steps of light between cells. The size of a step counts at most up to the code's
  * light, which is the median of the steps. Edges of the scene therefore affect only the few steps that they cross.
  */
 export class Matcher {
   readonly kinds: string[];
   readonly side: number;
-  /** For each kind, the steps of the whole code and of the code without each band. */
+  /** For each kind, the steps of the whole code, and the steps of the code without each band. */
   readonly #kinds: { whole: Steps; parts: Steps[] }[];
   readonly #outer: { whole: Float64Array; parts: Float64Array[] };
   readonly #steps: Float64Array;
@@ -44,9 +44,9 @@ export class Matcher {
   }
 
   /**
-   * @param reach Distance from a cell's edge at which its light is sampled, in cells: 0.5 is its middle.
+   * @param reach Distance from the edge of a cell at which light is sampled, in cells; 0.5 is the middle of the cell.
    * @param hidden Band of the code that is ignored.
-   * @param given Light of the code where it is known, so that kinds and orientations of the same quad can be compared.
+   * @param given Light of the code if it is known, so that kinds and orientations of the same quad can be compared.
    */
   agreement(picture: Light, quad: Quad, kind: number, reach: number, hidden?: Band, given?: number): Agreement {
     const { whole, parts } = this.#kinds[kind];
@@ -66,7 +66,7 @@ export class Matcher {
     return { light, share: sum / light / most };
   }
 
-  /** Gets the agreement of the code's outer edge alone, independent of its kind and orientation. */
+  /** Computes the agreement of the outer edge alone, which is independent of kind and orientation of the code. */
   outerAgreement(picture: Light, quad: Quad, hidden?: Band): Agreement {
     const points = hidden === undefined ? this.#outer.whole : this.#outer.parts[hidden];
     const count = points.length / 4;
@@ -79,7 +79,7 @@ export class Matcher {
     return { light, share: sum / light / count };
   }
 
-  /** Sets the steps of light; 0 where a sample lies outside of the picture. */
+  /** Computes the steps of light. A step is 0 if one of its samples is outside the picture. */
   #sample(picture: Light, quad: Quad, points: Float64Array, reach: number): void {
     const seen = homography(quad);
     const steps = this.#steps;
@@ -93,7 +93,7 @@ export class Matcher {
   }
 }
 
-/** Points and directions of steps in flat arrays, and the number of steps that are not level. */
+/** Points and directions of steps in flat arrays, and the number of steps at which a change of light is expected. */
 interface Steps {
   points: Float64Array;
   expected: Uint8Array;
@@ -108,7 +108,7 @@ const stepsIn = (steps: Step[]): Steps => ({
   most: steps.filter(step => step.expected !== Expected.Level).length,
 });
 
-/** Returns points and directions of the steps across the outer edge, inwards. */
+/** Returns the points and directions of the inward steps across the outer edge. */
 function outerOf(side: number): number[][] {
   const edge = outer.inwards / side;
   const step = outer.length / side;

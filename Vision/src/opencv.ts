@@ -2,12 +2,12 @@ import library from '@techstark/opencv-js';
 
 type OpenCv = typeof library;
 
-/** OpenCV, available once `loaded` has resolved. Its objects are outside JavaScript's heap: their creator must delete them. */
+/** OpenCV, available after `loaded` has resolved. Its objects are not garbage-collected: the code that creates one must delete it. */
 export let cv: OpenCv;
 
-/** Depending on its version, the package exports a promise or a module that calls back. */
+/** Resolves when OpenCV is ready. Depending on its version, the package exports a promise, or a module with a callback. */
 export const loaded: Promise<void> = (async () => {
-  // Awaiting the module itself would never end: it has a `then` that yields itself.
+  // Does not await the module itself: its `then` yields the module again, so the await would never end.
   const given = library instanceof Promise ? ((await library) as OpenCv) : library;
   if (!given.Mat)
     await new Promise<void>(resolve => {

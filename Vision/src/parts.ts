@@ -3,33 +3,33 @@ import { inPicture, layerFor, type Layer } from './layers';
 import { Band } from './pattern';
 import type { Fit } from './refine';
 
-/** A fit in the pixels of its layer. */
+/** A fit with its layer. Its coordinates are in px of the layer. */
 export interface Placed {
   fit: Fit;
   layer: Layer;
 }
 
-/** Minimum share of agreeing steps of the visible part of a code. Codes have 0.85 or more, perforated plates and letters up to 0.86. */
+/** Minimum share of agreeing steps in the visible part of a code. Codes have at least 0.85; perforated plates and letters reach 0.86. */
 const minShareOfPart = 0.84;
-/** Maximum mean deviation of the visible pairs from a lit and a dark cell. Codes have up to 0.3, most perforated plates of that share more. */
+/** Maximum mean deviation of the visible pairs from one lit and one dark cell. Codes have at most 0.3, most perforated plates have more. */
 const maxDeviation = 0.3;
-/** Minimum share before the last refinement. */
+/** Minimum share of agreeing steps before the last refinement. */
 const minShareOnTheWay = 0.6;
 /** Minimum agreement of a visible outer edge. */
 const minShareOfEdge = 0.3;
 
-/** Range of the ratio of a candidate's sides at which it may be the visible part of a code, of which up to a third is hidden. */
+/** Range of the ratio of a candidate's sides at which it can be the visible part of a code, of which up to a third is hidden. */
 const minRatio = 1.06;
 const maxRatio = 1.7;
 
 /**
- * Finds the clearest code of which up to a third is covered or outside the picture. Without its hidden part, a code agrees almost
- * completely: its pairs and its ring are redundant, which structured scenes are not.
+ * Finds the best match of a code of which up to a third is covered or outside the picture. The visible part of a code agrees almost
+ * completely, because its pairs and its ring are redundant. Structured scenes have no such redundancy.
  *
- * @param candidates Quads in px of the picture. That of a partly hidden code ends where the code's visible part ends.
+ * @param candidates Quads in px of the picture. The quad of a partly hidden code contains only the visible part.
  * @param fits Fits with any agreement.
- * @param known The whole codes. Their positions are not searched.
- * @param deviationOf Gets the mean deviation of the visible pairs.
+ * @param known Whole codes. Their positions are not searched.
+ * @param deviationOf Returns the mean deviation of the visible pairs.
  */
 export function clearestPart(candidates: Quad[], fits: Placed[], known: Fit[], layers: Layer[], deviationOf: (fit: Fit) => number): Fit | undefined {
   const isKnown = (quad: Quad, { factor }: Layer) => known.some(code => isWithin(scaled(quad, 1 / factor), code.quad));
@@ -47,7 +47,7 @@ export function clearestPart(candidates: Quad[], fits: Placed[], known: Fit[], l
 
 const bands = [Band.Top, Band.Right, Band.Bottom, Band.Left, Band.Columns, Band.Rows];
 
-/** Extends a candidate that is too short in one direction to a square, to either side, and refines it without the added part. */
+/** Extends a candidate that is too short in one direction to a square, on either side, and refines it without the added part. */
 function partsAt(candidate: Quad, layers: Layer[], isKnown: (quad: Quad, layer: Layer) => boolean): Placed[] {
   const [top, right, bottom, left] = candidate.map((p, i) => distance(p, candidate[(i + 1) & 3]));
   const ratio = (left + right) / (top + bottom);

@@ -1,23 +1,23 @@
-/** Layout of a code. The command line sends it, so that it is specified in one place. */
+/** Layout of a code. The command line sends it to this process, so that the layout is specified in one place only. */
 export interface Pattern {
-  /** Cells along one side. */
+  /** Number of cells along one side. */
   side: number;
-  /** Index of each pair's left cell; the right cell is its neighbour. Exactly one cell of a pair is lit. */
+  /** Index of the left cell of each pair. The right cell is next to it. Exactly one cell of a pair is lit. */
   pairs: number[];
-  /** Cells of the ring around the pairs. */
+  /** Indices of the cells of the ring around the pairs. */
   ring: number[];
   kinds: Record<string, Kind>;
 }
 
 /** A kind of code. */
 export interface Kind {
-  /** For each cell of the ring, whether it is lit. */
+  /** Whether each cell of the ring is lit. */
   lit: boolean[];
-  /** Whether a lit cell is lit up to its edges; LEDs leave gaps. */
+  /** Whether cells are lit up to their edges. LEDs leave gaps. */
   isFilled: boolean;
 }
 
-/** Role of a cell, which is known before a code is read: dark, lit, or left or right in a pair. */
+/** What is known about a cell before the code is read: dark, lit, or left or right cell of a pair. */
 export enum Cell {
   Dark,
   Lit,
@@ -25,25 +25,25 @@ export enum Cell {
   Right,
 }
 
-/** Expected step of light from a cell to its neighbour, for any value of the code: 0, the code's light, or that light up or down. */
+/** Expected step of light from a cell to its neighbour, for any value of the code: none, a rise by the code's light, or a rise or fall by it. */
 export enum Expected {
   Level,
   Rise,
   Pair,
 }
 
-/** Expected step of light between two adjacent cells. Lengths are in sides of the code. */
+/** Expected step of light between two adjacent cells. Lengths are relative to the side of the code. */
 export interface Step {
-  /** Midpoint of the two samples, right and down from the top left corner. */
+  /** Middle between the two samples, to the right and down from the top left corner. */
   x: number;
   y: number;
-  /** Maximum distance between the two samples, towards the brighter cell. */
+  /** Maximum distance between the two samples, in the direction of the brighter cell. */
   dx: number;
   dy: number;
   expected: Expected;
 }
 
-/** Bands of a code that an object may hide: along its sides in the order of a quad's sides, and across its middle. */
+/** Bands of a code that an object can hide: along each side, in the order of a quad's sides, and across the middle. */
 export enum Band {
   Top,
   Right,
@@ -53,21 +53,21 @@ export enum Band {
   Rows,
 }
 
-/** Width of a band, in sides of the code: a third, and at least the cells that it cuts. */
+/** Width of a band relative to the side of the code: a third, rounded up to whole cells. */
 const bandWidth = 3 / 8;
 
-/** Whether a point of the code is within a band. Lengths are in sides of the code, from its top left corner. */
+/** Returns whether a point of the code is within a band. Lengths are relative to the side of the code, from its top left corner. */
 export function isWithinBand(band: Band, x: number, y: number): boolean {
   const far = 1 - bandWidth;
   const isMiddle = (at: number) => Math.abs(at - 0.5) < bandWidth / 2;
   return [y < bandWidth, x > far, y > far, x < bandWidth, isMiddle(x), isMiddle(y)][band];
 }
 
-/** Returns the same band of a code whose corners start by a number of quarter turns later. */
+/** Returns the index of a band after the first corner of the quad has moved by a number of quarter turns. */
 export const turnedBand = (band: Band, turns: number): Band =>
   band >= Band.Columns ? (turns & 1 ? Band.Columns + Band.Rows - band : band) : (band - turns) & 3;
 
-/** Returns the role of each cell of a code. Cells outside the code are dark. */
+/** Returns what is known about each cell of a code. Cells outside the code are dark. */
 export function cellAt({ side, pairs, ring }: Pattern, { lit }: Kind): (row: number, column: number) => Cell {
   const cells = new Array<Cell>(side * side);
   ring.forEach((cell, i) => {
@@ -77,7 +77,7 @@ export function cellAt({ side, pairs, ring }: Pattern, { lit }: Kind): (row: num
   return (row, column) => (row < 0 || column < 0 || row >= side || column >= side ? Cell.Dark : cells[row * side + column]);
 }
 
-/** Calls `visit` for each edge between adjacent cells, including the code's outer edge: with a cell and its right or lower neighbour. */
+/** Calls `visit` with each pair of adjacent cells, left and right or upper and lower, including those across the code's outer edge. */
 export function eachEdge(side: number, visit: (row: number, column: number, nextRow: number, nextColumn: number) => void): void {
   for (let line = 0; line <= side; line++)
     for (let at = 0; at < side; at++) {
@@ -87,11 +87,11 @@ export function eachEdge(side: number, visit: (row: number, column: number, next
 }
 
 /**
- * Distance in cells from a code's edge at which light outside of it is sampled; inside, it is sampled in a cell's middle, at 0.5. The
- * housing around LEDs may be as narrow as half a gap between them, and the scene behind it may be brighter than the LEDs.
+ * Distance from the outer edge of a code at which light outside the code is sampled, in cells. Inside, light is sampled in the middle of a
+ * cell, at 0.5. The housing around LEDs can be as narrow as half a gap between LEDs, and the scene behind it can be brighter than the LEDs.
  */
 const outside = 0.3;
-/** Shift inwards and length of a step across the outer edge, in cells, that result from this distance. */
+/** Inward shift and length of a step across the outer edge, in cells, that follow from this distance. */
 export const outer = { inwards: (0.5 - outside) / 2, length: 0.5 + outside };
 
 /** Returns the expected steps of a kind of code. */

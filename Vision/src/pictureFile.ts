@@ -8,7 +8,7 @@ import type { Grey } from './levels';
 import { pictureMessages } from './messages';
 import { checkSize, isHeic, isJpeg, isPng } from './pictureSize';
 
-// The codecs need a class of browsers that Node lacks.
+// Defines a class of browsers that the codecs need and Node does not have.
 (globalThis as { ImageData?: unknown }).ImageData ??= class {
   constructor(
     readonly data: Uint8ClampedArray,
@@ -21,8 +21,8 @@ let isDecoding = false;
 let isEncoding = false;
 
 /**
- * Reads a PNG or JPEG file as grey levels. Throws an error that names the defect. Ignores the orientation that the file states, so that
- * rows of the picture are rows of the exposure.
+ * Reads a PNG or JPEG file as grey values. Throws an error that names the defect. Ignores the orientation stored in the file, so that each row
+ * of the picture is a row of the exposure.
  */
 export async function readPicture(path: string): Promise<Grey> {
   const bytes = readFileSync(path);
@@ -33,21 +33,21 @@ export async function readPicture(path: string): Promise<Grey> {
   try {
     return greyOf(isPng(bytes) ? PNG.sync.read(bytes) : await readJpeg(bytes));
   } catch {
-    // Decoders' errors do not help a user, and may have no message.
+    // Replaces the decoder's error, which does not help a user and can be without a message.
     throw new Error(pictureMessages.damagedOrIncomplete);
   }
 }
 
 async function readJpeg(bytes: Buffer): Promise<ImageData> {
   if (!isDecoding) await initDecoder(new WebAssembly.Module(decoder));
-  // A decoder that has thrown is not used again.
+  // A decoder that has thrown an error is not used again.
   isDecoding = false;
   const picture = await decodeJpeg(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) as ArrayBuffer);
   isDecoding = true;
   return picture;
 }
 
-/** @param path Ends with .png or .jpg. */
+/** @param path Path with the extension .png or .jpg. */
 export async function writePicture(path: string, grey: Grey): Promise<void> {
   if (path.endsWith('.png')) return writePng(path, grey);
   if (!isEncoding) await initEncoder(new WebAssembly.Module(encoder));
@@ -68,7 +68,7 @@ function writePng(path: string, { width, height, data }: Grey): void {
   writeFileSync(path, PNG.sync.write(png, { colorType: 0, inputColorType: 0, deflateLevel: 1, filterType: 1 }));
 }
 
-/** Takes the brightest colour of each pixel. The luma of a red or blue LED would be a small part of its light. */
+/** Uses the brightest colour of each pixel, because the luma of a red or blue LED is only a small part of its light. */
 function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
   const grey = new Uint8Array(width * height);
   for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = Math.max(data[j], data[j + 1], data[j + 2]);

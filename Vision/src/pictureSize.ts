@@ -1,9 +1,9 @@
 import { pictureMessages } from './messages';
 
-/** Maximum size: that of phone cameras. A decoded picture needs four bytes per pixel, and there are several workers. */
+/** Maximum size, which is that of phone cameras. A decoded picture takes four bytes per pixel, and there are several workers. */
 const maxMegapixels = 110;
 
-/** Throws if a PNG or JPEG file is too large according to its header, or is truncated. */
+/** Throws an error if the header of a PNG or JPEG file states too large a size, or if the file is truncated. */
 export function checkSize(bytes: Buffer): void {
   const [width, height] = isPng(bytes) ? pngSize(bytes) : jpegSize(bytes);
   if (width * height > maxMegapixels * 1e6) throw new Error(pictureMessages.tooLarge(width, height, maxMegapixels));
@@ -13,16 +13,16 @@ export const isPng = (bytes: Buffer) => bytes.subarray(0, 4).equals(Buffer.from(
 
 export const isJpeg = (bytes: Buffer) => bytes[0] === 0xff && bytes[1] === 0xd8;
 
-/** Whether the file has the container of HEIC and AVIF pictures; the file type follows the length of the first box. */
+/** Returns whether a file has the container format of HEIC and AVIF pictures. The file type follows the length of the first box. */
 export const isHeic = (bytes: Buffer) => bytes.subarray(4, 8).equals(Buffer.from('ftyp'));
 
 function pngSize(bytes: Buffer): [number, number] {
-  // The size follows the signature and the length and name of the first chunk.
+  // The size follows the signature, the length and the name of the first chunk.
   if (bytes.length < 24) throw cutOff();
   return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
 }
 
-/** Returns the size that the frame states. Also requires the end of the image, because decoders invent missing data. */
+/** Returns the size in the frame header. Also requires the end of the image, because decoders invent missing data. */
 function jpegSize(bytes: Buffer): [number, number] {
   const frame = segment(bytes, isFrame);
   const scan = segment(bytes, marker => marker === startOfScan);
@@ -30,7 +30,7 @@ function jpegSize(bytes: Buffer): [number, number] {
   return [bytes.readUInt16BE(frame + 7), bytes.readUInt16BE(frame + 5)];
 }
 
-/** Returns the start of the first segment of a kind. Moves from marker to marker, because embedded pictures lie within segments. */
+/** Returns the start of the first segment of a kind. Skips from marker to marker, because segments can contain embedded pictures. */
 function segment(bytes: Buffer, isWanted: (marker: number) => boolean): number {
   for (let at = 2; at + 9 <= bytes.length;) {
     const marker = bytes[at + 1];
@@ -42,7 +42,7 @@ function segment(bytes: Buffer, isWanted: (marker: number) => boolean): number {
   throw cutOff();
 }
 
-/** C4, C8 and CC are in the range of frame markers but do not mark frames. */
+/** Returns whether a marker starts a frame. C4, C8 and CC are in the range of frame markers but start no frame. */
 const isFrame = (marker: number) => (marker >= 0xc0 && marker <= 0xcf && marker % 4 !== 0) || marker === 0xc0;
 
 const startOfScan = 0xda;

@@ -3,29 +3,29 @@ import type { Light } from './levels';
 import type { Agreement, Matcher } from './match';
 import { turnedBand, type Band } from './pattern';
 
-/** A quad with the agreement of its outer edge. */
+/** A quad, and the agreement of its outer edge. */
 export interface Start extends Agreement {
   quad: Quad;
-  /** Band of the quad that is ignored because it may be covered or outside the picture. */
+  /** Band of the quad that is ignored, because it can be covered or outside the picture. */
   hidden?: Band;
 }
 
-/** A quad that is assumed to be a code. Its first corner is the code's top left one. */
+/** A quad that is assumed to be a code. Its first corner is the top left corner of the code. */
 export interface Fit extends Start {
   kind: number;
 }
 
-/** Starting points around a candidate: factors of its size, and shifts in cells. */
+/** Start positions around a candidate: factors of its size, and shifts in cells. */
 const sizes = [0.8, 0.9, 1, 1.1, 1.2];
 const shifts = [-1, 0, 1];
-/** Number of the best starting points that are refined. */
+/** Number of start positions that are refined: those with the best agreement. */
 const followed = 2;
 
-/** Step sizes of the corners in cells, for the fit by the outer edge alone. */
+/** Step sizes of the corners for fitting the outer edge alone, in cells. */
 const outerSteps = [0.5, 0.25];
 /**
- * Step sizes of the corners for the fit by all steps of light, from one row down to a negligible size, each with the distance from the
- * cells' edges at which light is sampled. All in cells.
+ * Step sizes of the corners for fitting all steps of light, from one cell down to a negligible size, each with the distance from the edges
+ * of cells at which light is sampled. All values are in cells.
  */
 const steps = [
   [1, 0.4],
@@ -35,34 +35,34 @@ const steps = [
   [0.06, 0.2],
 ];
 
-/** The middle of cells. A larger distance finds codes from farther off, but structured scenes disturb it more often. */
+/** Sampling distance at the middle of cells. Larger distances find codes from farther away but are disturbed more often by the scene. */
 const middle = 0.5;
-/** Sampling distance for codes whose position is known, to determine kind and orientation. */
+/** Sampling distance for determining kind and orientation of a code whose position is known. */
 const inPlace = 0.3;
 
-/** Maximum distance in cells by which a corner is moved. Beyond it, the search would move to another code. */
+/** Maximum distance by which a corner is moved, in cells. A larger distance would reach another code. */
 const maxDistance = 2.4;
 
-/** Share of agreeing steps below which a refinement ends early: none that became a code was below it after its first step. */
+/** Share of agreeing steps below which a refinement ends early. No real code was below it after the first step. */
 const minShareOnTheWay = 0.35;
 
-/** Minimum lead of the best kind and orientation in the share of agreeing steps. Kinds differ in 0.08 of the steps. */
+/** Minimum difference between the best and the second-best kind and orientation, in the share of agreeing steps. Kinds differ in 0.08 of them. */
 const minLead = 0.02;
 
-/** Moves a quad's corners to the best fit of any kind of code. Expects a picture that is smooth at the size of a cell. */
+/** Moves the corners of a quad to the best fit of any kind of code. The picture must be smooth at the size of a cell. */
 export class Refiner {
   readonly #matcher: Matcher;
   readonly #isFilled: boolean[];
   readonly #picture: Light;
 
-  /** @param isFilled For each kind, whether cells are lit up to their edges. If not, light is sampled in their middle. */
+  /** @param isFilled For each kind, whether cells are lit up to their edges. If not, light is sampled in the middle of cells. */
   constructor(matcher: Matcher, isFilled: boolean[], picture: Light) {
     this.#matcher = matcher;
     this.#isFilled = isFilled;
     this.#picture = picture;
   }
 
-  /** Returns the starting points around a candidate that agree best by their outer edge, the best first. */
+  /** Returns the start positions around a candidate whose outer edges agree best, in decreasing order of agreement. */
   startsAt(candidate: Quad, hidden?: Band): Start[] {
     const cell = sizeOf(candidate) / this.#matcher.side;
     return sizes
@@ -71,7 +71,7 @@ export class Refiner {
       .slice(0, followed);
   }
 
-  /** Moves the starting points to the best fit of their outer edge. Returns the best first. */
+  /** Moves start positions to the best fit of their outer edge. Returns them in decreasing order of agreement. */
   guesses(starts: Start[]): Fit[] {
     return starts
       .map(start => {
@@ -86,7 +86,7 @@ export class Refiner {
     return { quad, hidden, ...this.#matcher.outerAgreement(this.#picture, quad, hidden) };
   }
 
-  /** @param fit The assumed code. Its kind and orientation change only if another one agrees better at the refined position. */
+  /** @param fit The assumed code. Kind and orientation change only if others agree better at the refined position. */
   refine(fit: Fit): Fit {
     const found = this.#refined(fit, steps);
     const best = this.#alternatives(found.quad, middle, found.hidden)[0];
@@ -94,18 +94,18 @@ export class Refiner {
     return isSame ? found : this.#refined(best, steps.slice(-3));
   }
 
-  /** Whether no other kind and no other orientation agrees almost as well. */
+  /** Returns whether all other kinds and orientations agree clearly less. */
   isClear(fit: Fit): boolean {
     const [first, second] = this.#alternatives(fit.quad, this.#reach(fit.kind, inPlace));
     return first.kind === fit.kind && first.quad[0] === fit.quad[0] && first.share - second.share > minLead;
   }
 
-  /** Returns the fit again, with its agreement without a band. */
+  /** Returns the fit with its agreement computed without a band. */
   without(fit: Fit, hidden: Band): Fit {
     return { ...fit, hidden, ...this.#matcher.agreement(this.#picture, fit.quad, fit.kind, this.#reach(fit.kind, inPlace), hidden) };
   }
 
-  /** Moves a fit whose kind and orientation are known by small steps. */
+  /** Refines a fit whose kind and orientation are known with small steps. */
   refineLast(fit: Fit): Fit {
     return this.#refined(fit, steps.slice(-3));
   }
@@ -122,7 +122,7 @@ export class Refiner {
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
   }
 
-  /** Returns the quad as each kind in each orientation, the best first. */
+  /** Returns the quad as each kind in each orientation, in decreasing order of agreement. */
   #alternatives(quad: Quad, reach: number, hidden?: Band): Fit[] {
     const { light } = this.#matcher.outerAgreement(this.#picture, quad, hidden);
     return [0, 1, 2, 3]
@@ -144,7 +144,7 @@ export class Refiner {
 const score = ({ light, share }: Agreement) => light * share;
 const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 
-/** Continues while a move by a distance in px improves the result, up to a maximum number of rounds. */
+/** Repeats moves by a distance in px as long as they improve the result, up to a maximum number of rounds. */
 function climb<T extends Agreement & { quad: Quad }>(
   start: T,
   by: number,

@@ -2,7 +2,7 @@ import type { Mat } from '@techstark/opencv-js';
 import type { Grey } from './levels';
 import { cv } from './opencv';
 
-/** A patch in pixels from the top left corner of the picture. */
+/** A rectangular patch, in px from the top left corner of the picture. */
 export interface Box {
   x: number;
   y: number;
@@ -10,20 +10,20 @@ export interface Box {
   height: number;
 }
 
-/** Position of a patch's centre in px, and its correlation: 1 is an exact match. */
+/** Position of the centre of a patch in px, and its correlation; 1 is an exact match. */
 export interface Place {
   x: number;
   y: number;
   score: number;
 }
 
-/** Search range around the last position, as a share of the patch's size, and its minimum in px. */
+/** Search range around the last position relative to the size of the patch, and its minimum in px. */
 const REACH = 0.75;
 const MIN_REACH = 24;
 
 /**
- * Follows patches of the first picture through the next ones by normalised cross-correlation, with a resolution below a pixel. The
- * patches are always those of the first picture, so that errors do not add up.
+ * Tracks patches of the first picture in the following ones by normalised cross-correlation, with a resolution of less than a pixel. It always
+ * compares with the first picture, so that errors do not accumulate.
  */
 export class Tracker {
   private readonly patches: { template: Mat; left: number; top: number }[];
@@ -76,7 +76,7 @@ function matOf({ width, height, data }: Grey): Mat {
   return mat;
 }
 
-/** Returns the maximum score and its position, interpolated between pixels by a parabola along each axis. */
+/** Returns the maximum score and its position, interpolated between pixels with a parabola along each axis. */
 function peak(scores: Mat): { best: number; x: number; y: number } {
   const { cols, rows, data32F: data } = scores;
   let at = 0;

@@ -1,4 +1,4 @@
-/** Content of the file, which the bundler inserts. */
+/** Content of the file, inserted by the bundler. */
 declare module '*.wasm' {
   const bytes: Uint8Array<ArrayBuffer>;
   export default bytes;

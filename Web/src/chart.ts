@@ -107,7 +107,7 @@ export class Chart {
     });
   }
 
-  /** Zooms around the cursor, or around the middle if there is no cursor. The range stays within the data. */
+  /** Zooms around the cursor; without a cursor, around the middle. The range stays within the data. */
   private zoom(factor: number): void {
     const { left = -1, top = -1 } = this.plot.cursor;
     const around = (scale: 'x' | 'y', at: number): [number, number] => {

@@ -115,7 +115,7 @@ describe('a report of a run with a load', () => {
     assert.ok(await shadedShare(page, 2) < 0.1, 'before the alarm, only the line of the limit');
   });
 
-  it('states that there was no alarm', async () => {
+  it('states that no alarm occurred', async () => {
     const page = await browser.open({ ...report(), range: { ...range, alarms: [] } });
 
     assert.match(await page.locator('#range .plot').first().getAttribute('aria-label'), /No alarm\./);

@@ -1,4 +1,5 @@
 using MathNet.Numerics.LinearRegression;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
@@ -51,26 +52,21 @@ static class HeadMotionFit
     static void RequireMotion(IReadOnlyList<HeadPicture> pictures)
     {
         if (pictures.Count < MinPictures)
-            throw new InputException($"{pictures.Count} pictures are close enough in time to their neighbours to measure a speed; at least {MinPictures} are "
-                + "needed: film for ten seconds or more, with 25 pictures a second or more");
+            throw new InputException(HeadMotionMessages.TooFewPictures(pictures.Count, MinPictures));
         var speed = Math.Sqrt(pictures.Average(picture => picture.Speed * picture.Speed));
         if (speed < MinSpeed)
-            throw new InputException(FormattableString.Invariant(
-                $"the control code moves at {speed:0} px/s in the pictures; at least {MinSpeed} px/s are needed: ")
-                + "turn headset and camera together to the left and right");
+            throw new InputException(HeadMotionMessages.TooSlow(speed, MinSpeed));
         HeadPicture[] fast = [.. pictures.Where(picture => Math.Abs(picture.Speed) > speed / 2)];
         var forward = fast.Count(picture => picture.Speed > 0) / (double)fast.Length;
         var turns = fast.Zip(fast.Skip(1)).Count(pair => Math.Sign(pair.First.Speed) != Math.Sign(pair.Second.Speed));
         if (turns < MinTurns || forward > MaxShareOfDirection || forward < 1 - MaxShareOfDirection)
-            throw new InputException($"the headset changes its direction {turns} times; turn it at least twice in each direction");
+            throw new InputException(HeadMotionMessages.TooFewTurns(turns));
     }
 
     static void RequireWorldLocked(double scale)
     {
         if (scale is >= MinScale and <= MaxScale) return;
-        throw new InputException(FormattableString.Invariant(
-            $"the hologram moves {scale:0.0} px where the control code moves 1 px; both must stay at the same place in the room: ")
-            + "disable Body Follow, and place the headset's code at the distance of the control code");
+        throw new InputException(HeadMotionMessages.NotWorldLocked(scale));
     }
 
     static List<HeadPicture> WithoutStrays(IReadOnlyList<HeadPicture> pictures)

@@ -23,7 +23,7 @@ static class HeadPictures
     /// <summary>Quantile of the normal distribution for 95 % confidence, in standard deviations.</summary>
     const double Coverage = 1.96;
 
-    /// <param name="pictures">In the order in which they were taken.</param>
+    /// <param name="pictures">Pictures in the order in which they were taken.</param>
     /// <param name="visu">Mean L_visu of the used pictures, ms, and half of the 95 % confidence interval of the mean, ms.</param>
     /// <returns>The pictures whose speed is known; empty if there are none.</returns>
     public static IReadOnlyList<HeadPicture> Of(IEnumerable<PictureResult> pictures, out (double MeanMs, double UncertaintyMs) visu)

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 
@@ -12,11 +13,11 @@ static class NudgePage
     {
         var visuMs = result.Visualisation.Length.TotalMilliseconds;
         return new("L_visu by eye",
-            string.Create(CultureInfo.InvariantCulture, $"L_visu is {visuMs:0.0} ms ± {result.Spread.TotalMilliseconds:0.0} ms; the base is displaced by {result.OffsetMm:0.0} mm along the motion."),
+            NudgePageTexts.Result(visuMs, result.Spread.TotalMilliseconds, result.OffsetMm),
             [
                 .. ProfileFacts.Of(profile),
-                ["L_visu used by the headset", Number(marks.ConfiguredMs) + " ms"], ["Speed", Number(marks.SpeedMmPerS) + " mm/s"],
-                ["Offset of the base along the motion", Number(result.OffsetMm) + " mm"],
+                [NudgePageTexts.UsedVisu, Number(marks.ConfiguredMs) + " ms"], ["Speed", Number(marks.SpeedMmPerS) + " mm/s"],
+                [NudgePageTexts.BaseOffset, Number(result.OffsetMm) + " mm"],
                 ["Offsets forwards", Numbers(marks.ForwardMm)], ["Offsets backwards", Numbers(marks.BackwardMm)],
             ])
         {
@@ -44,9 +45,8 @@ static class NudgePage
         var v = marks.SpeedMmPerS;
         double[] velocities = [.. marks.BackwardMm.Select((_, i) => -v + i * Apart), .. marks.ForwardMm.Select((_, i) => v + i * Apart)];
         double? At(double velocity) => result.OffsetMm + velocity * (visuMs - marks.ConfiguredMs) / 1000;
-        return new("Offset over the velocity", null,
-            "The slope of the line is the error of the L_visu that the headset used; the line's value at zero velocity is "
-            + "the position error of the base.",
+        return new(NudgePageTexts.OffsetOverVelocity, null,
+            NudgePageTexts.OffsetOverVelocityNote,
             [new("Offset", new("velocity", "mm/s"), new("offset", "mm"),
             [
                 new("marks", Looks.Hold, velocities, [.. marks.BackwardMm.Concat(marks.ForwardMm).Select(each => (double?)each)]) { Scattered = true },

@@ -1,6 +1,7 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
 
@@ -39,18 +40,18 @@ static class PairTable
         while (csv.Read())
         {
             if (csv.Count == 1 && string.IsNullOrWhiteSpace(csv[0])) continue;
-            if (csv.Count != header.Length) throw new InputException($"{path}:{csv.RawRow}: {csv.Count} fields; the header has {header.Length}");
-            if (pairs.Count == MaxRows) throw new InputException($"{path}:{csv.RawRow}: more than {MaxRows} rows; take fewer pictures");
+            if (csv.Count != header.Length) throw new InputException(PairFileMessages.FieldCount(path, csv.RawRow, csv.Count, header.Length));
+            if (pairs.Count == MaxRows) throw new InputException(PairFileMessages.TooManyRows(path, csv.RawRow, MaxRows));
             pairs.Add(Picture(csv, path, render, visu, vertices, file));
         }
-        return pairs.Count > 0 ? pairs : throw new InputException($"{path}: no rows below the header; at least {RangeFit.MinPairs} are needed");
+        return pairs.Count > 0 ? pairs : throw new InputException(PairFileMessages.NoRows(path, RangeFit.MinPairs));
     }
 
     static int Column(string[] header, string name, string path)
     {
         var index = Array.IndexOf(header, name);
-        if (index < 0) throw new InputException($"{path}:1: no column {name}; the header must name {Render} and {Visu}");
-        return Array.LastIndexOf(header, name) == index ? index : throw new InputException($"{path}:1: column {name} occurs twice; remove one");
+        if (index < 0) throw new InputException(PairFileMessages.NoColumn(path, name, Render, Visu));
+        return Array.LastIndexOf(header, name) == index ? index : throw new InputException(PairFileMessages.ColumnTwice(path, name));
     }
 
     static MeasuredPicture Picture(CsvParser csv, string path, int render, int visu, int vertices, int file)
@@ -71,10 +72,10 @@ static class PairTable
     static double Number(CsvParser csv, string path, int column, string name) =>
         double.TryParse(csv[column], NumberStyles.Float, CultureInfo.InvariantCulture, out var value)
             ? value
-            : throw new InputException($"{path}:{csv.RawRow}: {name}: '{csv[column]}' is not a number of milliseconds; the decimal separator is a point");
+            : throw new InputException(PairFileMessages.NotMilliseconds(path, csv.RawRow, name, csv[column]));
 
     static int Count(CsvParser csv, string path, int column) =>
         int.TryParse(csv[column], NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value <= MaxVertices
             ? value
-            : throw new InputException($"{path}:{csv.RawRow}: {Vertices}: '{csv[column]}' is not a whole number from 0 to {MaxVertices}");
+            : throw new InputException(PairFileMessages.NotVertices(path, csv.RawRow, Vertices, csv[column], MaxVertices));
 }

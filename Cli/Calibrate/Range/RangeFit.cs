@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
@@ -46,7 +47,7 @@ static class RangeFit
     public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
     {
         if (pairs.Count < MinPairs)
-            throw new InputException("pairs: " + pairs.Count + " are too few to determine a range; take at least " + MinPairs + " pictures");
+            throw new InputException(RangeMessages.TooFewPairs(pairs.Count, MinPairs));
         var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
         var plateau = Plateau.Of(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))));
         var good = new bool[sorted.Length];
@@ -61,8 +62,7 @@ static class RangeFit
             split = RangeSplit.Find(good, isLast);
             var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
             if (inside.Length < MinPairs / 2)
-                throw new InputException(
-                    "pairs: L_visu is not the same at the lowest render times, so no range exists; check how it was measured");
+                throw new InputException(RangeMessages.NoPlateau);
             plateau = Plateau.Of(inside);
             // A tolerance of half the distance between both medians keeps the pairs beyond the limit out of the plateau.
             if (split.IsReached) nearest = Math.Max(MinToleranceMs, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
@@ -77,10 +77,7 @@ static class RangeFit
         var mean = inside.Average();
         var spread = Math.Sqrt(inside.Sum(visu => (visu - mean) * (visu - mean)) / Math.Max(1, inside.Length - 1));
         if (spread > MaxSpreadMs)
-            throw new InputException(string.Format(
-                CultureInfo.InvariantCulture,
-                "pairs: L_visu scatters by {0:0.0} ms at the lowest render times, so no range exists; up to {1} ms are allowed; "
-                + "check how it was measured", spread, MaxSpreadMs));
+            throw new InputException(RangeMessages.Scatters(spread, MaxSpreadMs));
         (double Last, double Next) GapAt(int count)
         {
             var last = sorted[count - 1].RenderMs;

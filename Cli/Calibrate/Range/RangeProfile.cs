@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
@@ -18,25 +19,22 @@ static class RangeProfile
     public static CalibrationPageData Page(
         string title, LatencyProfile profile, RangeFitResult fit, IReadOnlyList<MeasuredPicture> pictures, IEnumerable<string[]> more,
         IEnumerable<string> warnings = null) =>
-        new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], ["Outside the plateau (misread, or behind a slow frame)", Count(fit.Rejected)], .. more])
+        new(title, Sentence(fit), [.. ProfileFacts.Of(profile), ["Pairs", Count(fit.Pairs)], [RangePageTexts.OutsidePlateau, Count(fit.Rejected)], .. more])
         {
             Warnings = [.. warnings ?? [], .. WarningsOf(fit)],
             Sections = [.. RangePage.Sections(pictures, fit)],
         };
 
     static string Sentence(RangeFitResult fit) => fit.LimitRenderMs is double limit
-        ? string.Create(CultureInfo.InvariantCulture, $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms while the render time is below {limit:0.00} ms.")
-        : string.Create(CultureInfo.InvariantCulture,
-            $"L_visu is {fit.VisuMs:0.0} ms ± {fit.SpreadMs:0.0} ms; limit not reached: constant at least up to a render time of {fit.ValidToRenderMs:0.00} ms.");
+        ? RangePageTexts.Result(fit.VisuMs, fit.SpreadMs, limit)
+        : RangePageTexts.ResultWithoutLimit(fit.VisuMs, fit.SpreadMs, fit.ValidToRenderMs);
 
     static IEnumerable<string> WarningsOf(RangeFitResult fit)
     {
         if (fit.LimitRenderMs == null)
-            yield return "limit not reached: beyond the longest measured render time the headset reports the range as unknown; "
-                + "extend the sweep to a higher load";
+            yield return RangeMessages.NoLimit;
         if (fit.OpenToRenderMs is double open)
-            yield return FormattableString.Invariant(
-                $"the limit is between {fit.LimitRenderMs:0.00} ms, which is used, and {open:0.00} ms: sweep in finer steps around it");
+            yield return RangeMessages.LimitBetween(fit.LimitRenderMs, open);
     }
 
     static string Count(int count) => count.ToString(CultureInfo.InvariantCulture);

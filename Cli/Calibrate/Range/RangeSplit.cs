@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Range;
 
-/// <summary>Splits good and bad pairs, sorted by render time, at the point where most pairs change from good to bad.</summary>
+/// <summary>Splits a sequence of pairs, sorted by render time, where it changes from mostly good to mostly bad pairs.</summary>
 /// <remarks>
 /// A pair is bad with probability p below the split and q beyond it. The split maximises the likelihood, where p is at most 0.2 (misread
 /// pictures, frames behind a slow one) and q is at least 0.7. For the final position, a bad pair counts as three pairs, because a limit

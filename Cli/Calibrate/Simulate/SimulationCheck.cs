@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;
@@ -52,8 +53,8 @@ sealed class SimulationCheck
     /// <summary>Gets the result as lines of text.</summary>
     public IEnumerable<string> Lines()
     {
-        yield return Text($"{Pictures} pictures, {Read} read ({100 * ReadOfGood:0.0} % of those without a defect), {Misread} misread by more than {MisreadMs} ms");
-        yield return Text($"error of L_visu: mean {MeanErrorMs:0.000} ms, P95 {ErrorP95Ms:0.000} ms");
+        yield return SimulationMessages.Read(Pictures, Read, 100 * ReadOfGood, Misread, MisreadMs);
+        yield return SimulationMessages.Error(MeanErrorMs, ErrorP95Ms);
         foreach (var group in _pictures.Values.GroupBy(picture => picture.SpoiledBy).OrderBy(group => group.Key, StringComparer.Ordinal))
             yield return Text($"{(group.Key.Length == 0 ? "no defect" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
         foreach (var fault in _pictures.Values.Where(picture => !picture.Result.IsRead).GroupBy(picture => picture.Result.Fault).OrderByDescending(fault => fault.Count()))

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using Nowpose.Vision;
@@ -50,13 +51,12 @@ static class SimulationOutput
         return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
     }
 
-    // Removes pictures only if the folder has a truth file. Without this file, they may come from a real camera.
+    // Removes the pictures of an earlier run. Without a truth file, the pictures can come from a real camera, so the folder is rejected.
     static void RemoveEarlier(string folder, string pictures)
     {
         var earlier = Directory.GetFiles(pictures, "picture-*.jpg");
         if (earlier.Length > 0 && !File.Exists(Path.Combine(folder, TruthFile)))
-            throw new InputException(
-                $"--out: {folder}: has {earlier.Length} pictures that were not simulated ({TruthFile} is missing); choose another folder");
+            throw new InputException(SimulationMessages.OtherPictures(folder, earlier.Length, TruthFile));
         foreach (var picture in earlier) File.Delete(picture);
     }
 

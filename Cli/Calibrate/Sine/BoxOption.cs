@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;
@@ -18,7 +19,7 @@ static class BoxOption
             int[] numbers = [.. text.Split(',').Select(word => int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : -1)];
             if (numbers.Length == 4 && numbers.All(number => number is >= 0 and <= MaxValue) && numbers[2] >= MinSide && numbers[3] >= MinSide)
                 return new PictureBox(numbers[0], numbers[1], numbers[2], numbers[3]);
-            result.AddError($"{name}: '{text}' is not a box; allowed: X,Y,WIDTH,HEIGHT in whole px, sides {MinSide} to {MaxValue} px.");
+            result.AddError(OptionValueMessages.NotABox(name, text, MinSide, MaxValue));
             return null;
         },
     };

@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;
@@ -16,7 +17,7 @@ static class FilmedJog
         var times = VideoFrames.TimesOf(path);
         var places = new List<IReadOnlyList<TrackedPlace>>(times.Length);
         using var tracker = new MotionTracker([robot, hologram]);
-        CountProgress.Run("following robot and hologram", "pictures", times.Length, report =>
+        CountProgress.Run(SinePageTexts.Tracking, "pictures", times.Length, report =>
         {
             foreach (var (width, height, bytes) in VideoFrames.Read(path))
             {
@@ -34,22 +35,19 @@ static class FilmedJog
         return SineTracks.Of(times[..places.Count], Along(0), Along(1), path);
     }
 
-    static PictureBox Required(PictureBox? box, string option) => box ?? throw new InputException(
-        $"{option} is missing: for a video, mark both patches in its first picture, as X,Y,WIDTH,HEIGHT in px");
+    static PictureBox Required(PictureBox? box, string option) => box ?? throw new InputException(SineMessages.NoBox(option));
 
     static void RequireWithin(PictureBox box, int width, int height, string option)
     {
         if (box.X + box.Width <= width && box.Y + box.Height <= height) return;
-        throw new InputException($"{option}: {box.X},{box.Y},{box.Width},{box.Height} px is not inside the picture of {width}x{height} px; choose a smaller box");
+        throw new InputException(SineMessages.BoxOutside(option, box.X, box.Y, box.Width, box.Height, width, height));
     }
 
     static void RequireSeen(IReadOnlyList<TrackedPlace> places, string path, int frame)
     {
         for (var i = 0; i < places.Count; i++)
             if (!(places[i].Score >= MinScore))
-                throw new InputException(FormattableString.Invariant(
-                    $"{path}: picture {frame}: the {(i == 0 ? "robot's" : "hologram's")} patch is lost (match {places[i].Score:0.00}, at least {MinScore} is needed); ")
-                    + "mark a patch with more contrast, or film a shorter motion");
+                throw new InputException(SineMessages.PatchLost(path, frame, i == 0, places[i].Score, MinScore));
     }
 
     /// <summary>Gets the direction of the robot's largest motion, as a unit vector.</summary>

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Sine;
 
 /// <summary>Estimates the lag of one signal behind another by cross-correlation, more precisely than their sampling interval.</summary>
@@ -31,8 +33,7 @@ static class LagEstimator
         var last = (int)Math.Floor(MaxLag / tracks.Interval);
         RequireMotion(tracks.Robot, "the robot");
         RequireMotion(tracks.Shown, "the hologram");
-        if (tracks.Shown.Length < 3 * last) throw new InputException(FormattableString.Invariant(
-            $"recording: {tracks.Shown.Length * tracks.Interval:0.0} s are too short to find lags up to {MaxLag} s; record at least ten seconds"));
+        if (tracks.Shown.Length < 3 * last) throw new InputException(SineMessages.TooShort(tracks.Shown.Length * tracks.Interval, MaxLag));
         int from = Math.Max(0, last), to = tracks.Shown.Length + Math.Min(0, first);
         var correlations = Enumerable.Range(first, last - first + 1).Select(lag => ShiftFit.Of(tracks, lag, from, to, 0).Correlation).ToArray();
         var peak = Array.IndexOf(correlations, correlations.Max());
@@ -52,24 +53,20 @@ static class LagEstimator
     static void RequireMotion(double[] positions, string what)
     {
         if (positions.Max() - positions.Min() > 0) return;
-        throw new InputException($"recording: {what} does not move; jog a joint back and forth while it is filmed");
+        throw new InputException(SineMessages.NoMotion(what));
     }
 
     static void Check(double[] correlations, int peak, int first, double interval)
     {
         if (correlations[peak] < MinCorrelation)
-            throw new InputException(FormattableString.Invariant(
-                $"recording: the hologram does not follow the robot: correlation {correlations[peak]:0.00}, at least {MinCorrelation} is needed; ")
-                + "check the columns; if one of them counts in the opposite direction, add --inverted");
+            throw new InputException(SineMessages.NoCorrelation(correlations[peak], MinCorrelation));
         if (peak == 0 || peak == correlations.Length - 1)
-            throw new InputException(FormattableString.Invariant(
-                $"recording: the best lag lies at or beyond {(first + peak) * interval * 1000:0} ms; allowed: {MinLag * 1000:0} to {MaxLag * 1000:0} ms; check both clocks"));
+            throw new InputException(SineMessages.LagOutOfRange((first + peak) * interval * 1000, MinLag * 1000, MaxLag * 1000));
         for (var i = 1; i < correlations.Length - 1; i++)
         {
             var isPeak = correlations[i] >= correlations[i - 1] && correlations[i] >= correlations[i + 1];
             if (!isPeak || Valley(correlations, i, peak) > Ambiguous * correlations[i] || correlations[i] < Ambiguous * correlations[peak] || i == peak) continue;
-            throw new InputException(FormattableString.Invariant(
-                $"recording: the motion repeats after {Math.Abs(peak - i) * interval:0.00} s, so the lag is ambiguous; jog more slowly, with a period of 2 s or more"));
+            throw new InputException(SineMessages.Ambiguous(Math.Abs(peak - i) * interval));
         }
     }
 

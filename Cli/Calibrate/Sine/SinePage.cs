@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Sine;
@@ -10,8 +11,7 @@ static class SinePage
     static readonly FigureColumn Time = new("time", "s"), Place = new("place, scaled"), Lag = new("lag", "ms"), Correlation = new("correlation");
 
     /// <param name="profile">The profile, or null if L_visu was not requested.</param>
-    public static CalibrationPageData Of(SineResult result, LatencyProfile profile, string path) => new(
-        "Latency of a jog back and forth", Sentence(result),
+    public static CalibrationPageData Of(SineResult result, LatencyProfile profile, string path) => new(SinePageTexts.Title, Sentence(result),
         [
             ["Total latency", Ms(result.TotalMs)], ["Standard error", Ms(result.DeviationMs)], .. profile == null ? [] : ProfileFacts.Of(profile),
             ["Correlation", result.Lag.Correlation.ToString("0.0000", CultureInfo.InvariantCulture)],
@@ -27,34 +27,31 @@ static class SinePage
     static IEnumerable<string> WarningsOf(SineResult result, LatencyProfile profile)
     {
         const double CertainMs = 1.5;
-        if (profile == null) yield return "no profile was written: state which part of the lag is L_visu with --app-ms or --told-ms";
+        if (profile == null) yield return SineMessages.NoProfile;
         if (result.StepsMs > CertainMs)
-            yield return FormattableString.Invariant(
-                $"the ghost moves every {result.Way.HeldMs:0.##} ms, synchronously with the pictures: the result may be wrong by up to {result.StepsMs:0.0} ms; ")
-                + "film the gripper instead (--told-ms), or film at another frame rate";
+            yield return SineMessages.SteppedGhost(result.Way.HeldMs, result.StepsMs);
         else if (result.DeviationMs > CertainMs)
-            yield return FormattableString.Invariant($"the standard error is {result.DeviationMs:0.0} ms: jog farther or faster, or film longer, to get below ± 3 ms");
+            yield return SineMessages.StandardError(result.DeviationMs);
     }
 
     static string Sentence(SineResult result) => result.VisuMs is double visu
-        ? string.Create(CultureInfo.InvariantCulture, $"L_visu is {visu:0.0} ms ± {result.DeviationMs:0.0} ms; the total lag is {result.TotalMs:0.0} ms.")
-        : string.Create(CultureInfo.InvariantCulture, $"The hologram is {result.TotalMs:0.0} ms ± {result.DeviationMs:0.0} ms behind the robot.");
+        ? SinePageTexts.VisuResult(visu, result.DeviationMs, result.TotalMs)
+        : SinePageTexts.LagResult(result.TotalMs, result.DeviationMs);
 
     public static CalibrationSection Motions(SineResult result)
     {
         double[] time = [.. Enumerable.Range(0, result.Tracks.Shown.Length).Select(i => i * result.Tracks.Interval)];
         PlotTrace Trace(string label, string look, double[] at, double[] places) => new(label, look, at, Scaled(places));
-        return new("Robot and hologram", null, "Each curve is scaled to its own range. Shifted forward by the lag, the hologram's curve agrees with the robot's.",
+        return new("Robot and hologram", null, SinePageTexts.MotionsNote,
             [new("Over time", Time, Place,
             [
                 Trace("robot", Looks.Truth, time, result.Tracks.Robot),
                 Trace("hologram", Looks.Hold, time, result.Tracks.Shown),
-                Trace("hologram, shifted by the lag", Looks.Adaptive, [.. time.Select(t => t - result.Lag.LagSeconds)], result.Tracks.Shown),
+                Trace(SinePageTexts.ShiftedHologram, Looks.Adaptive, [.. time.Select(t => t - result.Lag.LagSeconds)], result.Tracks.Shown),
             ])]);
     }
 
-    public static CalibrationSection Correlations(SineResult result) => new(
-        "Correlation over the lag", null, "The peak is at the total latency. Between the camera's pictures it is found by a least-squares fit of the robot's position and speed.",
+    public static CalibrationSection Correlations(SineResult result) => new(SinePageTexts.Correlation, null, SinePageTexts.CorrelationNote,
         [new("Over the lag", Lag, Correlation, [new("correlation", Looks.Adaptive,
             [.. result.Lag.Lags.Select(each => 1000 * each)], [.. result.Lag.Correlations.Select(each => (double?)each)])])
         {

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Calibrate.Sine;
@@ -34,21 +35,21 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         var names = columns?.Split(',', StringSplitOptions.TrimEntries);
         if (names == null && recording.Names.Count == 2) return (0, 1);
         if (names?.Length != 2)
-            throw new InputException($"{path}: {recording.Names.Count} columns after the time; name the columns of robot and hologram with --columns ROBOT,HOLOGRAM");
+            throw new InputException(SineMessages.ColumnsNeeded(path, recording.Names.Count));
         return (IndexOf(recording, path, names[0], "--columns"), IndexOf(recording, path, names[1], "--columns"));
     }
 
     static int One(MotionRecording recording, string path, string name, string option)
     {
         if (name != null) return IndexOf(recording, path, name, option);
-        return recording.Names.Count == 1 ? 0 : throw new InputException($"{path}: {recording.Names.Count} columns after the time; name one: {option} NAME");
+        return recording.Names.Count == 1 ? 0 : throw new InputException(SineMessages.ColumnNeeded(path, recording.Names.Count, option));
     }
 
     static int IndexOf(MotionRecording recording, string path, string name, string option)
     {
         for (var i = 0; i < recording.Names.Count; i++)
             if (recording.Names[i] == name) return i;
-        throw new InputException($"{option}: {path} has no column '{name}'; it has {string.Join(", ", recording.Names)}");
+        throw new InputException(SineMessages.UnknownColumn(option, path, name, string.Join(", ", recording.Names)));
     }
 
     /// <summary>Creates the tracks from positions at the same times in increasing order, s.</summary>
@@ -78,8 +79,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     {
         var count = (int)Math.Floor((end - start) / interval + 1e-6) + 1;
         if (!(end > start) || count < MinInstants)
-            throw new InputException(FormattableString.Invariant(
-                $"{path}: {Math.Max(0, count)} pictures show both robot and hologram; at least {MinInstants} are needed, and ten seconds are better"));
+            throw new InputException(SineMessages.TooFewPictures(path, Math.Max(0, count), MinInstants));
         double[] times = [.. Enumerable.Range(0, count).Select(i => start + i * interval)];
         return new SineTracks(start, interval, [.. times.Select(robot)], [.. times.Select(shown)]);
     }

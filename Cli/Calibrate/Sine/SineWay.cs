@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Sine;
 
 /// <summary>Determines how much of the measured lag is L_visu.</summary>
@@ -10,13 +12,11 @@ sealed record SineWay(double? KnownMs, string Words, double? HeldMs = null)
     public static SineWay Of(double? applicationMs, double samplingMs, double? configuredMs)
     {
         if (applicationMs.HasValue && configuredMs.HasValue)
-            throw new InputException("--app-ms and --told-ms exclude each other: film either the ghost, which is not compensated, or the gripper, which is");
+            throw new InputException(SineMessages.BothWays);
         if (configuredMs is double configured)
-            return new(-configured,
-                FormattableString.Invariant($"compensated: the remaining lag is the error of the {configured:0.##} ms that the headset used"));
+            return new(-configured, SinePageTexts.Compensated(configured));
         if (applicationMs is double application)
-            return new(application + samplingMs / 2,
-                FormattableString.Invariant($"not compensated: L_app {application:0.##} ms and half of T_s, {samplingMs / 2:0.##} ms, are subtracted"), samplingMs);
-        return new(null, "the total latency only");
+            return new(application + samplingMs / 2, SinePageTexts.NotCompensated(application, samplingMs / 2), samplingMs);
+        return new(null, SinePageTexts.TotalOnly);
     }
 }

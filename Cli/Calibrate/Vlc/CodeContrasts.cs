@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Vision;
 
@@ -36,9 +37,9 @@ sealed class CodeContrasts
         }
         if (dark.Count + brighter > 0)
             Fault = dark.Count >= brighter
-                ? AreRowsFromAnEdge(dark) ? "partly dark: covered, or only a part was lit during the exposure" : "partly covered"
-                : code.WhiteShare >= MinWhiteShare ? "overexposed, or with a reflection on it"
-                : "disturbed by a bright background or a reflection";
+                ? AreRowsFromAnEdge(dark) ? PictureFaults.PartlyDark : "partly covered"
+                : code.WhiteShare >= MinWhiteShare ? PictureFaults.Overexposed
+                : PictureFaults.Disturbed;
     }
 
     /// <summary>Brightness of a lit cell; 1 is white.</summary>

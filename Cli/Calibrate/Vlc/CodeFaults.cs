@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Vision;
 
@@ -12,15 +13,15 @@ static class CodeFaults
     /// <returns>The reason; null if there is exactly one code of each kind, both inside the picture.</returns>
     public static string Of(SeenPicture seen)
     {
-        if (seen.IsMirrored) return "mirrored: switch off mirroring in the camera's settings";
+        if (seen.IsMirrored) return PictureFaults.Mirrored;
         var (controls, headsets) = (seen.CodesOf(CodeKind.Control), seen.CodesOf(CodeKind.Headset));
-        if (controls.Count > 1) return $"{Words(controls.Count)} control codes: show one only";
-        if (headsets.Count > 1) return $"{Words(headsets.Count)} headset codes: show one only";
+        if (controls.Count > 1) return PictureFaults.ControlCodes(Words(controls.Count));
+        if (headsets.Count > 1) return PictureFaults.HeadsetCodes(Words(headsets.Count));
         if (seen.Codes.Count == 0) return "no code found";
-        if (controls.Count == 0) return "no control code found";
-        if (headsets.Count == 0) return "no headset code found";
-        if (IsCutOff(controls[0], seen)) return "control code partly outside the picture";
-        return IsCutOff(headsets[0], seen) ? "headset code partly outside the picture" : null;
+        if (controls.Count == 0) return PictureFaults.NoControlCode;
+        if (headsets.Count == 0) return PictureFaults.NoHeadsetCode;
+        if (IsCutOff(controls[0], seen)) return PictureFaults.ControlCodeCutOff;
+        return IsCutOff(headsets[0], seen) ? PictureFaults.HeadsetCodeCutOff : null;
     }
 
     static bool IsCutOff(FoundCode code, SeenPicture seen)

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
@@ -35,7 +36,7 @@ static class HeadsetCode
             .Select(step => Fit(contrasts, value, value + step)).Append(Fit(contrasts, value, value)).MinBy(fit => fit.Unexplained);
         if (best.Unexplained > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
         if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");
-        return best.Share < MinShare ? Reading.Not("two codes equally likely") : Reading.Of(value);
+        return best.Share < MinShare ? Reading.Not(PictureFaults.Ambiguous) : Reading.Of(value);
     }
 
     /// <summary>Fits two codes to the pairs. If the exposure shows only one code, both are the same.</summary>

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Rejects pictures that were taken while the headset moved. L_visu must be measured with a still headset.</summary>
@@ -8,7 +10,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// </remarks>
 static class MovingPictures
 {
-    public const string Fault = "taken while the headset moved";
+    public const string Fault = PictureFaults.Moved;
 
     /// <summary>
     /// Speed range of head motion, in sides of the control's code per second. A shaking camera is slower, a relocated one is faster.
@@ -32,8 +34,7 @@ static class MovingPictures
         var moving = Enumerable.Range(1, Math.Max(0, read.Count - 2))
             .Where(i => IsMoving(VelocityOf(read[i - 1], read[i]), VelocityOf(read[i], read[i + 1]))).Select(i => read[i].Picture).ToHashSet();
         refusal = moving.Count > MaxShare * read.Count
-            ? $"{moving.Count} of {read.Count} pictures were taken while the headset or the camera moved; "
-                + "L_visu is measured with a still head: put headset and camera on a stand. Pictures of a moving headset are for 'calibrate head'"
+            ? VlcMessages.MovedPictures(moving.Count, read.Count)
             : null;
         var areAll = refusal != null;
         return [.. pictures.Select(picture => moving.Contains(picture) || areAll && picture.IsRead ? PictureResult.Not(picture.File, Fault) : picture)];

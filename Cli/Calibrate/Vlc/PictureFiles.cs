@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Lists the pictures that the arguments name: files, and the files of folders in the order of their names.</summary>
@@ -17,17 +19,17 @@ static class PictureFiles
     public static IReadOnlyList<string> Of(IReadOnlyList<string> arguments)
     {
         var files = arguments.SelectMany(Of).ToList();
-        if (files.Count > 1 && files.Any(IsVideo)) throw new InputException($"{files.First(IsVideo)}: a video must be the only file; evaluate it separately");
+        if (files.Count > 1 && files.Any(IsVideo)) throw new InputException(PictureMessages.VideoNotAlone(files.First(IsVideo)));
         return files;
     }
 
     static IEnumerable<string> Of(string path)
     {
         if (Directory.Exists(path)) return Within(path);
-        if (!File.Exists(path)) throw new InputException($"{path}: file or folder not found");
+        if (!File.Exists(path)) throw new InputException(PictureMessages.NotFound(path));
         return IsPicture(path) || Has(path, OtherPictures) || IsVideo(path)
             ? [path]
-            : throw new InputException($"{path}: is neither a picture ({string.Join(", ", Pictures)}) nor a video ({string.Join(", ", Videos)})");
+            : throw new InputException(PictureMessages.NotAPicture(path, string.Join(", ", Pictures), string.Join(", ", Videos)));
     }
 
     static List<string> Within(string folder)

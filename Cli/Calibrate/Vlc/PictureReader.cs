@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Vision;
 
@@ -31,9 +32,8 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         return visu is >= MinVisuMs and <= MaxVisuMs
             ? new PictureResult(file, led, shown.Ms, visu, null) { Places = CodePlaces.Of(control, headset, later) }
             : PictureResult.Not(file, visu > MaxVisuMs
-                ? FormattableString.Invariant($"codes more than {MaxVisuMs} ms apart")
-                : FormattableString.Invariant($"headset code more than {-MinVisuMs} ms ahead of the control code: ")
-                    + "if the control code is displayed late, state the delay with --control-delay-ms");
+                ? PictureFaults.FarApart(MaxVisuMs)
+                : PictureFaults.HeadsetAhead(-MinVisuMs));
     }
 
     Reading ReadingOf(FoundCode code, SeenPicture seen) => code.Kind == CodeKind.Headset

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>
@@ -6,7 +8,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// </summary>
 static class Strays
 {
-    public const string Fault = "far from the others, probably misread";
+    public const string Fault = PictureFaults.Stray;
 
     /// <summary>Maximum distance from the median, ms: twelve frames at 60 Hz. At most three frames are queued, each for a few refreshes.</summary>
     const double FarMs = 200;

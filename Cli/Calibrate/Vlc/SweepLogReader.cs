@@ -1,6 +1,7 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
@@ -25,12 +26,12 @@ static class SweepLogReader
         for (; IsComment(header); header = text.ReadLine(), above++) TakeCondition(header, values);
         conditions = ConditionsOf(values, name);
         if (header == null || header.Trim() != SweepLog.Header)
-            throw new InputException($"{name}:{above}: the header is '{header}'; it must be {SweepLog.Header}");
+            throw new InputException(SweepFileMessages.Header(name, above, header, SweepLog.Header));
         using var csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture) { TrimOptions = TrimOptions.Trim, BadDataFound = null });
         var rows = new List<SweepRow>();
         var device = "";
         while (csv.Read()) rows.Add(RowOf(csv.Record, $"{name}:{above + csv.RawRow}", ref device));
-        if (rows.Count == 0) throw new InputException($"{name}: the header has no rows below it; a sweep log has one row for each frame");
+        if (rows.Count == 0) throw new InputException(SweepFileMessages.NoRows(name));
         return rows;
     }
 
@@ -60,7 +61,7 @@ static class SweepLogReader
     /// <param name="device">Device of the previous row. An equal device reuses this string to save memory.</param>
     static SweepRow RowOf(string[] fields, string place, ref string device)
     {
-        if (fields.Length != Columns) throw new InputException($"{place}: {fields.Length} fields; it must have {Columns}");
+        if (fields.Length != Columns) throw new InputException(SweepFileMessages.FieldCount(place, fields.Length, Columns));
         if (fields[4] != device) device = fields[4];
         try
         {
@@ -81,19 +82,18 @@ static class SweepLogReader
     static RenderTimeSourceKind SourceOf(string text)
     {
         if (RenderTimeSourceNames.TryParse(text, out var source)) return source;
-        throw new InputException(
-            $"{Source}: '{text}' is not a source of render times; allowed: {RenderTimeSourceNames.All}, or nothing");
+        throw new InputException(SweepFileMessages.UnknownSource(Source, text, RenderTimeSourceNames.All));
     }
 
     static long Whole(string text, string field, string unit)
     {
         if (long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number)) return number;
-        throw new InputException($"{field}: '{text}' is not a whole number of {unit}");
+        throw new InputException(SweepFileMessages.NotWhole(field, text, unit));
     }
 
     static double Number(string text, string field, string unit)
     {
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number)) return number;
-        throw new InputException($"{field}: '{text}' is not a number of {unit}");
+        throw new InputException(SweepFileMessages.NotANumber(field, text, unit));
     }
 }

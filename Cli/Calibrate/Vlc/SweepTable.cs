@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
@@ -37,10 +38,9 @@ static class SweepTable
         for (var i = 0; i < rows.Count; i++)
         {
             if (rows[i].Device.Length > 0 && rows[i].Device != device)
-                throw new InputException($"{path}: frames of '{device}' and of '{rows[i].Device}'; a sweep must be from one headset");
+                throw new InputException(SweepFileMessages.TwoHeadsets(path, device, rows[i].Device));
             if (!double.IsNaN(rows[i].DisplayHz) && rows[i].DisplayHz != rate)
-                throw new InputException(FormattableString.Invariant(
-                    $"{path}: frames at {rate} Hz and at {rows[i].DisplayHz} Hz; L_visu depends on the rate: keep the rows of one rate"));
+                throw new InputException(SweepFileMessages.TwoRates(path, rate, rows[i].DisplayHz));
         }
         return rows;
     }

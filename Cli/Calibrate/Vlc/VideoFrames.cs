@@ -1,6 +1,7 @@
 using System.ComponentModel;
 using System.Diagnostics;
 using System.Globalization;
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
@@ -8,9 +9,9 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Reads the frames of a video with ffmpeg, which must be installed.</summary>
 static class VideoFrames
 {
-    const string Needed = "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";
+    const string Needed = PictureMessages.FfmpegNeeded;
 
-    /// <summary>The ffmpeg option that outputs each frame once, whatever its time stamp: the current name, and the name before ffmpeg 5.1.</summary>
+    /// <summary>The ffmpeg option that outputs each frame once, independent of its time stamp: the current name, and the name before ffmpeg 5.1.</summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
     const int Colours = 3;
@@ -42,11 +43,11 @@ static class VideoFrames
                 }
                 if (count > 0)
                 {
-                    Tell(path, count, errors.Result);
+                    WarnIfIncomplete(path, count, errors.Result);
                     yield break;
                 }
                 if (option == EachFrameOnce[^1] || !errors.Result.Contains(option[1..], StringComparison.Ordinal))
-                    throw new InputException($"{path}: ffmpeg finds no frames in it: {errors.Result.Trim().ReplaceLineEndings(" ")}");
+                    throw new InputException(PictureMessages.NoFramesByFfmpeg(path, errors.Result.Trim().ReplaceLineEndings(" ")));
             }
             finally
             {
@@ -66,10 +67,10 @@ static class VideoFrames
     }
 
     // Warns that the video is truncated or damaged and contains fewer pictures than were filmed.
-    static void Tell(string path, int count, string errors)
+    static void WarnIfIncomplete(string path, int count, string errors)
     {
         var first = errors.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).FirstOrDefault();
-        if (first != null) Console.Error.WriteLine($"nowpose: {path}: {count} pictures were read, but ffmpeg reports: {first}");
+        if (first != null) Console.Error.WriteLine(ConsoleMessages.FfmpegReports(path, count, first));
     }
 
     /// <summary>Gets the time of each frame, s. The frame rate of phones is not constant.</summary>
@@ -79,8 +80,8 @@ static class VideoFrames
         var lines = Probed(path, "frame=best_effort_timestamp_time", out var errors);
         double[] times = [.. lines.Select(line => double.TryParse(line.TrimEnd(','), CultureInfo.InvariantCulture, out var time) ? time : double.NaN)];
         for (var i = 1; i < times.Length; i++)
-            if (!(times[i] > times[i - 1])) throw new InputException($"{path}: frame {i + 1} is not later than the previous one; the times of this video cannot be used, convert it with ffmpeg");
-        return times.Length > 1 ? times : throw new InputException($"{path}: ffprobe finds no frames in it: {errors}");
+            if (!(times[i] > times[i - 1])) throw new InputException(PictureMessages.FrameOrder(path, i + 1));
+        return times.Length > 1 ? times : throw new InputException(PictureMessages.NoFrames(path, errors));
     }
 
     static (int Width, int Height) SizeOf(string path)
@@ -89,7 +90,7 @@ static class VideoFrames
         if (words.Length >= 2 && int.TryParse(words[0], CultureInfo.InvariantCulture, out var width) && int.TryParse(words[1], CultureInfo.InvariantCulture, out var height)
             && width > 0 && height > 0)
             return (width, height);
-        throw new InputException($"{path}: ffprobe finds no video in it: {errors}");
+        throw new InputException(PictureMessages.NoVideo(path, errors));
     }
 
     static string[] Probed(string path, string entries, out string errors)

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Range;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Latency.Sweep;
@@ -41,7 +42,7 @@ sealed class VlcEvaluation
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
-    /// <summary>The pictures with the values of their frames in the sweep; empty if there is no sweep.</summary>
+    /// <summary>The pictures with the values of their frames in the sweep; empty without a sweep.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
 
     /// <summary>The profile, or null if there are too few pictures.</summary>
@@ -55,20 +56,18 @@ sealed class VlcEvaluation
         var joined = join.Join(_result.Pictures);
         var isOrderUnknown = join.NeedsOrder && !TimeOrder.Of(_result.Pictures).IsGivenOrder;
         if (joined.Count < (isOrderUnknown ? MinShareJoinedInUnknownOrder : MinShareJoined) * _result.Read.Count)
-            throw new InputException($"--sweep: the log has the frames of only {joined.Count} of {_result.Read.Count} pictures; {ReasonOf(isOrderUnknown)}");
+            throw new InputException(VlcMessages.OtherSweep(joined.Count, _result.Read.Count, ReasonOf(isOrderUnknown)));
         if (joined.Count < _result.Read.Count)
-            _warnings.Add($"{_result.Read.Count - joined.Count} of {_result.Read.Count} pictures show a frame that is not in the sweep log");
+            _warnings.Add(VlcMessages.NotInSweep(_result.Read.Count - joined.Count, _result.Read.Count));
         var (measured, others) = (sweep.Count(row => row.RenderMs.HasValue), sweep.Count(row => row.RenderMs.HasValue && row.Source != source));
         if (others > 0)
-            _warnings.Add($"{others} of {measured} render times of the sweep were measured with a source other than "
-                + $"{RenderTimeSourceNames.NameOf(source)} and are not used");
+            _warnings.Add(VlcMessages.OtherSource(others, measured, RenderTimeSourceNames.NameOf(source)));
         return joined;
     }
 
     static string ReasonOf(bool isOrderUnknown) => isOrderUnknown
-        ? FormattableString.Invariant($"codes repeat after {TimestampCode.PeriodMs / 1000.0:0.0} s, the sweep is longer, and the pictures are not in the order in which ")
-            + "they were taken: name the files so that they sort in that order"
-        : "use the log of the sweep that the pictures show";
+        ? VlcMessages.OrderUnknown(TimestampCode.PeriodMs / 1000.0)
+        : VlcMessages.UseSweepOfPictures;
 
     // Returns null if no range can be determined. Adds the reason to the warnings.
     RangeFitResult FitOf(LoadSensitivity sensitivity)
@@ -102,25 +101,22 @@ sealed class VlcEvaluation
             ? Plateau.OfSweep(Pictures)
             : Plateau.OfOneLoad([.. _result.Read.Select(picture => picture.VisuMs)]);
         if (!hasSweep && plateau?.Count < MinShareNear * _result.Read.Count)
-            _warnings.Add($"{_result.Read.Count - plateau.Count} of {_result.Read.Count} pictures are late and were not used. "
-                + "If they were taken at several loads, add the sweep's log with --sweep");
-        if (plateau?.Count < FewPictures) _warnings.Add($"L_visu was computed from {plateau.Count} pictures only and may be wrong by some ms: take 30 or more");
+            _warnings.Add(VlcMessages.LatePictures(_result.Read.Count - plateau.Count, _result.Read.Count));
+        if (plateau?.Count < FewPictures) _warnings.Add(VlcMessages.FewPictures(plateau.Count));
         if (plateau != null) return earlier.With(plateau.VisuMs, plateau.SpreadMs, CalibrationMethod.VisibleLight, plateau.Count);
         _warnings.Add(hasSweep
-            ? $"L_visu cannot be determined from these {Pictures.Count} pictures of the sweep; no profile was written"
+            ? VlcMessages.NoVisuInSweep(Pictures.Count)
             : _result.Read.Count < 2
-                ? "one picture is not enough for a profile; none was written"
-                : FormattableString.Invariant($"L_visu scatters by {_result.Deviation:0.0} ms, too much for a constant. ")
-                    + "If the pictures were taken at several loads, add the sweep's log with --sweep. No profile was written");
+                ? VlcMessages.OnePicture
+                : VlcMessages.Scatters(_result.Deviation));
         return null;
     }
 
     CalibrationPageData PlainPage() => new(
         "Visible light",
         Profile == null
-            ? string.Create(CultureInfo.InvariantCulture, $"L_visu cannot be determined; pictures read: {_result.Read.Count}.")
-            : string.Create(CultureInfo.InvariantCulture,
-                $"L_visu is {Profile.Visualisation.Length.TotalMilliseconds:0.0} ms ± {Profile.Spread.TotalMilliseconds:0.0} ms, from {Profile.Measurements} pictures."),
+            ? VlcMessages.NoVisu(_result.Read.Count)
+            : VlcMessages.Result(Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Profile.Measurements),
         [.. Profile == null ? [] : ProfileFacts.Of(Profile), .. Facts()])
     {
         Warnings = _warnings,

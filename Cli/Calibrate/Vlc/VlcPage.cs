@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
@@ -9,8 +10,8 @@ static class VlcPage
     {
         double[] places = [.. Enumerable.Range(1, result.Pictures.Count).Where(i => result.Pictures[i - 1].IsRead).Select(i => (double)i)];
         var trace = new PlotTrace("L_visu", Looks.Adaptive, places, [.. result.Read.Select(picture => (double?)picture.VisuMs)]) { Scattered = true };
-        return new("L_visu from picture to picture", "Fig. 10",
-            "A picture is taken at a random moment while a frame is lit. L_visu therefore scatters by half of that time to either side; the result is its mean.",
+        return new(CalibrationPageTexts.OverPictures, "Fig. 10",
+            CalibrationPageTexts.OverPicturesNote,
             [new FigurePlot("Over pictures", new("picture"), new("L_visu", "ms"), [trace]) { FromZero = true }]);
     }
 }

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>The evaluation of all pictures, in their original order.</summary>
@@ -29,9 +31,9 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
     public string NothingRead()
     {
         if (Refusal != null) return Refusal;
-        if (Pictures.Count == 0) return "no picture was evaluated";
+        if (Pictures.Count == 0) return VlcMessages.NoPicture;
         if (Pictures.Count == 1) return $"{Pictures[0].File}: {Pictures[0].Fault}";
         var (fault, files) = Faults().First();
-        return $"none of {Pictures.Count} pictures could be read; {files.Count} of them: {fault}";
+        return VlcMessages.NothingRead(Pictures.Count, files.Count, fault);
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
@@ -50,6 +51,6 @@ sealed class VlcRun(PictureReader reader)
             ? result.Picture
             : PictureResult.Not(
                 result.Picture.File,
-                $"{result.Size.Width}x{result.Size.Height} px, but most pictures have {kept.Width}x{kept.Height} px: evaluate each camera's pictures separately"))];
+                PictureFaults.OtherSize(result.Size.Width, result.Size.Height, kept.Width, kept.Height)))];
     }
 }

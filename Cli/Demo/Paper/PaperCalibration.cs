@@ -1,6 +1,7 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Vision;
@@ -37,7 +38,7 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
         var conditions = new DisplayConditions(SweepTable.Device(sweep.Rows), SweepTable.DisplayHz(sweep.Rows));
         var evaluation = new VlcEvaluation(result, sweep.Rows, EarlierProfile.Read(null, conditions));
         if (evaluation.Profile == null)
-            throw new DemoFailedException($"the calibration found no display latency: {result.Read.Count} of {count} pictures could be read");
+            throw new DemoFailedException(DemoMessages.NoCalibration(result.Read.Count, count));
         return new PaperCalibration(WithError(evaluation.Profile, settings.VisualisationErrorMs), evaluation.Page);
     }
 

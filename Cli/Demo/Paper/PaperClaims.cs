@@ -1,6 +1,7 @@
 using MathNet.Numerics.Distributions;
 using MathNet.Numerics.Statistics;
 using Nowpose.Cli.Figures.Clocks;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo.Paper;
 
@@ -13,22 +14,18 @@ static class PaperClaims
     static readonly PaperRule[] Rules =
     [
         new("8", FitErrors.Claim, 1, Share, m => m.Clock?.FitShare, share => share >= FitErrors.MinShare),
-        new("8", "The offset is known within 1 ms: P95 of its true error over all frames from 10 s on.", null, Ms,
+        new("8", PaperClaimTexts.Offset, null, Ms,
             m => m.Clock?.OffsetErrorMs, ms => ms < 1),
-        new("8", "The skew converges: its RMS error over the last quarter of the run is less than half of that from 2 to 10 s.", null, Share,
+        new("8", PaperClaimTexts.Skew, null, Share,
             m => m.Clock?.SkewRatio, ratio => ratio < 0.5),
-        new("8", "The round-trip time shows how accurate an exchange is: P95 of the error in the quarter of the exchanges with the shortest times "
-            + "is less than half of that in the quarter with the longest times.", null, Share, m => m.Clock?.RoundTripRatio, ratio => ratio < 0.5),
-        OfSwings("16", "The compensated signal follows the true one: its RMS error over the whole swing, including the overshoot after each stop, "
-            + "is less than half of that of the uncompensated signal.", null, swings => swings.ErrorRatio, ratio => ratio < 0.5),
-        OfSwings("16", "Only the curved phases are hard to predict: the RMS error at constant velocity is at most two thirds of that elsewhere "
-            + "in motion.", null, swings => swings.SteadyRatio, ratio => ratio <= 1 / 1.5),
+        new("8", PaperClaimTexts.RoundTrip, null, Share, m => m.Clock?.RoundTripRatio, ratio => ratio < 0.5),
+        OfSwings("16", PaperClaimTexts.Follows, null, swings => swings.ErrorRatio, ratio => ratio < 0.5),
+        OfSwings("16", PaperClaimTexts.CurvedPhases, null, swings => swings.SteadyRatio, ratio => ratio <= 1 / 1.5),
         GapAt(0, "A"), GapAt(1, "B"), GapAt(2, "C"),
-        new("18", "The end-to-end latency L is known within 4 ms: P95 of |ε_L|, assumed minus true control time of the light, over all "
-            + "frames from 10 s on.", 4, Ms, m => m.LightErrorMs, ms => ms < 4),
-        OfSwings("18", "About 80 % of the error is removed for t < 1.5 s: 1 − RMS with / RMS without compensation; 75 % or more.", 0.8,
+        new("18", PaperClaimTexts.Latency, 4, Ms, m => m.LightErrorMs, ms => ms < 4),
+        OfSwings("18", PaperClaimTexts.Reduction, 0.8,
             swings => swings.Reduction, reduction => reduction >= 0.75),
-        OfSwings("18", "The effective latency e/v for t < 1.5 s is less than a third of that without compensation (ratio of the medians).", null,
+        OfSwings("18", PaperClaimTexts.EffectiveLatency, null,
             swings => swings.LatencyRatio, ratio => ratio < 1 / 3.0),
     ];
 
@@ -47,7 +44,7 @@ static class PaperClaims
         return new(rule.Figure, rule.Claim, rule.Paper, mean, uncertainty, rule.Unit, rule.IsMet(mean))
         {
             NotMeasured = values.Length == repeats.Count ? null
-                : $"measured in {values.Length} of {repeats.Count} repeats: {ReasonOf(rule, repeats)}",
+                : PaperClaimTexts.NotInAll(values.Length, repeats.Count, ReasonOf(rule, repeats)),
         };
     }
 
@@ -58,8 +55,7 @@ static class PaperClaims
     }
 
     static PaperRule GapAt(int moment, string name) => OfSwings(
-        "17", $"At {name} the compensation is clearly visible: the gap to the real gripper is less than half of the gap without (ratio of "
-            + "the RMS over the swings).", null, swings => swings.GapRatios[moment], ratio => ratio < 0.5);
+        "17", PaperClaimTexts.Gap(name), null, swings => swings.GapRatios[moment], ratio => ratio < 0.5);
 
     static PaperRule OfSwings(string figure, string claim, double? paper, Func<PaperSwings, double> measure, Func<double, bool> isMet) =>
         new(figure, claim, paper, Share, repeat => repeat.Swings == null ? null : measure(repeat.Swings), isMet) { NeedsSwings = true };

@@ -13,7 +13,7 @@ static class PaperOutput
     /// <summary>Removes the files of an earlier run, which could be mistaken for new ones.</summary>
     public static void RemoveEarlier(string folder)
     {
-        // Keeps the profile if there is no frames file: it may then be the user's own.
+        // Keeps the profile if the frames file is missing, because the profile can then be the user's own.
         string[] ofPaper = File.Exists(Path.Combine(folder, Frames)) ? [Profile, CalibrationPage] : [];
         foreach (var name in ofPaper.Concat(["figure-8.csv", "figure-16.csv", "figure-17.csv", "figure-18.csv", Exchanges, Frames]))
             File.Delete(Path.Combine(folder, name));

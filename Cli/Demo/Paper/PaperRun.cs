@@ -1,5 +1,6 @@
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Cli.Messages;
 using Nowpose.Studies;
 
 namespace Nowpose.Cli.Demo.Paper;
@@ -70,15 +71,14 @@ sealed class PaperRun
         get
         {
             var known = Run.Frames.Rows.FindIndex(row => row.Clock.IsKnown);
-            if (known < 0) return "the clock was never known";
+            if (known < 0) return PaperClaimTexts.ClockUnknown;
             var since = Run.Frames.Rows[known].Elapsed;
-            return since < SettledAfter ? "the run was too short" : FormattableString.Invariant($"the clock was known only from {since.TotalSeconds:0.0} s on");
+            return since < SettledAfter ? PaperClaimTexts.TooShort : PaperClaimTexts.ClockKnownFrom(since.TotalSeconds);
         }
     }
 
     /// <summary>Reason why values of the swings are missing; unused if none is missing.</summary>
-    public string SwingProblem => Scored.Count == 0 ? ClockProblem : FormattableString.Invariant(
-        $"no swing after {SettledAfter.TotalSeconds:0} s has all its frames; the longest pause between frames was {LongestPause():0.00} s ({MaxStall} s are allowed)");
+    public string SwingProblem => Scored.Count == 0 ? ClockProblem : PaperClaimTexts.NoSwing(SettledAfter.TotalSeconds, LongestPause(), MaxStall);
 
     double LongestPause() => Scored.Zip(Scored.Skip(1)).Select(pair => (pair.Second.Elapsed - pair.First.Elapsed).TotalSeconds).DefaultIfEmpty(0).Max();
 

@@ -1,5 +1,6 @@
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Sync;
 
@@ -18,7 +19,7 @@ static class PaperScenario
     /// <summary>Number of vertices at the normal load of the paper's Fig. 10a.</summary>
     const int Vertices = 300_000;
 
-    /// <param name="given">Settings for network, acquisition, display latency, duration and seed; the others are ignored.</param>
+    /// <param name="given">Settings whose network, acquisition, display latency, duration and seed are kept. The scenario sets the others.</param>
     public static DemoSettings Of(DemoSettings given, YoubotSwing swing)
     {
         RobotFiles.Load(Robot, out var urdf);
@@ -27,7 +28,7 @@ static class PaperScenario
             Robot = swing.Robot,
             RobotText = urdf,
             Motion = new SwingMotion(swing),
-            MotionName = "the paper's swing of the first axis: a quarter turn and back",
+            MotionName = DemoTexts.PaperSwing,
             Predictor = Predictor,
             // In the paper, a new section replaces the previous one without a blend.
             BlendMs = 0,

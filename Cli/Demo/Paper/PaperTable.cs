@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Demo.Paper;
@@ -7,7 +8,7 @@ static class PaperTable
 {
     public static void Print(IReadOnlyList<PaperClaim> claims)
     {
-        var table = new Table().AddColumns("figure", "claim of the paper", "paper", "measured", "verdict");
+        var table = new Table().AddColumns("figure", FigurePageTexts.ClaimColumn, "paper", "measured", "verdict");
         foreach (var claim in claims)
             table.AddRow(
                 claim.Figure, Markup.Escape(claim.Claim), Markup.Escape(claim.PaperText), Markup.Escape(claim.MeasuredText),

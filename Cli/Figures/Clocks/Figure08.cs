@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Clocks;
@@ -19,15 +20,12 @@ static class Figure08
             Claim = SyncFigure.Claim,
             Criteria = Criteria(FitErrors.ShareBelow(runs.FitErrorsMs), errors[0].Errors, RoundTrips.Of(runs.Logs)),
             Beyond = errors.Length < 2 ? null
-                : $"On the same exchanges the default estimator is within {Text(errors[1].Errors.P95Us)} µs 95 % of the time, "
-                + $"{Percent(errors[1].Errors.P95Us / errors[0].Errors.P95Us)} of the paper's {Text(errors[0].Errors.P95Us)} µs.",
-            Conditions = $"Simulated good WiFi, an exchange every 200 ms, {runs.Logs.Count} runs of {Text(runs.Seconds)} s with skews of "
-                + "5 to 80 ppm that drift by ±2 ppm; plots and file show the first run. RANSAC over 100 exchanges with 20 hypotheses, "
-                + "moving average of 20." + FitErrors.TextOfExchanges(runs.ExchangeErrorsMs),
+                : Figure08Texts.Beyond(Text(errors[1].Errors.P95Us), Percent(errors[1].Errors.P95Us / errors[0].Errors.P95Us), Text(errors[0].Errors.P95Us)),
+            Conditions = Figure08Texts.Conditions(runs.Logs.Count, Text(runs.Seconds), FitErrors.TextOfExchanges(runs.ExchangeErrorsMs)),
             Table = table,
             Plots = [.. PlotsOf(table)],
-            Summary = new FigureSummary($"Offset error from {Text(ClockErrors.SettledAfter)} s on, all runs",
-                ["Estimator", "Median (µs)", "P95 (µs)", "Maximum (µs)", "Skew error at the end (ppm)"],
+            Summary = new FigureSummary(Figure08Texts.OffsetSummary(Text(ClockErrors.SettledAfter)),
+                ["Estimator", "Median (µs)", "P95 (µs)", "Maximum (µs)", Figure08Texts.SkewColumn],
                 [.. errors.Select(e => (IReadOnlyList<string>)
                     [e.Name, Text(e.Errors.P50Us), Text(e.Errors.P95Us), Text(e.Errors.MaximumUs), Text(e.Errors.SkewPpmLate)])]),
         };
@@ -38,10 +36,10 @@ static class Figure08
     public static IReadOnlyList<Criterion> Criteria(double fitShare, ClockErrors errors, RoundTrips trips) =>
     [
         new(FitErrors.Claim, fitShare >= FitErrors.MinShare, Percent(fitShare)),
-        new("From 10 s on, the true error of the offset is always below 1 ms.", errors.MaximumUs < PaperBoundUs, $"at most {Text(errors.MaximumUs)} µs"),
-        new("The skew error over the last quarter of the run is less than half of the error from 2 to 10 s.",
+        new(Figure08Texts.OffsetCriterion, errors.MaximumUs < PaperBoundUs, $"at most {Text(errors.MaximumUs)} µs"),
+        new(Figure08Texts.SkewCriterion,
             2 * errors.SkewPpmLate < errors.SkewPpmEarly, $"{Text(errors.SkewPpmEarly)} ppm, then {Text(errors.SkewPpmLate)} ppm"),
-        new("The error of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).",
+        new(Figure08Texts.RoundTripCriterion,
             2 * trips.ShortUs < trips.LongUs, $"{Text(trips.ShortUs / 1000)} ms against {Text(trips.LongUs / 1000)} ms"),
     ];
 
@@ -67,9 +65,9 @@ static class Figure08
         PlotTrace Trace(string label, string look, int column) => table.Trace(label, look, 0, column);
         var truth = SyncFigure.Columns.Count;
         IEnumerable<PlotTrace> OfMethods(int first) => ClockMethod.All.Select((m, i) => Trace(m.Name, Looks.Of(m.Name), truth + first + 2 * i));
-        yield return new FigurePlot("Error of the offset", table.Columns[0], new FigureColumn("offset error", "µs"), [.. OfMethods(1)])
+        yield return new FigurePlot(Figure08Texts.OffsetPlot, table.Columns[0], new FigureColumn("offset error", "µs"), [.. OfMethods(1)])
         { YRange = (-ShownUs, ShownUs) };
-        yield return new FigurePlot("Skew of all estimators", table.Columns[0], new FigureColumn("skew", "ppm"), [Trace("truth", Looks.Truth, truth), .. OfMethods(2)])
+        yield return new FigurePlot(Figure08Texts.SkewPlot, table.Columns[0], new FigureColumn("skew", "ppm"), [Trace("truth", Looks.Truth, truth), .. OfMethods(2)])
         { YRange = (-ShownPpm, ShownPpm) };
         foreach (var plot in SyncFigure.PlotsOf(table)) yield return plot;
     }

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Figures.Clocks;
 
 /// <summary>Computes the fitting errors ε_i of Eq. (6) after the clock has settled. In the paper, |ε_i| is below 1 ms.</summary>
@@ -9,7 +11,7 @@ static class FitErrors
     /// <summary>Minimum share of the exchanges within the bound. The other exchanges are the outliers that RANSAC excludes.</summary>
     public const double MinShare = 0.95;
 
-    public const string Claim = "From 10 s on, the fitting error |ε_i| of Eq. (6) is below 1 ms: share of all exchanges, 95 % or more.";
+    public const string Claim = Figure08Texts.FittingError;
 
     /// <summary>Gets |ε_i| for the exchanges from <see cref="ClockErrors.SettledAfter"/> on, ms.</summary>
     public static double[] Of(IEnumerable<SyncStep> steps) =>
@@ -23,8 +25,7 @@ static class FitErrors
 
     /// <summary>Gets a sentence with the share of the exchanges that are within the bound relative to the true offset.</summary>
     public static string TextOfExchanges(double[] errors) => errors.Length == 0 ? ""
-        : $" With the true offset instead of the fit, {Numbers.Percent(ShareBelow(errors))} of the exchanges from 10 s on are below {BoundMs} ms; "
-        + "the others took at least 2 ms longer in one direction than in the other.";
+        : Figure08Texts.ExchangeErrors(Numbers.Percent(ShareBelow(errors)), BoundMs);
 
     /// <param name="errors">One error or more.</param>
     public static double ShareBelow(double[] errors) => (double)errors.Count(ms => ms < BoundMs) / errors.Length;

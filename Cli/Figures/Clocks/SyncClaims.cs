@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Clocks;
@@ -9,9 +10,8 @@ static class SyncClaims
     /// <summary>Minimum number of exchanges after the clock has settled.</summary>
     const int MinExchanges = 20;
 
-    const string Skew = "The skew converges: in the last quarter it varies less than half as much as from 2 to 10 s (RMS about the mean of the last "
-        + "quarter), and from the third quarter to the last its mean changes by less than a quarter of that.";
-    const string RoundTrip = "|ε| of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).";
+    const string Skew = Figure08Texts.SkewConverges;
+    const string RoundTrip = Figure08Texts.ShortRoundTrips;
 
     public static IReadOnlyList<Criterion> Of(IReadOnlyList<SyncStep> steps)
     {
@@ -19,7 +19,7 @@ static class SyncClaims
         var settled = known.Where(step => step.Seconds >= ClockErrors.SettledAfter).ToArray();
         return settled.Length >= MinExchanges ? [FitErrorOf(settled), SkewOf(known), RoundTripOf(settled)]
             : [.. new[] { FitErrors.Claim, Skew, RoundTrip }.Select(statement =>
-                new Criterion(statement, null, $"{settled.Length} usable exchanges after 10 s; {MinExchanges} are needed"))];
+                new Criterion(statement, null, Figure08Texts.TooFewExchanges(settled.Length, MinExchanges)))];
     }
 
     static Criterion FitErrorOf(SyncStep[] settled)
@@ -36,13 +36,13 @@ static class SyncClaims
         var end = known[^1].Seconds;
         double[] Between(double from, double to) => [.. known.Where(step => step.Seconds >= from && step.Seconds < to).Select(step => step.SkewPpm.Value)];
         var (early, third, last) = (Between(ClockErrors.FirstSkew, ClockErrors.SettledAfter), Between(end / 2, 0.75 * end), Between(0.75 * end, double.MaxValue));
-        if (early.Length == 0) return new(Skew, null, "the skew was first estimated after 10 s");
-        if (third.Length == 0) return new(Skew, null, "no usable exchange in the third quarter");
+        if (early.Length == 0) return new(Skew, null, Figure08Texts.LateSkew);
+        if (third.Length == 0) return new(Skew, null, Figure08Texts.NoExchange);
         var mean = last.Average();
         double Rms(double[] skews) => Math.Sqrt(skews.Average(skew => (skew - mean) * (skew - mean)));
         var change = Math.Abs(mean - third.Average());
         return new(Skew, 2 * Rms(last) < Rms(early) && 4 * change < Rms(early),
-            $"{Text(Rms(early))} ppm, then {Text(Rms(last))} ppm; change of the mean {Text(change)} ppm");
+            Figure08Texts.SkewMeasured(Text(Rms(early)), Text(Rms(last)), Text(change)));
     }
 
     static Criterion RoundTripOf(SyncStep[] settled)

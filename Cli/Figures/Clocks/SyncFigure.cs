@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures.Clocks;
 
@@ -9,8 +10,7 @@ static class SyncFigure
     const int MinSettled = 10;
     const double Tail = 0.02;
 
-    public const string Claim = "As exchanges come in, offset and skew converge and the fitting error becomes less than 1 ms; "
-        + "the round-trip time shows how accurate an exchange was.";
+    public const string Claim = Figure08Texts.Claim;
 
     /// <summary>Columns of the paper's quantities. The first one is the time.</summary>
     public static readonly IReadOnlyList<FigureColumn> Columns =
@@ -57,7 +57,7 @@ static class SyncFigure
         return beyond == 0 ? plot : plot with
         {
             YRange = (low, high),
-            Title = FormattableString.Invariant($"{plot.Title} ({beyond} of {all.Length} values beyond the axis)"),
+            Title = Figure08Texts.BeyondAxis(plot.Title, beyond, all.Length),
         };
     }
 
@@ -66,10 +66,10 @@ static class SyncFigure
     {
         FigurePlot Plot(string title, FigureColumn y, params PlotTrace[] traces) => new(title, table.Columns[0], y, traces);
         PlotTrace Trace(string label, int column, string look = Looks.Quadratic) => table.Trace(label, look, 0, column);
-        yield return Settled(Plot("Offset Φ*, relative to the first", new FigureColumn("offset", "ms"),
+        yield return Settled(Plot(Figure08Texts.RelativeOffset, new FigureColumn("offset", "ms"),
             Trace("Φ* of each exchange", 1, Looks.Hold) with { Scattered = true }, Trace("(γ₂−1)·t + Θ₂", 2)));
         yield return Settled(Plot("Skew γ₂−1", new FigureColumn("skew", "ppm"), Trace("γ₂−1", 3)));
-        yield return Settled(Plot("Θ₂, the offset at the first exchange", new FigureColumn("Θ₂", "ms"), Trace("Θ₂", 4)));
+        yield return Settled(Plot(Figure08Texts.FirstOffset, new FigureColumn("Θ₂", "ms"), Trace("Θ₂", 4)));
         yield return Settled(Plot("Fitting error ε", new FigureColumn("ε", "ms"), Trace("ε of each exchange", 5, Looks.Samples) with { Scattered = true }));
         yield return Settled(Plot("Round-trip time", new FigureColumn("RTT", "ms"), Trace("RTT", 6, Looks.Samples)) with { FromZero = true });
     }

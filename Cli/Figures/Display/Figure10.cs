@@ -1,6 +1,7 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;
@@ -17,10 +18,9 @@ static class Figure10
             new("render time at 1500000", "ms"), new("L_visu at 1500000", "ms"));
         // One row per picture. The loads of a sweep have nearly the same number of pictures.
         for (var i = 0; i < Math.Max(normal.Count, high.Count); i++) table.Add([i + 1, .. ValuesOf(normal, i), .. ValuesOf(high, i)]);
-        return new Figure("10", "Render time and L_visu at two loads")
+        return new Figure("10", Figure10Texts.Title)
         {
-            Claim = "At a normal load, 300 000 vertices, render time and L_visu have a constant relationship; at a high load, 1 500 000, "
-                + "this relationship is no longer valid.",
+            Claim = Figure10Texts.Claim,
             Criteria = Criteria(normal, high),
             Conditions = DisplayConditions.Words,
             Table = table,
@@ -36,7 +36,7 @@ static class Figure10
         var spread = Spread.Of(latencies);
         return
         [
-            new($"At 300 000 vertices, the standard deviation of the middle 95 % of L_visu is below {Constant} ms.", spread.Deviation < Constant,
+            new(Figure10Texts.Criterion(Constant), spread.Deviation < Constant,
                 $"{Text(Quantile.Of(latencies, 0.5))} ± {Text(spread.Deviation)} ms"),
             .. SpreadCriteria.Of("At 1 500 000 vertices,", latencies, [new("1.5 million", high.Select(each => each.VisuMs))]),
         ];

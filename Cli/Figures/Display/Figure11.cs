@@ -1,6 +1,7 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using static Nowpose.Cli.Figures.Numbers;
 
@@ -18,15 +19,14 @@ static class Figure11
     /// <summary>Minimum number of pictures for computing a spread. Few frames have the longest render times.</summary>
     const int MinPictures = 30;
 
-    const string Beyond = "Between the limit and a refresh interval, most frames of this display are exactly one refresh late, and few are in time. "
-        + "Above a refresh interval, the starts of the frames drift against the refreshes, and L_visu scatters over a whole one.";
+    const string Beyond = Figure11Texts.AboveLimit;
 
     public static Figure OverLoad(List<MeasuredPicture> sweep, RangeFitResult fit)
     {
         var (plot, table) = RangePlots.OverLoad(sweep);
-        return new Figure("11a", "Render time and L_visu over the load")
+        return new Figure("11a", Figure11Texts.OverLoad)
         {
-            Claim = "L_visu is approximately constant up to a certain number of vertices; beyond it, L_visu scatters.",
+            Claim = Figure11Texts.OverLoadClaim,
             Criteria = LoadCriteria(sweep, fit.VisuMs),
             Beyond = Beyond,
             Conditions = DisplayConditions.Words,
@@ -40,13 +40,11 @@ static class Figure11
     {
         var table = new FigureTable(RangePlots.Load, RangePlots.Render, RangePlots.Visu);
         foreach (var picture in sweep.OrderBy(each => each.RenderMs)) table.Add(picture.Vertices.Value / 1e6, picture.RenderMs, picture.VisuMs);
-        return new Figure("11b", "L_visu over the render time")
+        return new Figure("11b", Figure11Texts.OverRenderTime)
         {
-            Claim = "Over the render time, the constant-latency range is independent of the absolute count of vertices. The L_visu inside it can be "
-                + "stored; render times outside it show large variances and are less suitable for compensation.",
+            Claim = Figure11Texts.OverRenderTimeClaim,
             Criteria = RangeCriteria(sweep, fit.VisuMs, fit.LimitRenderMs, other.LimitRenderMs),
-            Beyond = $"The end of the range is the most likely boundary between good and bad pictures; the display's own "
-                + $"limit is {Text(DisplayConditions.TrueLimitMs)} ms. At run time, the median of 15 frames is compared with it. {Beyond}",
+            Beyond = Figure11Texts.Beyond(Text(DisplayConditions.TrueLimitMs), Beyond),
             Conditions = DisplayConditions.Words,
             Table = table,
             Plots = [RangePlots.OverRenderTime(sweep, fit)],
@@ -62,9 +60,9 @@ static class Figure11
             .DefaultIfEmpty(double.PositiveInfinity).Max();
         return
         [
-            new("At loads whose render time stays below the limit, the median of L_visu is the same within 1 ms.", worst < 1,
-                inside.Length == 0 ? "no such load" : $"within {Text(worst)} ms up to {Text(inside[^1].Key / 1e6)} million"),
-            .. SpreadCriteria.Of("At the loads whose render time is beyond the limit, each about its mean,", inside.SelectMany(load => load).Select(each => each.VisuMs),
+            new(Figure11Texts.MedianCriterion, worst < 1,
+                inside.Length == 0 ? "no such load" : Figure11Texts.MedianMeasured(Text(worst), Text(inside[^1].Key / 1e6))),
+            .. SpreadCriteria.Of(Figure11Texts.AtLoads, inside.SelectMany(load => load).Select(each => each.VisuMs),
                 [.. beyond.Select(load => new SpreadGroup($"{Text(load.Key / 1e6)} million", load.Select(each => each.VisuMs)))]),
         ];
     }
@@ -80,10 +78,10 @@ static class Figure11
         var stored = inside.Count(visuMs => Math.Abs(visuMs - storedMs) < Sufficient) / (double)inside.Length;
         return
         [
-            new($"A scene whose vertices take twice as long to render has the same limit within {Percent(LimitShare)}.",
+            new(Figure11Texts.SameLimit(Percent(LimitShare)),
                 Math.Abs((otherLimitMs - limitMs) / limitMs ?? double.PositiveInfinity) <= LimitShare, $"{Limit(limitMs)} and {Limit(otherLimitMs)}"),
-            new($"Inside the range, 95 % of the pictures have the stored L_visu within {Sufficient} ms.", stored >= 0.95, Percent(stored)),
-            .. SpreadCriteria.Of("At render times above the limit, in steps of 1 ms and each about its mean,", inside,
+            new(Figure11Texts.Stored(Sufficient), stored >= 0.95, Percent(stored)),
+            .. SpreadCriteria.Of(Figure11Texts.AtRenderTimes, inside,
                 [.. steps.Select(step => new SpreadGroup($"{Text(limitMs.Value + step.Key)} ms and more", step.Select(each => each.VisuMs)))]),
         ];
     }

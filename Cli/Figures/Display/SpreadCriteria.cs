@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;
@@ -23,18 +24,17 @@ static class SpreadCriteria
         var within = Spread.Of(inside);
         return
         [
-            Judge($"{where} the standard deviation of L_visu is at least {Factor} times that within the range, each of the middle 95 %.",
+            Judge(Figure11Texts.Deviation(where, Factor),
                 beyond, within, spread => spread.Deviation, Factor * within.Deviation),
-            Judge($"{where} the middle 95 % of L_visu extend over at least {Percent(RefreshShare)} of a refresh interval, "
-                + $"{Text(DisplayConditions.RefreshMs)} ms.", beyond, within, spread => spread.Range, RefreshShare * DisplayConditions.RefreshMs),
+            Judge(Figure11Texts.Spread(where, Percent(RefreshShare), Text(DisplayConditions.RefreshMs)), beyond, within, spread => spread.Range, RefreshShare * DisplayConditions.RefreshMs),
         ];
     }
 
     static Criterion Judge(string statement, IReadOnlyCollection<SpreadGroup> beyond, Spread within, Func<Spread, double> measure, double minMs)
     {
-        if (beyond.Count == 0 || minMs == 0) return new(statement, false, beyond.Count == 0 ? "no picture beyond the range" : "no scatter within the range");
+        if (beyond.Count == 0 || minMs == 0) return new(statement, false, beyond.Count == 0 ? Figure11Texts.NoPictureBeyond : Figure11Texts.NoScatterWithin);
         var together = measure(Spread.Within(beyond));
-        var measured = $"{Text(together)} ms; within the range {Text(measure(within))} ms";
+        var measured = Figure11Texts.Measured(Text(together), Text(measure(within)));
         var alone = beyond.Select(group => (group.Name, Ms: measure(Spread.Of(group.VisuMs)))).Where(group => group.Ms < minMs).ToArray();
         return new(statement, together >= minMs, alone.Length == 0 || beyond.Count == 1 ? measured
             : $"{measured}; less alone: {string.Join(", ", alone.Select(group => $"{group.Name} ({Text(group.Ms)} ms)"))}");

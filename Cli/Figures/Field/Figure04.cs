@@ -1,5 +1,6 @@
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Field;
@@ -15,14 +16,12 @@ static class Figure04
     public static Figure Of(ErrorField field, ClockRuns clocks)
     {
         var table = TableOf(field.Points, clocks);
-        return new Figure("4", "Error over velocity and latency")
+        return new Figure("4", Figure04Texts.Title)
         {
-            Claim = "At constant velocity v, a latency L causes the error e = v·L. At the usual speeds up to 1000 mm/s and latencies of "
-                + "30 to 250 ms, the errors are significant.",
+            Claim = Figure04Texts.Claim,
             Criteria = Criteria(field.Points),
             Beyond = Beyond(field.Points, clocks),
-            Conditions = "Constant velocities. With a sample every 0.5 ms the latency is L alone; with T_s of 50 ms a sample is also T_s/2 old on "
-                + "average, so its points are farther right. With prediction, the remaining error is v times the clock error (P95 of Fig. 8).",
+            Conditions = Figure04Texts.Conditions,
             Table = table,
             Plots = [Plot(field.Points, clocks)],
         };
@@ -34,9 +33,9 @@ static class Figure04
         var fastest = points.Where(p => p.SpeedMmPerS == points.Max(q => q.SpeedMmPerS)).Select(p => p.FreshMm).ToArray();
         return
         [
-            new($"The error of hold is v·L within {Percent(Tolerance)}, at each velocity and latency.", worst <= Tolerance, $"within {Percent(worst)}"),
-            new("At 1000 mm/s and 30 ms, the error of hold is 10 mm or more.",
-                fastest.Min() >= 10, $"{Mm(fastest.Min())}, up to {Mm(fastest.Max())} at 250 ms"),
+            new(Figure04Texts.HoldCriterion(Percent(Tolerance)), worst <= Tolerance, $"within {Percent(worst)}"),
+            new(Figure04Texts.MinCriterion,
+                fastest.Min() >= 10, Figure04Texts.MinMeasured(Mm(fastest.Min()), Mm(fastest.Max()))),
         ];
     }
 
@@ -44,8 +43,7 @@ static class Figure04
     {
         var predicted = ErrorField.Predicted.Select((name, p) => $"{name} {Mm(points.Max(point => point.PredictedMm[p]))}");
         var left = ClockMethod.All.Select((m, i) => $"{m.Name} {Mm(1000 * clocks.Errors(i).P95Us / UsPerS)}");
-        return $"With exact clocks, the largest errors that remain at constant velocity are: {string.Join(", ", predicted)}. "
-            + $"At 1000 mm/s, the errors from the clock estimators are at most, 95 % of the time: {string.Join(", ", left)}.";
+        return Figure04Texts.Beyond(string.Join(", ", predicted), string.Join(", ", left));
     }
 
     static FigureTable TableOf(IReadOnlyList<FieldPoint> points, ClockRuns clocks)
@@ -67,8 +65,8 @@ static class Figure04
         var speeds = points.Select(p => p.SpeedMmPerS).Distinct().ToArray();
         return new FigurePlot("Operating points", new FigureColumn("latency", "ms"), new FigureColumn("speed", "mm/s"),
         [
-            At("hold, a sample every 50 ms", Looks.Hold, p => p.SampledMm),
-            At("hold, a sample in every frame", Looks.Linear, p => p.FreshMm),
+            At(Figure04Texts.HoldAt50Ms, Looks.Hold, p => p.SampledMm),
+            At(Figure04Texts.HoldEveryFrame, Looks.Linear, p => p.FreshMm),
             .. ClockMethod.All.Select((m, i) => new PlotTrace($"predicted, {m.Name} clock", Looks.Of(m.Name),
                 [.. speeds.Select(_ => clocks.Errors(i).P95Us / 1000)], [.. speeds.Select(v => (double?)v)])),
         ])

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Figures.Model;
 
 /// <summary>One condition of a claim, and whether the measured numbers meet it.</summary>
@@ -13,7 +15,7 @@ sealed record Criterion(string Statement, bool? IsMet, string Measured)
     /// <param name="criteria">One criterion or more.</param>
     public static Verdict Judge(IReadOnlyCollection<Criterion> criteria)
     {
-        if (criteria.Count == 0) throw new ArgumentException("a claim needs at least one criterion", nameof(criteria));
+        if (criteria.Count == 0) throw new ArgumentException(FigureErrors.NoCriterion, nameof(criteria));
         if (criteria.All(c => c.IsMet == null)) return Verdict.NotMeasured;
         if (criteria.All(c => c.IsMet == true)) return Verdict.Holds;
         return criteria.Any(c => c.IsMet == true) ? Verdict.HoldsPartly : Verdict.DoesNotHold;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures.Model;
 
@@ -16,7 +17,7 @@ sealed class FigureTable(params FigureColumn[] columns)
     {
         if (values.Length != Columns.Count) throw new ArgumentException($"{values.Length} values for {Columns.Count} columns", nameof(values));
         if (Array.FindIndex(values, v => v is double x && !double.IsFinite(x)) is >= 0 and var bad)
-            throw new ArgumentException($"column {Columns[bad].Header}, row {_rows.Count + 1}: {values[bad]} is not a finite number", nameof(values));
+            throw new ArgumentException(FigureErrors.NotFinite(Columns[bad].Header, _rows.Count + 1, values[bad]), nameof(values));
         _rows.Add(values);
     }
 

@@ -1,4 +1,5 @@
 using System.Text;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Figures.Pictures;
@@ -23,8 +24,7 @@ static class LedMatrixPicture
     const string Ink = "#16202c", Muted = "#55616f", Lit = "#fff", Pair = "#9ccbff", Dark = "#3a4653";
     const string Font = "font-family=\"system-ui, sans-serif\"";
 
-    const string Label = "Front of the LED matrix: 18 pairs inside a lit ring, with pitch, margin, bytes and bits; the codes of 12345 ms of the "
-        + "control system and of the headset";
+    const string Label = LedMatrixTexts.Label;
 
     public static string Draw()
     {
@@ -35,14 +35,14 @@ static class LedMatrixPicture
         Dimensions(svg);
         DrawCode(svg, "control", CodeKind.Control, ControlLeft, Diffuser, "control system, 12 345 ms");
         DrawCode(svg, "headset", CodeKind.Headset, HeadsetLeft, 1, "headset, 12 345 ms");
-        Captions(svg, ControlLeft, "two dark marks at the top", "of each pair one is lit: left for 1, right for 0");
-        Captions(svg, HeadsetLeft, "two more dark marks on the right", "no margin; a headset does not draw black");
+        Captions(svg, ControlLeft, LedMatrixTexts.TopMarks, LedMatrixTexts.Pairs);
+        Captions(svg, HeadsetLeft, LedMatrixTexts.RightMarks, LedMatrixTexts.NoMargin);
         return svg.Append("</svg>\n").ToString();
     }
 
     static void DrawBoard(StringBuilder svg)
     {
-        Background(svg, BoardLeft, Board, "front of the board");
+        Background(svg, BoardLeft, Board, LedMatrixTexts.Front);
         svg.Append("<g id=\"board\">\n");
         for (var cell = 0; cell < TimestampCode.CellCount; cell++)
             if (TimestampCode.IsRing(cell)) Cell(svg, cell, BoardLeft, Board, Diffuser, TimestampCode.IsLitRing(cell, CodeKind.Control) ? Lit : Dark);

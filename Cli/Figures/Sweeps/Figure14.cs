@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Sweeps;
@@ -8,32 +9,31 @@ static class Figure14
 {
     static readonly string[] ByHistory = ["quadratic", "quadratic-h3", "quadratic-h4"];
 
-    public static readonly SweepClaims A = LongerIsWorse("14a", "Approximating quadratics over the sampling interval", "For any T_s");
+    public static readonly SweepClaims A = LongerIsWorse("14a", Figure14Texts.OverSampling, "For any T_s");
 
-    public static readonly SweepClaims B = LongerIsWorse("14b", "Approximating quadratics over the latency", "For any latency");
+    public static readonly SweepClaims B = LongerIsWorse("14b", Figure14Texts.OverLatency, "For any latency");
 
-    public static readonly SweepClaims C = LongerIsWorse("14c", "Approximating quadratics over the error of the latency", "For any error of the latency");
+    public static readonly SweepClaims C = LongerIsWorse("14c", Figure14Texts.OverLatencyError, Figure14Texts.AnyLatencyError);
 
     public static readonly SweepClaims D = new(
-        "14d", "Approximating quadratics over the error of the sampling time",
-        "A longer history makes the quadratic far more robust against errors of the assumed t_k.",
+        "14d", Figure14Texts.OverSamplingError,
+        Figure14Texts.OverSamplingErrorClaim,
         data =>
         [
-            new("At ±10 ms h = 4 is better than h = 3, and h = 3 better than h = 2.",
+            new(Figure14Texts.LongerIsBetter,
                 data.RmsAt("quadratic-h4", 10) < data.RmsAt("quadratic-h3", 10) && data.RmsAt("quadratic-h3", 10) < data.RmsAt("quadratic", 10),
                 string.Join(", ", ByHistory.Select(p => $"{p} {Mm(data.RmsAt(p, 10))}"))),
-            new("At ±10 ms the error with h = 3 and with h = 4 is less than half of the error with h = 2.",
+            new(Figure14Texts.HalfTheError,
                 2 * data.Growth("quadratic-h3", 0, 10) < data.Growth("quadratic", 0, 10)
                     && 2 * data.Growth("quadratic-h4", 0, 10) < data.Growth("quadratic", 0, 10),
-                string.Join(", ", ByHistory.Select(p => $"{p} × {Text(data.Growth(p, 0, 10))}"))
-                    + $"; h = 3 wins from ±{Crossover(data, "quadratic-h3", "quadratic")}, h = 4 over h = 3 from ±{Crossover(data, "quadratic-h4", "quadratic-h3")}"),
+                Figure14Texts.Growth(string.Join(", ", ByHistory.Select(p => $"{p} × {Text(data.Growth(p, 0, 10))}")), Crossover(data, "quadratic-h3", "quadratic"), Crossover(data, "quadratic-h4", "quadratic-h3"))),
         ])
     { Compared = ByHistory };
 
     static SweepClaims LongerIsWorse(string number, string title, string where) => new(
-        number, title, $"{where} a longer history predicts less accurately, as long as t_k is exact.",
-        data => [Worse(data, "quadratic-h3", "quadratic", "h = 3 is less accurate than h = 2"),
-            Worse(data, "quadratic-h4", "quadratic-h3", "h = 4 is less accurate than h = 3")])
+        number, title, Figure14Texts.LongerIsWorse(where),
+        data => [Worse(data, "quadratic-h3", "quadratic", Figure14Texts.ThreeIsWorse),
+            Worse(data, "quadratic-h4", "quadratic-h3", Figure14Texts.FourIsWorse)])
     { Compared = ByHistory };
 
     static Criterion Worse(SweepData data, string longer, string shorter, string words)

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
@@ -54,6 +55,6 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
     int IndexOf(double value)
     {
         for (var i = 0; i < values.Count; i++) if (values[i] == value) return i;
-        throw new ArgumentException($"{value} ms is not a value of the sweep", nameof(value));
+        throw new ArgumentException(FigureErrors.NotAValue(value), nameof(value));
     }
 }

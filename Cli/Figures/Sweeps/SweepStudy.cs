@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
@@ -52,8 +53,7 @@ sealed class SweepStudy : IFigureStudy
             Claim = claims.Claim,
             Criteria = claims.Criteria(swing),
             Beyond = _ours.Count == 0 ? null : Beyond(claims, swing, random),
-            Conditions = $"Varied: {_axis.Column.Label}. Everything else as stated for all figures. "
-                + "Random moves: 7-phase, strokes and limits drawn separately for each move, up to 1500 mm/s.",
+            Conditions = SweepFigureTexts.Conditions(_axis.Column.Label),
             Table = TableOf(shown, swing, random),
             Plots = [new FigurePlot("RMS error", _axis.Column, new FigureColumn("RMS error", "mm"),
                 [.. shown.Select(name => new PlotTrace(name, Looks.Of(name), swing.Values, [.. swing.RmsMm(name)]) { Marked = true })]) { FromZero = true }],
@@ -68,7 +68,7 @@ sealed class SweepStudy : IFigureStudy
             _axis.Column,
             .. all.Select(name => new FigureColumn($"{name} RMS", "mm")),
             .. shown.Select(name => new FigureColumn($"{name} ratio")),
-            .. ratios.Select(name => new FigureColumn($"{name} ratio on random moves"))]);
+            .. ratios.Select(name => new FigureColumn(SweepFigureTexts.RandomRatio(name)))]);
         for (var i = 0; i < swing.Values.Count; i++)
         {
             var row = i;
@@ -80,10 +80,8 @@ sealed class SweepStudy : IFigureStudy
 
     string Beyond(SweepClaims claims, SweepData swing, SweepData random)
     {
-        string Of(string name) => $"{name} leaves {Shares(name, swing, i => swing.RmsMm("quadratic")[i])} of the quadratic's error, "
-            + $"{Shares(name, swing, i => claims.Compared.Min(other => swing.RmsMm(other)[i]))} of the error of the best of the three at each value, "
-            + $"and on fast random moves {Shares(name, random, i => random.RmsMm("quadratic")[i])} of the quadratic's. ";
-        return string.Concat(_ours.Select(Of)) + "The swing repeats every 2.4 s, which adaptive may recognise; random moves do not repeat.";
+        string Of(string name) => SweepFigureTexts.Leaves(name, Shares(name, swing, i => swing.RmsMm("quadratic")[i]), Shares(name, swing, i => claims.Compared.Min(other => swing.RmsMm(other)[i])), Shares(name, random, i => random.RmsMm("quadratic")[i]));
+        return SweepFigureTexts.Beyond(string.Concat(_ours.Select(Of)));
     }
 
     static string Shares(string name, SweepData data, Func<int, double> of)

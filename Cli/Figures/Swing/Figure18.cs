@@ -1,4 +1,5 @@
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Studies;
 using static Nowpose.Cli.Figures.Numbers;
 
@@ -19,18 +20,16 @@ static class Figure18
     {
         var table = TableOf(runs);
         var (held, predicted) = (runs.Standard[0].HoldRmsMm(IsWithin), runs.Standard[0].RmsMm(IsWithin));
-        return new Figure("18", "Operating points without and with compensation")
+        return new Figure("18", Figure18Texts.Title)
         {
-            Claim = "Compensation reduces the effective latency without slowing the robot: the errors of the operating points are about 80 % smaller for t < 1500 ms.",
+            Claim = Figure18Texts.Claim,
             Criteria = Criteria(predicted / held, runs.Standard[0].HoldLatencyMs, runs.Standard[0].LatencyMs),
             Beyond = runs.Standard.Count < 2 ? null
-                : $"adaptive removes {Percent(1 - runs.Standard[1].RmsMm(IsWithin) / held)}, the quadratic {Percent(1 - predicted / held)}; "
-                + $"its median effective latency is {Text(runs.Standard[1].LatencyMs)} ms.",
-            Conditions = "The first 1500 ms of Fig. 16; the plot shows the first run, the numbers include all. A point with the error e and the velocity v is drawn at the latency e/v; "
-                + "points slower than 5 % of the maximum velocity are left out.",
+                : Figure18Texts.Beyond(Percent(1 - runs.Standard[1].RmsMm(IsWithin) / held), Percent(1 - predicted / held), Text(runs.Standard[1].LatencyMs)),
+            Conditions = Figure18Texts.Conditions,
             Table = table,
             Plots = [PlotOf(table, runs)],
-            Summary = Figure16.Reductions(runs, IsWithin, "Tool error for t < 1500 ms, all runs"),
+            Summary = Figure16.Reductions(runs, IsWithin, Figure18Texts.Summary),
         };
     }
 
@@ -39,9 +38,9 @@ static class Figure18
     /// <param name="predictedMs">Median effective latency with compensation, ms.</param>
     public static IReadOnlyList<Criterion> Criteria(double ratio, double heldMs, double predictedMs) =>
     [
-        new("75 % or more of the error is removed (RMS; about 80 % in the paper).", ratio <= 0.25, $"{Percent(1 - ratio)} is removed"),
-        new("The median effective latency is less than a third of that without compensation.", 3 * predictedMs < heldMs,
-            $"{Text(heldMs)} ms without, {Text(predictedMs)} ms with"),
+        new(Figure18Texts.ReductionCriterion, ratio <= 0.25, $"{Percent(1 - ratio)} is removed"),
+        new(Figure18Texts.LatencyCriterion, 3 * predictedMs < heldMs,
+            Figure18Texts.LatencyMeasured(Text(heldMs), Text(predictedMs))),
     ];
 
     static FigureTable TableOf(SwingSet runs)

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
@@ -14,9 +15,9 @@ sealed record SwingMoment(string Name, string Words, int Index)
         int First(Func<double, bool> when) => move.First(i => when(frames[i].Time));
         return
         [
-            new("A", "full speed is reached", First(t => swing.ToolSpeedAt(t) >= 0.999 * full)),
+            new("A", Figure17Texts.FullSpeed, First(t => swing.ToolSpeedAt(t) >= 0.999 * full)),
             new("B", "half-way", First(t => t >= swing.MoveSeconds / 2)),
-            new("C", "the speed has fallen to half", move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
+            new("C", Figure17Texts.HalfSpeed, move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
         ];
     }
 }

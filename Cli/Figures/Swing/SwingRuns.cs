@@ -1,6 +1,7 @@
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Demo.Virtual;
+using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Simulation;
@@ -70,6 +71,6 @@ sealed class SwingRuns
         var given = Conditions with { Seconds = swing.Motion.Seconds, Seed = _settings.Seed * 1000 + run, Profile = Profile };
         var settings = PaperScenario.Of(given, swing) with { Predictor = predictor };
         return new PaperRun(run + 1, VirtualStage.Play(settings, hasScene: false), swing).Swings?.Phases.Single()
-            ?? throw new DemoFailedException($"run {run + 1} of the swing with {predictor} has no whole swing");
+            ?? throw new DemoFailedException(FigureErrors.NoSwing(run + 1, predictor));
     }
 }

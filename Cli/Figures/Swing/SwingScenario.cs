@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>Defines whether the headset has received other motion before the swing.</summary>
@@ -7,7 +9,7 @@ sealed record SwingScenario(string Name, bool IsCold)
     /// <summary>The scenario that the figures show and judge.</summary>
     public static readonly SwingScenario Standard = new("after other moves", IsCold: false);
 
-    public static readonly SwingScenario Cold = new("first move of the run", IsCold: true);
+    public static readonly SwingScenario Cold = new(Figure16Texts.FirstMove, IsCold: true);
 
     /// <summary>Rest before the first move, s. The clock has settled when the swing begins, more than 11 s after the start.</summary>
     double Rest => IsCold ? 11 : 6;

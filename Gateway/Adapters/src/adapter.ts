@@ -5,13 +5,13 @@ import type { AdapterStatus } from './gateway/status';
 import type { Log } from './log';
 import type { PlantOutput } from './samples/plantOutput';
 
-/** The objects that every kind of adapter receives. */
+/** The objects that an adapter of any kind receives. */
 export interface AdapterContext {
   configuration: Configuration;
   gateway: GatewayLink;
-  /** Attach it to the plant's clock while the plant is connected. */
+  /** The clock to be attached to the plant's clock while the plant is connected. */
   clock: PlantClock;
-  /** Takes the values as they arrive. */
+  /** Receives the plant's values in the order of their arrival. */
   output: PlantOutput;
   status: AdapterStatus;
   log: Log;
@@ -19,16 +19,16 @@ export interface AdapterContext {
   stopping: AbortSignal;
 }
 
-/** Reads the plant until it is stopped, with reconnections. Rejects only for errors that cannot be fixed by waiting. */
+/** Reads the plant, and reconnects after failures, until `stopping` is aborted. Rejects only for errors that waiting cannot fix. */
 export type RunAdapter = (context: AdapterContext) => Promise<void>;
 
-/** The part of a kind that is available without loading its libraries. */
+/** The functions of a kind of plant that are available without loading its libraries. */
 export interface Kind {
   check: OwnCheck;
-  /** Gets the reason why it cannot run on this machine, with the remedy; null if it can. Changes nothing. */
+  /** Gets the reason why the adapter cannot run on this machine, with the remedy; null if it can. Changes nothing. */
   obstacle?(configuration: Configuration): string | null;
-  /** Gets the summary after --check: the source and the data that are read. */
+  /** Gets the summary that --check prints: the source, and the data that are read. */
   summary(configuration: Configuration): string;
-  /** Whether it also publishes joints that the configuration does not list. */
+  /** Whether the adapter also publishes joints that the configuration does not list. */
   passesUnlisted?(configuration: Configuration): boolean;
 }

@@ -2,7 +2,10 @@ const FIRST_MS = 200;
 const MAX_MS = 1500;
 const VARIATION = 0.2;
 
-/** Delays between connection attempts: 0.2 s doubling to 1.5 s, ±20 % so that many clients do not connect at the same time. */
+/**
+ * Delays between connection attempts: 0.2 s, doubled up to 1.5 s. A random variation of ±20 % prevents many clients from connecting at the
+ * same time.
+ */
 export class Backoff {
   #next = FIRST_MS;
 
@@ -19,7 +22,7 @@ export class Backoff {
   }
 }
 
-/** Resolves after the time, or immediately when the signal is aborted. */
+/** Resolves after a time in ms, or as soon as the signal is aborted. */
 export function pause(ms: number, stop: AbortSignal): Promise<void> {
   return new Promise(resolve => {
     if (stop.aborted) return resolve();

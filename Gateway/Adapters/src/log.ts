@@ -1,16 +1,16 @@
 import { logMessages } from './messages/gateway';
 
-/** Rate limit per subject, whose state may change as often as its values arrive. */
+/** Rate limit per subject, because a state may change with each value that arrives. */
 const MAX_LINES = 10;
 const PERIOD_MS = 60_000;
 
-/** Logs to standard error, one line per change of state, without secrets. */
+/** Logs to standard error: one line per change of state, without secrets. */
 export class Log {
   readonly #last = new Map<string, string>();
   readonly #lately = new Map<string, { lines: number; newest: string }>();
   readonly #secrets: string[];
 
-  /** @param later Schedules a function, which does not run if the process ends first. */
+  /** @param later Calls a function after a time, unless the process has ended by then. */
   constructor(
     readonly name: string,
     secrets: string[],
@@ -28,20 +28,20 @@ export class Log {
   change(subject: string, state: string, text = state): void {
     if (this.#last.get(subject) === state) return;
     this.#last.set(subject, state);
-    this.#tell(subject, text);
+    this.#write(subject, text);
   }
 
   /** Writes a line if this subject has a logged state, and removes that state. */
   resume(subject: string, text: string): void {
-    if (this.#last.delete(subject)) this.#tell(subject, text);
+    if (this.#last.delete(subject)) this.#write(subject, text);
   }
 
-  /** Removes the logged state, so that the next one is always logged. */
+  /** Removes the logged state of a subject, so that its next state is always logged. */
   forget(subject: string): void {
     this.#last.delete(subject);
   }
 
-  #tell(subject: string, text: string): void {
+  #write(subject: string, text: string): void {
     const lately = this.#lately.get(subject) ?? { lines: 0, newest: '' };
     if (lately.lines === 0) this.later(PERIOD_MS, () => this.#sumUp(subject));
     this.#lately.set(subject, { lines: lately.lines + 1, newest: text });
@@ -54,7 +54,7 @@ export class Log {
     if (lines > MAX_LINES) this.line(logMessages.moreLines(newest, lines - MAX_LINES, PERIOD_MS / 1000));
   }
 
-  /** Returns one line of printable characters without secrets, for any text of a peer. */
+  /** Converts any text, for example one from a plant, to one line of printable characters without secrets. */
   clean(text: string): string {
     const bare = this.#secrets.reduce((rest, secret) => rest.replaceAll(secret, '***'), text);
     return bare

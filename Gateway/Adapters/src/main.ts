@@ -1,4 +1,5 @@
-// plant.mjs CONFIG.yaml [--check]: reads a control system and sends its joint positions and its time to a gateway. --version prints the version.
+// The program plant.mjs CONFIG.yaml [--check] reads a control system and sends its joint positions and its time to a gateway. With --version, it
+// prints its version.
 import type { Kind } from './adapter';
 import { type Configuration, readConfiguration } from './configuration/configuration';
 import { ConfigurationError } from './configuration/problem';
@@ -33,13 +34,13 @@ async function main(): Promise<number> {
   return obstacle === null ? 0 : BAD_INPUT;
 }
 
-/** Writes a text that may be longer than the buffer of a pipe, which the end of the process would cut. */
+/** Writes a text and waits until it is written. Otherwise the end of the process could cut off a text longer than the pipe's buffer. */
 const written = (text: string): Promise<unknown> =>
   new Promise(done => {
     process.stdout.write(text, done);
   });
 
-/** Gets the data that the gateway needs before it starts the adapter. */
+/** Gets the content of the configuration that the gateway needs before it starts the adapter. */
 function contentOf(kind: Kind, configuration: Configuration): object {
   return {
     name: configuration.plant.name,

@@ -14,26 +14,26 @@ import { clockMessages } from './messages/gateway';
 const DIAGNOSTICS_MS = 1000;
 const SILENCE_CHECK_MS = 250;
 
-/** Delay of the report of a change, to include immediately following ones. */
+/** Delay of the report after a change, so that the report includes further changes that follow immediately. */
 const CHANGE_MS = 100;
 const GROUP_MS = 0.5;
 const OLDEST_MS = 10_000;
 
-/** Runs one adapter until a signal, or the end of the gateway that started it, stops it. Returns the exit status. */
+/** Runs one adapter until a signal or the end of the gateway that started it. Returns the exit status. */
 export async function runPlant(configuration: Configuration): Promise<number> {
   const { plant, robot, robots } = configuration;
   const log = new Log(`plant/${plant.name}`, configuration.secrets);
   const ending = new Ending();
   let changed: NodeJS.Timeout | null = null;
   const status = new AdapterStatus(plant.kind, log, () => {
-    changed ??= setTimeout(tell, CHANGE_MS);
+    changed ??= setTimeout(report, CHANGE_MS);
   });
   const gateway = new GatewayLink(configuration.gateway, log, 'gateway', {
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   });
   const { clock_resolution_us: resolutionUs, group_ms: groupMs, oldest_ms: oldestMs } = plant;
   const fixed = resolutionUs === undefined ? null : ofMilliseconds(Number(resolutionUs) / 1000);
-  const clock = new PlantClock(gateway, plant.name, fixed, undefined, coarse => tellCoarse(status, log, coarse));
+  const clock = new PlantClock(gateway, plant.name, fixed, undefined, coarse => reportCoarse(status, log, coarse));
   const limits = {
     tolerance: ofMilliseconds(Number(groupMs ?? GROUP_MS)),
     oldest: ofMilliseconds(Number(oldestMs ?? OLDEST_MS)),
@@ -47,7 +47,7 @@ export async function runPlant(configuration: Configuration): Promise<number> {
     gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(urdf));
 
   const link = gateway.run(ending.signal);
-  const reports = setInterval(tell, DIAGNOSTICS_MS);
+  const reports = setInterval(report, DIAGNOSTICS_MS);
   const checks = setInterval(() => output.check(), SILENCE_CHECK_MS);
   try {
     await run({ configuration, gateway, clock, output, status, log, stopping: ending.signal });
@@ -60,14 +60,14 @@ export async function runPlant(configuration: Configuration): Promise<number> {
   }
   return ending.status;
 
-  function tell(): void {
+  function report(): void {
     clearTimeout(changed ?? undefined);
     changed = null;
     gateway.publish(DIAGNOSTICS, diagnosticsOf(plant.name, status, gateway));
   }
 }
 
-function tellCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null): void {
+function reportCoarse(status: AdapterStatus, log: Log, coarse: Nanoseconds | null): void {
   const steps = coarse === null ? null : clockMessages.steps(toMilliseconds(coarse));
   status.detail('clock', steps);
   if (steps === null) return log.resume('clock steps', clockMessages.fineAgain);
@@ -79,7 +79,7 @@ function diagnosticsOf(name: string, status: AdapterStatus, gateway: GatewayLink
   return diagnostics(`plant/${name}`, status.level, status.message, values);
 }
 
-/** The events that end the process: SIGTERM, SIGINT and, for a child process, the end of its parent, which closes the pipe. */
+/** Detects the events that end the process: SIGTERM, SIGINT and, for a child process, the end of its parent, which closes the pipe. */
 class Ending {
   readonly #abort = new AbortController();
   #status = 0;

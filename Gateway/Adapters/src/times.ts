@@ -1,4 +1,7 @@
-/** Points in time are nanoseconds since 1970 as bigint, because a double has a resolution of 0.25 µs for current dates. */
+/**
+ * A point in time in nanoseconds since 1970, or a length in nanoseconds. A bigint, because a double has a resolution of 0.25 µs for current
+ * dates.
+ */
 export type Nanoseconds = bigint;
 
 export interface RosTime {
@@ -9,10 +12,10 @@ export interface RosTime {
 export const NS_PER_MS = 1_000_000n;
 export const NS_PER_S = 1_000_000_000n;
 
-/** 1970-01-01 in the 100 ns units since 1601-01-01 of OPC UA's DateTime and Windows' FILETIME. */
+/** 1970-01-01 in units of 100 ns since 1601-01-01, as used by OPC UA's DateTime and Windows' FILETIME. */
 const FILETIME_OF_1970 = 116_444_736_000_000_000n;
 
-/** Converts a ROS time with the field names of ROS 1 or ROS 2; null if it is invalid. */
+/** Converts a ROS time with the field names of ROS 1 or ROS 2; null if the time is invalid. */
 export function ofRosTime(time: unknown): Nanoseconds | null {
   const { sec, nanosec, secs, nsecs } = (time ?? {}) as Record<string, unknown>;
   const [s, ns] = [sec ?? secs, nanosec ?? nsecs];
@@ -21,14 +24,14 @@ export function ofRosTime(time: unknown): Nanoseconds | null {
 
 export const toRosTime = (time: Nanoseconds): RosTime => ({ sec: Number(time / NS_PER_S), nanosec: Number(time % NS_PER_S) });
 
-/** Converts from 100 ns since 1601. */
+/** Converts a time in units of 100 ns since 1601. */
 export const ofFileTime = (ticks: bigint): Nanoseconds => (ticks - FILETIME_OF_1970) * 100n;
 
 export const ofMilliseconds = (ms: number): Nanoseconds => BigInt(Math.round(ms * 1e6));
 
 export const toMilliseconds = (ns: Nanoseconds): number => Number(ns) / 1e6;
 
-/** Gets the time of this machine's system clock, for labels only, never for t_k. */
+/** Gets the time of this machine's system clock. Used for the stamps of diagnostics, not for t_k. */
 export const machineTime = (): Nanoseconds => BigInt(Date.now()) * NS_PER_MS;
 
 /** Gets a monotonic time in ns with an arbitrary epoch. */

@@ -2,12 +2,12 @@ import { readFileSync } from 'node:fs';
 import type { Log } from './log';
 import { gatewayMessages } from './messages/gateway';
 
-/** Set by the bundler, from package.json. */
+/** Defined by the bundler, with the version in package.json. */
 declare const NOWPOSE_VERSION: string;
 
 export const VERSION = NOWPOSE_VERSION;
 
-/** Gets the version and the commit from the file that the build writes beside this program; without it, the version alone. */
+/** Gets the version and the commit from the file that the build writes next to this program; without that file, only the version. */
 export function versionWithCommit(): string {
   try {
     return readFileSync(new URL('version.txt', import.meta.url), 'utf8').trim();
@@ -16,7 +16,7 @@ export function versionWithCommit(): string {
   }
 }
 
-/** Logs once if the version of a gateway does not fit: the major and the minor number must be the same. */
+/** Logs once if a gateway's version differs from the adapter's version in the major or the minor number. */
 export function compareVersions(log: Log, gateway: unknown): void {
   const series = typeof gateway === 'string' ? seriesOf(gateway) : undefined;
   if (series === undefined) return;
@@ -24,5 +24,5 @@ export function compareVersions(log: Log, gateway: unknown): void {
   else log.change('version', String(gateway), gatewayMessages.otherVersion(String(gateway), VERSION));
 }
 
-/** Gets 0.2 of 0.2.0 and of 0.2.0-rc.1; undefined for a text that is not a version. */
+/** Gets the major and minor number of a version, for example 0.2 for 0.2.0-rc.1; undefined for a text that is not a version. */
 const seriesOf = (version: string): string | undefined => /^(\d{1,9}\.\d{1,9})\.\d{1,9}([-+][0-9A-Za-z.+-]{1,64})?$/.exec(version)?.[1];

@@ -186,7 +186,7 @@ describe('joint output', () => {
       clock.now = T + S;
 
       out.hold(T + 500n * MS, 0n);
-      out.startAnew();
+      out.restart();
       out.hold(T + 900n * MS, 0n);
 
       assert.deepEqual(passed(sent).slice(1), [[500n * MS, 'b', '1']]);

@@ -41,7 +41,7 @@ describe('silence', () => {
     const since = cell.status.values()['joint/a'].split(' ')[1];
 
     // A new connection, or a node that is monitored again, starts with the last value and its stamp.
-    cell.output.startAnew();
+    cell.output.restart();
     cell.output.publish([{ joint: 0, value: 0.44, stamp: T + 490n * MS, isFirst: true }]);
     moveAndStop(cell, 2);
 

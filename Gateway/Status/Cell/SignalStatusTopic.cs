@@ -1,6 +1,7 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Cell;
@@ -66,7 +67,7 @@ sealed class SignalStatusTopic : IDisposable
     void End(HubSource source, IReadOnlyCollection<string> signals)
     {
         var now = _clock.Now;
-        var reason = InputException.OneLine($"its source {source.Title} has ended", MaxReasonLength);
+        var reason = InputException.OneLine(EventTexts.SourceEnded(source.Title), MaxReasonLength);
         _ended.RemoveAll(one => signals.Contains(one.Signal));
         _ended.AddRange(signals.Select(signal => new Row(signal, JointDataState.Stale, now, reason)));
         if (_ended.Count > ProtocolLimits.Signals) _ended.RemoveRange(0, _ended.Count - ProtocolLimits.Signals);

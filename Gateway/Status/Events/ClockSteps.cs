@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Events;
 
@@ -12,9 +13,9 @@ sealed class ClockSteps(PlantClocks plant, EventList events)
         if (plant.Control is not { } control) return;
         var now = (Source: control.Name, control.Model.Steps);
         if (_last is { } last && last.Source == now.Source && now.Steps > last.Steps)
-            events.Note(new Condition("clock", now.Source, "was stepped", "time stamps from before the step are on another time line", Level.Warning)
+            events.Note(new Condition("clock", now.Source, "was stepped", EventTexts.OtherTimeLine, Level.Warning)
             {
-                Headline = $"the control clock {now.Source} was stepped",
+                Headline = EventTexts.ClockStepped(now.Source),
             });
         _last = now;
     }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Rosbridge;
@@ -50,10 +51,10 @@ sealed class Conditions(
         {
             Remedy = row.State switch
             {
-                JointDataState.Stale => "Check that its source runs and reaches the gateway.",
-                JointDataState.Missing => "Check that the plant offers the joint's value and that the plant's configuration names it correctly.",
-                JointDataState.Refused => "Check the values that its source sends.",
-                JointDataState.Fault => "Check the plant and its connection.",
+                JointDataState.Stale => EventRemedies.Source,
+                JointDataState.Missing => EventRemedies.MissingJoint,
+                JointDataState.Refused => EventRemedies.Values,
+                JointDataState.Fault => EventRemedies.Plant,
                 _ => "",
             },
             IsNormalAtStart = row.State == JointDataState.Missing || IsClockAwaited(row),
@@ -61,13 +62,12 @@ sealed class Conditions(
 
     // Whether samples are refused only because the adapter's clock is not measured yet, as for its first samples.
     static bool IsClockAwaited(JointStatus row) => row.State == JointDataState.Refused
-        && row.Reason.Contains(DropText.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
+        && row.Reason.Contains(DropMessages.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
 
     static IEnumerable<Condition> OfUncertainRests(IReadOnlyList<JointStatus> joints) => joints.Where(row => row.Uncertainty.Length > 0).Select(
-        row => new Condition("joint", $"{row.Name} ({row.Source})", "may not be at rest", row.Uncertainty, Level.Warning, Since: row.Since)
+        row => new Condition("joint", $"{row.Name} ({row.Source})", EventTexts.UncertainRest, row.Uncertainty, Level.Warning, Since: row.Since)
         {
-            Remedy = "Check that the joint is at rest" + (row.Uncertainty.Contains(OwnRemedy, StringComparison.Ordinal)
-                ? "." : "; if it is, set its max_deceleration in the plant's configuration."),
+            Remedy = row.Uncertainty.Contains(OwnRemedy, StringComparison.Ordinal) ? EventRemedies.CheckRest : EventRemedies.SetDeceleration,
         });
 
     // These conditions do not block, because the robot can be shown without objects and signals.
@@ -76,42 +76,42 @@ sealed class Conditions(
             kind, $"{one.Name} ({one.Adapter})", $"is {(one.Report.State == JointDataState.Fault ? "in fault" : JointDataStates.Of(one.Report.State))}", one.Report.Reason,
             Level.Error, Since: one.Report.Since)
         {
-            Remedy = "Check its variables in the plant and its entry in the plant's configuration.",
+            Remedy = EventRemedies.CellVariables,
             IsNormalAtStart = one.Report.State == JointDataState.Missing,
         });
 
-    string ClockName => clock.Source == PlantClocks.Own ? "the gateway's own control clock" : $"the control clock {clock.Source}";
+    string ClockName => clock.Source == PlantClocks.Own ? EventTexts.OwnClock : $"the control clock {clock.Source}";
 
     IEnumerable<Condition> OfClock()
     {
         if (!clock.IsSynchronised)
             yield return new("clock", clock.Source, "is not served", $"its state is {clock.State.Word()}", Level.Error, true)
             {
-                Headline = $"{ClockName} is not served to headsets",
-                Remedy = clock.Source == PlantClocks.Own ? "" : "Check the adapter that reads this clock.",
+                Headline = EventTexts.ClockNotServed(ClockName),
+                Remedy = clock.Source == PlantClocks.Own ? "" : EventRemedies.ClockAdapter,
                 // Not normal in holdover, which means that the clock was synchronised before.
                 IsNormalAtStart = clock.State is ClockState.Unsynchronised or ClockState.Converging,
             };
         var stamps = clock.Stamps;
         if (stamps.Found is not { } found) yield break;
         yield return found.IsContradiction
-            ? new("clock", clock.Source, "contradicts the stamps of samples", found.Reason, Level.Error, true)
+            ? new("clock", clock.Source, EventTexts.StampsContradict, found.Reason, Level.Error, true)
             {
-                Headline = $"{ClockName} and the stamps of samples contradict each other",
+                Headline = EventTexts.StampsContradictClock(ClockName),
                 Remedy = found.Remedy,
             }
-            : new("clock", clock.Source, "does not follow the system clock", found.Reason, Level.Warning)
+            : new("clock", clock.Source, EventTexts.NotSystemClock, found.Reason, Level.Warning)
             {
-                Headline = $"{ClockName} does not follow the system clock",
+                Headline = EventTexts.ClockNotSystemClock(ClockName),
                 Remedy = found.Remedy,
             };
     }
 
     IEnumerable<Condition> OfStamps() => clock.Stamps.Ahead.Select(
-        one => new Condition("source", one.Source, "sends time stamps in the future", $"they are {one.By} ahead of the control clock", Level.Warning)
+        one => new Condition("source", one.Source, EventTexts.Future, EventTexts.FutureBy(one.By), Level.Warning)
         {
-            Headline = $"source {one.Source} sends time stamps in the future",
-            Remedy = StampWatch.SourceRemedy,
+            Headline = EventTexts.SourceInFuture(one.Source),
+            Remedy = StampMessages.SourceRemedy,
         });
 
     IEnumerable<Condition> OfSources(IReadOnlyList<JointStatus> rows)
@@ -119,10 +119,10 @@ sealed class Conditions(
         if (!options.ExpectsSources || rows.Count > 0) return [];
         return
         [
-            new("source", "of joint positions", "is missing", "no adapter has reported a joint and no sample has arrived", Level.Error, true)
+            new("source", "of joint positions", "is missing", EventTexts.NoSource, Level.Error, true)
             {
-                Headline = "a source of joint positions is missing",
-                Remedy = "Check that the adapter of each plant runs and is connected.",
+                Headline = EventTexts.SourceMissing,
+                Remedy = EventRemedies.Adapters,
                 IsNormalAtStart = true,
             },
         ];
@@ -133,11 +133,11 @@ sealed class Conditions(
         from state in Adapters.Select(adapter => adapter())
         let isReporting = reports.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)
         where !isReporting
-        let end = state.End is { } end ? $"its program ended with {end}" : null
+        let end = state.End is { } end ? EventTexts.ProgramEnded(end) : null
         select new Condition(
-            "adapter", state.Name, DoesNotReport, end == null ? "its program has just started" : $"{end} and is started again", Level.Error, true)
+            "adapter", state.Name, DoesNotReport, end == null ? EventTexts.ProgramStarted : EventTexts.StartedAgain(end), Level.Error, true)
         {
-            Remedy = end == null ? "" : "Read its lines in the gateway's log.",
+            Remedy = end == null ? "" : EventRemedies.GatewayLog,
             IsNormalAtStart = end == null,
         };
 
@@ -155,14 +155,14 @@ sealed class Conditions(
         if (isAdapter && Value("state") is { } state && state != "connected")
             yield return new(kind, name, "is not connected", Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
             {
-                Headline = $"adapter {name} is not connected to its plant",
+                Headline = EventTexts.NotConnected(name),
                 // Normal only before the first samples; later, it means that the connection was lost.
                 IsNormalAtStart = Value("samples") is null or "0",
             };
         if (NowposeVersion.MismatchOf(Value("version"), "it", "this gateway") is { } mismatch)
-            yield return new(kind, name, "does not fit this gateway", mismatch, Level.Warning);
+            yield return new(kind, name, EventTexts.OtherVersion, mismatch, Level.Warning);
         if (!isAdapter && Value("pose") is { } pose && !CurrentPoses.Contains(pose))
-            yield return new(kind, name, "shows no current pose", ReasonOf(pose, Value("missing_joints")), Level.Warning)
+            yield return new(kind, name, EventTexts.NoCurrentPose, ReasonOf(pose, Value("missing_joints")), Level.Warning)
             {
                 Remedy = RemedyOf(pose, Value("missing_joints")),
             };
@@ -171,30 +171,30 @@ sealed class Conditions(
     Condition SilentAdapter(string name, TimeSpan ago) =>
         new("adapter", name, DoesNotReport, "its reports stopped", Level.Error, Since: options.Time.GetUtcNow() - ago)
         {
-            Remedy = "Check that the adapter runs and reaches the gateway.",
+            Remedy = EventRemedies.Adapter,
         };
 
     Condition LostHeadset(string name, TimeSpan ago) =>
-        new("headset", name, "is lost", "its reports stopped without a normal end of the connection", Level.Warning, Since: options.Time.GetUtcNow() - ago)
+        new("headset", name, "is lost", EventTexts.HeadsetLost, Level.Warning, Since: options.Time.GetUtcNow() - ago)
         {
-            Remedy = "Check its power and its network.",
+            Remedy = EventRemedies.HeadsetPower,
         };
 
-    static string RemedyOf(string pose, string missing) => !string.IsNullOrEmpty(missing) ? "Check the sources of these joints." : pose switch
+    static string RemedyOf(string pose, string missing) => !string.IsNullOrEmpty(missing) ? EventRemedies.MissingJoints : pose switch
     {
-        "unsynchronised" => "Check the network between the headset and the gateway.",
-        "held" => "Check that samples reach the headset in time.",
-        _ => "Look at the status panel of the headset.",
+        "unsynchronised" => EventRemedies.HeadsetNetwork,
+        "held" => EventRemedies.LateSamples,
+        _ => EventRemedies.StatusPanel,
     };
 
     static string ReasonOf(string pose, string missing) =>
-        string.IsNullOrEmpty(missing) ? $"the pose is {pose}" : $"the pose is {pose}; missing joints: {missing}";
+        string.IsNullOrEmpty(missing) ? $"the pose is {pose}" : EventTexts.MissingJoints(pose, missing);
 
     IEnumerable<Condition> OfRefusals() => refusals.Read().Select(
-        one => new Condition("source", $"{one.Source} of joint {one.Joint}", "is refused", $"the source {one.Owner} already publishes this joint", Level.Warning)
+        one => new Condition("source", $"{one.Source} of joint {one.Joint}", "is refused", EventTexts.JointTaken(one.Owner), Level.Warning)
         {
-            Headline = $"source {one.Source} is refused for joint {one.Joint}",
-            Remedy = "Stop one of the two sources.",
+            Headline = EventTexts.SourceRefused(one.Source, one.Joint),
+            Remedy = EventRemedies.TwoSources,
         });
 
     IEnumerable<Condition> OfLimits() => limits.Beyond.Select(Of);
@@ -203,11 +203,10 @@ sealed class Conditions(
     {
         var (joint, allowed) = (found.Joint, found.Joint.Limits);
         var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
-        return new Condition("limit", joint.Name, "is exceeded", string.Create(
-            CultureInfo.InvariantCulture, $"its position was {found.Position:0.###} {unit}; allowed: {allowed.Lower:0.###} to {allowed.Upper:0.###} {unit}"), Level.Warning)
+        return new Condition("limit", joint.Name, "is exceeded", EventTexts.BeyondLimits(found.Position, unit, allowed.Lower, allowed.Upper), Level.Warning)
         {
-            Headline = $"joint {joint.Name} is outside the limits of the robot description",
-            Remedy = $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.",
+            Headline = EventTexts.JointBeyondLimits(joint.Name),
+            Remedy = EventRemedies.Limits(unit, other),
         };
     }
 
@@ -217,7 +216,7 @@ sealed class Conditions(
         if (status.Problem != null)
             yield return new("recording", status.File, "stopped", status.Problem, Level.Warning)
             {
-                Remedy = status.IsDeletedWhileWritten ? "Start the recording again to write a new file." : "Correct this, then start the recording again.",
+                Remedy = status.IsDeletedWhileWritten ? EventRemedies.RecordAgain : EventRemedies.Recording,
             };
     }
 
@@ -226,15 +225,15 @@ sealed class Conditions(
         var left = options.CertificateExpires - options.Time.GetUtcNow().UtcDateTime;
         if (left > CertificateNotice || left == null) yield break;
         var day = options.CertificateExpires.Value.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture);
-        const string Remedy = "renew the file with the same key; the gateway needs no restart";
+        const string Remedy = EventRemedies.Certificate;
         yield return left > TimeSpan.Zero
-            ? new("certificate", "of the gateway", "is about to expire", $"it expires on {day}; {Remedy}", Level.Warning)
+            ? new("certificate", "of the gateway", EventTexts.Expires, $"it expires on {day}; {Remedy}", Level.Warning)
             {
-                Headline = "the gateway's certificate is about to expire",
+                Headline = EventTexts.CertificateExpires,
             }
-            : new("certificate", "of the gateway", "has expired", $"headsets have refused it since {day}; {Remedy}", Level.Error, true)
+            : new("certificate", "of the gateway", "has expired", EventTexts.HeadsetsRefuse(day, Remedy), Level.Error, true)
             {
-                Headline = "the gateway's certificate has expired",
+                Headline = EventTexts.CertificateExpired,
             };
     }
 }

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Gateway.Status.Events;
@@ -21,7 +22,7 @@ sealed class StatusWatch : IDisposable
         Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, PlantClocks plant, TimeProvider time, Action<string> log)
     {
         (_conditions, _events, _joints, _topic, _steps) = (conditions, events, joints, topic, new ClockSteps(plant, events));
-        _look = new GuardedTask(LookNow, "status: the state could not be updated", log);
+        _look = new GuardedTask(LookNow, EventTexts.NotUpdated, log);
         _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
     }
 

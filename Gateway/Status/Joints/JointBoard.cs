@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 
@@ -44,7 +45,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
     {
         lock (_lock)
             if (_joints.TryGetValue(name, out var joint))
-                joint.Rows.Find(row => row.Source == source.Name)?.Refuse($"the source {owner.Title} already publishes this joint; each joint has one source");
+                joint.Rows.Find(row => row.Source == source.Name)?.Refuse(JointReasons.Taken(owner.Title));
     }
 
     /// <summary>

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
@@ -60,9 +61,9 @@ sealed class JointRow(string joint, string source, TimeProvider time)
         if (isReportFresh && _report.State != JointDataState.Live) return (_report.State, _report.Since, _report.Reason);
         if (isFlowing) return (JointDataState.Live, null, "");
         if (flow is not { HasAny: true }) return (JointDataState.Missing, null, isReportFresh
-            ? "the adapter reports a live joint, but no sample has arrived at the gateway" : "the adapter stopped reporting before the first sample");
+            ? JointReasons.NoSample : JointReasons.NoReport);
         if (IsConfigured && !isReportFresh)
-            return (JointDataState.Stale, flow.LastUtc, $"samples stopped arriving, and the adapter {Source} does not report");
-        return (JointDataState.Stale, flow.LastUtc, isReportFresh ? "samples stopped arriving; the adapter reports a live joint" : "samples stopped arriving");
+            return (JointDataState.Stale, flow.LastUtc, JointReasons.Silent(Source));
+        return (JointDataState.Stale, flow.LastUtc, isReportFresh ? JointReasons.SamplesStopped : "samples stopped arriving");
     }
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
@@ -18,8 +19,8 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     // Maximum length of all reasons together. The message with all names is then shorter than the 64 KiB that clients accept.
     const int MaxReasonsLength = 16 * 1024;
 
-    // Adapters that connect to this gateway as a broker search for this text.
-    const string Uncertain = "may not be at rest: ";
+    // The broker adapter, which forwards this topic to another gateway, searches for this text.
+    const string Uncertain = EventTexts.UncertainRest + ": ";
 
     readonly HubSource _source = hub.OpenSource();
     List<(string Name, JointDataState State, string Reason)> _sent;

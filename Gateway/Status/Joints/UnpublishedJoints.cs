@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
 using Nowpose.Session;
@@ -26,7 +27,7 @@ sealed class UnpublishedJoints(TimeProvider time)
         foreach (var name in _since.Keys.Except(missing).ToArray()) _since.Remove(name);
         foreach (var name in missing) _since.TryAdd(name, (time.GetTimestamp(), time.GetUtcNow()));
         return _since.Where(entry => time.GetElapsedTime(entry.Value.Count) >= StartTimeout).Select(entry => new JointStatus(
-            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, "the robot description has this joint, but no source publishes it"));
+            entry.Key, NoSource, JointDataState.Missing, entry.Value.Utc, null, 0, JointReasons.NotPublished));
     }
 
     /// <summary>Gets the names of the joints whose positions headsets need to show the arm.</summary>

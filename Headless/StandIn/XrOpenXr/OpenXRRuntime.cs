@@ -5,7 +5,7 @@ namespace UnityEngine.XR.OpenXR;
 
 public static class OpenXRRuntime
 {
-    /// <summary>Extensions that the simulated runtime has enabled; null if there is no runtime.</summary>
+    /// <summary>Extensions that the simulated runtime has enabled; null if no runtime exists.</summary>
     internal static HashSet<string> Extensions { get; set; }
 
     /// <summary>Exception that each call throws; null if calls succeed.</summary>

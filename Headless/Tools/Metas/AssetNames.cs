@@ -1,11 +1,11 @@
 namespace Nowpose.Metas;
 
-/// <summary>Rules of Unity's importer that depend on a name alone.</summary>
+/// <summary>Rules of Unity's importer that depend only on the name of a file or folder.</summary>
 public static class AssetNames
 {
     public const string MetaSuffix = ".meta";
 
-    /// <summary>Whether Unity ignores the file: leading dot, trailing tilde, <c>.tmp</c>, <c>cvs</c>.</summary>
+    /// <summary>Gets whether Unity ignores a name: one with a leading dot, a trailing tilde or the extension <c>.tmp</c>, or <c>cvs</c>.</summary>
     public static bool IsHidden(string name)
     {
         return name.StartsWith('.') || name.EndsWith('~')
@@ -15,9 +15,9 @@ public static class AssetNames
 
     public static bool IsMeta(string name) => name.EndsWith(MetaSuffix, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Build files and folders of .NET: harmless beside Assets/ and Packages/, imported as assets inside them.</summary>
+    /// <summary>Gets whether a name is that of a build folder of .NET. Unity would import such folders inside Assets/ and Packages/.</summary>
     public static bool IsBuildFolder(string name) => name is "bin" or "obj";
 
-    /// <inheritdoc cref="IsBuildFolder"/>
+    /// <summary>Gets whether a name is that of a build file of .NET. Unity would import such files inside Assets/ and Packages/.</summary>
     public static bool IsBuildFile(string name) => Path.GetExtension(name) is ".csproj" or ".sln" or ".slnx";
 }

@@ -1,8 +1,8 @@
 namespace Nowpose.Metas;
 
 /// <summary>
-/// The assets that the editor would import: everything under Assets/, in each embedded package, and inside each sample (a sample is hidden
-/// until the user imports it, but it contains its .meta files).
+/// Lists the assets that the editor would import: everything in Assets/, in each embedded package and in each sample. The editor ignores a
+/// sample until the user imports it, but a sample already contains its .meta files.
 /// </summary>
 public sealed class AssetTree
 {
@@ -11,7 +11,7 @@ public sealed class AssetTree
     readonly List<string> _metas = new();
     readonly List<string> _buildFiles = new();
 
-    /// <param name="root">The folder that holds Assets/ and Packages/; either may be absent.</param>
+    /// <param name="root">Folder that contains Assets/ and Packages/. Either of them can be missing.</param>
     public AssetTree(string root)
     {
         _root = root;
@@ -23,13 +23,13 @@ public sealed class AssetTree
         }
     }
 
-    /// <summary>The assets sorted by path (ordinal), parents before their contents.</summary>
+    /// <summary>The assets, sorted by path (ordinal). Folders come before their contents.</summary>
     public IReadOnlyList<AssetEntry> Assets => _assets;
 
-    /// <summary>Paths of all .meta files found, relative to the root.</summary>
+    /// <summary>Paths of all .meta files, relative to the root.</summary>
     public IReadOnlyList<string> Metas => _metas;
 
-    /// <summary>Build files and folders in places where Unity would import them.</summary>
+    /// <summary>Build files and folders of .NET at places where Unity would import them.</summary>
     public IReadOnlyList<string> BuildFiles => _buildFiles;
 
     public string FullPath(string path) => Path.Combine(_root, path);
@@ -56,7 +56,7 @@ public sealed class AssetTree
             _buildFiles.Add(path);
             return;
         }
-        // Git does not store empty folders: their .meta files would be orphans in the next clone.
+        // Skips empty folders. Git does not store them, so in the next clone their .meta files would have no asset.
         if (HoldsAFile(path)) _assets.Add(new AssetEntry(path, IsFolder: true));
         Walk(path);
     }

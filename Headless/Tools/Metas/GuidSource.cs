@@ -4,16 +4,16 @@ using System.Text;
 namespace Nowpose.Metas;
 
 /// <summary>
-/// Generates new GUIDs that depend on the path only, so that two people who add the .meta of one file get the same.
+/// Creates GUIDs that depend only on the path, so that two people who add the .meta file of the same asset get the same GUID.
 /// </summary>
 public sealed class GuidSource
 {
     readonly HashSet<string> _taken;
 
-    /// <param name="taken">GUIDs already used in the project.</param>
+    /// <param name="taken">GUIDs that are already used in the project.</param>
     public GuidSource(IEnumerable<string> taken) => _taken = new HashSet<string>(taken);
 
-    /// <summary>Gets a GUID that no other asset has. If the path's first GUID is used by a file that was moved, it gets the next one.</summary>
+    /// <summary>Gets an unused GUID for a path. If the first GUID of the path belongs to an asset that was moved, returns the next one.</summary>
     public string Next(string path)
     {
         for (var attempt = 0; ; attempt++)

@@ -1,6 +1,6 @@
 namespace Nowpose.Metas;
 
-/// <summary>The importer block of a .meta file: the importer's name and the fields that Unity writes for it.</summary>
+/// <summary>The importer block of a .meta file: name of the importer, and the fields that Unity writes for it.</summary>
 public sealed record Importer(string Name, params string[] Fields)
 {
     const string NoExternalObjects = "externalObjects: {}";
@@ -33,7 +33,7 @@ public sealed record Importer(string Name, params string[] Fields)
         [".hlsl"] = new("ShaderIncludeImporter", NoExternalObjects),
     };
 
-    /// <summary>Gets the importer that Unity uses for an asset; <c>DefaultImporter</c> for folders, scenes and unknown types.</summary>
+    /// <summary>Gets the importer that Unity uses for an asset. For folders, scenes and unknown types, it is <c>DefaultImporter</c>.</summary>
     public static Importer For(AssetEntry asset)
     {
         if (asset.IsFolder) return Default;

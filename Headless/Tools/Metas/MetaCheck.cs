@@ -1,9 +1,9 @@
 namespace Nowpose.Metas;
 
-/// <summary>Finds faults that would make Unity's import of the project fail or differ between two machines.</summary>
+/// <summary>Finds faults that would make Unity's import fail, or make it differ between two machines.</summary>
 public static class MetaCheck
 {
-    /// <returns>One line per fault, beginning with the path; empty for a clean project.</returns>
+    /// <returns>One line per fault, starting with the path; empty if there are none.</returns>
     public static IReadOnlyList<string> Faults(string root)
     {
         var tree = new AssetTree(root);

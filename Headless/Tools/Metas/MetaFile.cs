@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Metas;
 
-/// <summary>The text of a .meta file, written and read.</summary>
+/// <summary>Reads and writes the text of a .meta file.</summary>
 public sealed partial class MetaFile
 {
     static readonly string[] Trailer = { "  userData: ", "  assetBundleName: ", "  assetBundleVariant: " };
@@ -11,15 +11,15 @@ public sealed partial class MetaFile
 
     public MetaFile(string text) => _text = text;
 
-    /// <summary>32 lower-case hex digits, or null where the file has no valid one.</summary>
+    /// <summary>GUID with 32 lower-case hexadecimal digits; null if the file contains no valid one.</summary>
     public string AssetGuid => Guids().Match(_text) is { Success: true } match ? match.Groups[1].Value : null;
 
-    /// <summary>Name of the importer block, or null.</summary>
+    /// <summary>Name of the importer block; null if there is none.</summary>
     public string ImporterName => Importers().Match(_text) is { Success: true } match ? match.Groups[1].Value : null;
 
     public bool IsFolder => FolderLine().IsMatch(_text);
 
-    /// <summary>The file as Unity writes it, with LF line ends and the blank after <c>userData:</c>.</summary>
+    /// <summary>Creates the text as Unity writes it, with LF line ends and a space after <c>userData:</c>.</summary>
     public static string Format(AssetEntry asset, string assetGuid)
     {
         var importer = Importer.For(asset);

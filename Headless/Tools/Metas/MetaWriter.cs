@@ -1,9 +1,9 @@
 namespace Nowpose.Metas;
 
-/// <summary>Writes missing .meta files; never changes existing ones.</summary>
+/// <summary>Writes missing .meta files. Never changes existing ones.</summary>
 public static class MetaWriter
 {
-    /// <returns>Paths of the files written, relative to the root.</returns>
+    /// <returns>Paths of the written files, relative to the root.</returns>
     public static IReadOnlyList<string> WriteMissing(string root)
     {
         var tree = new AssetTree(root);
@@ -16,8 +16,8 @@ public static class MetaWriter
         return missing.Select(a => a.MetaPath).ToList();
     }
 
-    /// <summary>Removes .meta files whose asset is gone.</summary>
-    /// <returns>Paths of the files removed, relative to the root.</returns>
+    /// <summary>Removes .meta files without an asset.</summary>
+    /// <returns>Paths of the removed files, relative to the root.</returns>
     public static IReadOnlyList<string> Prune(string root)
     {
         var tree = new AssetTree(root);

@@ -1,13 +1,13 @@
 using Nowpose.Metas;
 
 const string Help = """
-    Makes and checks the .meta files of the Unity project that the current folder lies in.
+    Creates and checks the .meta files of the Unity project that contains the current folder.
 
-      (no option)  write the missing ones, then list what else is wrong
-      --prune      also remove those whose asset is gone
-      --check      write nothing, only list what is wrong
+      (no option)  write missing files, then list the remaining faults
+      --prune      also remove .meta files without an asset
+      --check      write nothing, only list the faults
 
-    Exit status: 0 clean, 1 faults, 2 wrong use.
+    Exit status: 0 no faults, 1 faults, 2 invalid arguments.
     """;
 
 if (args.Contains("--help"))

@@ -3,7 +3,7 @@ namespace Nowpose.Metas;
 /// <summary>Finds the Unity project that contains a folder.</summary>
 public static class ProjectRoot
 {
-    /// <returns>The nearest folder at or above <paramref name="start"/> that is a Unity project, or null.</returns>
+    /// <returns>The folder <paramref name="start"/> or its nearest parent folder that is a Unity project; null if there is none.</returns>
     public static string Find(string start)
     {
         var folder = new DirectoryInfo(start);

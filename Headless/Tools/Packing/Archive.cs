@@ -3,10 +3,10 @@ using System.IO.Compression;
 
 namespace Nowpose.Packing;
 
-/// <summary>Writes archives whose bytes depend only on the entries and the time.</summary>
+/// <summary>Writes archives whose bytes depend only on the entries and the given time.</summary>
 public static class Archive
 {
-    /// <summary>Writes a .zip, .tar or .tar.gz file, as its name says.</summary>
+    /// <summary>Writes a .zip, .tar or .tar.gz file. The extension of the path selects the format.</summary>
     public static void Write(string path, IEnumerable<ArchiveEntry> entries, DateTimeOffset time)
     {
         using var file = File.Create(path);
@@ -23,7 +23,7 @@ public static class Archive
 
     public static void WriteTar(Stream stream, IEnumerable<ArchiveEntry> entries, DateTimeOffset time)
     {
-        // The format allows names of any length and stores no times except that of the change.
+        // The GNU format has no limit for the length of names, and its only time stamp is the modification time.
         using var tar = new TarWriter(stream, TarEntryFormat.Gnu, leaveOpen: true);
         foreach (var entry in entries)
         {

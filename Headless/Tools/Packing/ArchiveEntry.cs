@@ -1,26 +1,26 @@
 namespace Nowpose.Packing;
 
-/// <summary>A file, folder or symbolic link of an archive.</summary>
-/// <param name="Name">Path in the archive with slashes, without one at either end.</param>
+/// <summary>A file, folder or symbolic link in an archive.</summary>
+/// <param name="Name">Path in the archive with forward slashes, without a leading or trailing slash.</param>
 /// <param name="Mode">Permissions.</param>
 public sealed record ArchiveEntry(string Name, UnixFileMode Mode)
 {
     const UnixFileMode Readable = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead;
     const UnixFileMode Executable = Readable | UnixFileMode.UserExecute | UnixFileMode.GroupExecute | UnixFileMode.OtherExecute;
 
-    /// <summary>Gets the content of a file; null for a folder or a link.</summary>
+    /// <summary>Opens the content of a file; null for a folder or link.</summary>
     public Func<Stream> Open { get; init; }
 
     /// <summary>Target of a symbolic link; null for a file or folder.</summary>
     public string LinkTarget { get; init; }
 
-    /// <summary>Number of the user and the group that own it.</summary>
+    /// <summary>Numeric id of the owning user and group.</summary>
     public int Owner { get; init; }
 
     public bool IsFolder => Open == null && LinkTarget == null;
 
-    /// <summary>Lists a folder in the order of the names. Only the bit for execution is kept of the permissions.</summary>
-    /// <param name="place">Path of the folder in the archive; empty for its top.</param>
+    /// <summary>Lists the contents of a folder, sorted by name. Of the permissions, only the executable bit is kept.</summary>
+    /// <param name="place">Path of the folder in the archive; empty for the top level.</param>
     public static IReadOnlyList<ArchiveEntry> OfFolder(string folder, string place)
     {
         var options = new EnumerationOptions { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.None };
@@ -42,7 +42,7 @@ public sealed record ArchiveEntry(string Name, UnixFileMode Mode)
         return new ArchiveEntry(name, isProgram ? Executable : Readable) { Open = () => File.OpenRead(info.FullName) };
     }
 
-    // A link to a folder is listed as a link, without the files of the other folder.
+    // Excludes the files below a link to a folder, because the link itself is an entry.
     static bool IsBelowLink(FileSystemInfo info, string folder)
     {
         for (var at = Path.GetDirectoryName(info.FullName); at != null && at.Length > folder.TrimEnd('/').Length; at = Path.GetDirectoryName(at))

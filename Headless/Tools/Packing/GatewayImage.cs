@@ -1,13 +1,13 @@
 namespace Nowpose.Packing;
 
-/// <summary>The gateway's container image without a base image: the C libraries, and the packed program with its runtimes.</summary>
+/// <summary>Creates the gateway's container image without a base image, from the C libraries and the packed program with its runtimes.</summary>
 public static class GatewayImage
 {
-    /// <summary>Number of the user app in the images of .NET, so that the same files serve both images.</summary>
+    /// <summary>Id of the user <c>app</c> in .NET's own images, so that both images can use the same files.</summary>
     public const int User = 1654;
 
-    /// <param name="libraries">Folder with the system's libraries at their places.</param>
-    /// <param name="program">Folder with the packed gateway.</param>
+    /// <param name="libraries">Folder that contains the system's libraries at their paths in the image.</param>
+    /// <param name="program">Folder that contains the packed gateway.</param>
     public static void Add(ImageLayout layout, string architecture, string containerfile, string libraries, string program)
     {
         var settings = ImageSettings.Read(containerfile, User);

@@ -5,7 +5,7 @@ using System.Text.Json.Nodes;
 
 namespace Nowpose.Packing;
 
-/// <summary>An OCI image layout in a folder: images for several processors under one name.</summary>
+/// <summary>Writes an OCI image layout to a folder. It contains images for several processor architectures under one name.</summary>
 public sealed class ImageLayout
 {
     const string Media = "application/vnd.oci.image.";
@@ -14,7 +14,7 @@ public sealed class ImageLayout
     readonly DateTimeOffset _time;
     readonly JsonArray _manifests = [];
 
-    /// <param name="time">Time of all files and of the image.</param>
+    /// <param name="time">Time stamp of all files and of the images.</param>
     public ImageLayout(string folder, DateTimeOffset time)
     {
         _folder = folder;
@@ -23,10 +23,10 @@ public sealed class ImageLayout
         File.WriteAllText(Path.Combine(folder, "oci-layout"), """{"imageLayoutVersion":"1.0.0"}""");
     }
 
-    /// <summary>Adds the image for one processor.</summary>
-    /// <param name="architecture">Name of the processor, such as amd64.</param>
-    /// <param name="settings">How the container runs its program.</param>
-    /// <param name="layers">Each layer with a description, the lowest first.</param>
+    /// <summary>Adds the image for one processor architecture.</summary>
+    /// <param name="architecture">Name of the architecture, for example amd64.</param>
+    /// <param name="settings">Settings with which a container runs the program.</param>
+    /// <param name="layers">Layers with their descriptions, lowest first.</param>
     public void Add(string architecture, ImageSettings settings, params (string Description, IEnumerable<ArchiveEntry> Entries)[] layers)
     {
         var written = layers.Select(layer => Layer(layer.Entries)).ToArray();
@@ -54,15 +54,15 @@ public sealed class ImageLayout
         _manifests.Add(manifest);
     }
 
-    /// <summary>Writes the index, after the last image.</summary>
-    /// <param name="name">Name of the images, such as nowpose-gateway:0.2.0.</param>
-    /// <param name="annotations">Texts about the images, with their standard keys.</param>
+    /// <summary>Writes the index. Must be called after the last image was added.</summary>
+    /// <param name="name">Name of the images, for example nowpose-gateway:0.2.0.</param>
+    /// <param name="annotations">Annotations of the images, with their standard keys.</param>
     public void Complete(string name, IReadOnlyDictionary<string, string> annotations)
     {
         var images = Blob("index.v1+json", Index(_manifests, annotations));
         images["annotations"] = new JsonObject
         {
-            // The name in containers' own tools, and the tag in those that read only the standard one.
+            // containerd's tools read the name; tools that support only the standard key read the tag.
             ["io.containerd.image.name"] = name,
             ["org.opencontainers.image.ref.name"] = name[(name.LastIndexOf(':') + 1)..],
         };

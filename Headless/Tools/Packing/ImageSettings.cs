@@ -2,13 +2,13 @@ using System.Text.Json.Nodes;
 
 namespace Nowpose.Packing;
 
-/// <summary>How a container runs its program, from the last stage of a Containerfile.</summary>
-/// <param name="Json">The settings as OCI images have them, without the health check, which they cannot have.</param>
-/// <param name="UserId">Number of the user and the group.</param>
-/// <param name="State">Folder that belongs to the user.</param>
+/// <summary>Settings with which a container runs its program, from the last stage of a Containerfile.</summary>
+/// <param name="Json">Settings in the format of OCI images, which does not support health checks.</param>
+/// <param name="UserId">Id of the user and the group.</param>
+/// <param name="State">Folder that the user owns.</param>
 public sealed record ImageSettings(JsonObject Json, int UserId, string State)
 {
-    /// <param name="userId">Number of the user, because the file names one of the base image.</param>
+    /// <param name="userId">Id of the user. The file contains only the name of a user of the base image.</param>
     public static ImageSettings Read(string containerfile, int userId)
     {
         var lines = containerfile.Replace("\\\n", " ", StringComparison.Ordinal).Split('\n')

@@ -3,16 +3,18 @@ using System.Xml.Linq;
 
 namespace Nowpose.Packing;
 
-/// <summary>The licences of NuGet packages with their texts.</summary>
-/// <param name="standard">Texts by SPDX identifier, for packages that state only the identifier. The first that is present is used.</param>
+/// <summary>Collects the licences of NuGet packages with their texts.</summary>
+/// <param name="standard">
+/// Licence texts by SPDX identifier, for packages that state only identifiers. The first identifier with a text is used.
+/// </param>
 public sealed class LicenceTexts(IReadOnlyDictionary<string, string> standard)
 {
     readonly StringBuilder _text = new();
 
     public override string ToString() => _text.ToString();
 
-    /// <param name="folder">The unpacked package.</param>
-    /// <exception cref="InvalidDataException">The package states no licence whose text is present.</exception>
+    /// <param name="folder">Folder with the unpacked package.</param>
+    /// <exception cref="InvalidDataException">The package states no licence whose text is available.</exception>
     public void Add(string folder)
     {
         var package = XDocument.Load(Directory.GetFiles(folder, "*.nuspec").Single()).Root!.Elements().Single(element => element.Name.LocalName == "metadata");

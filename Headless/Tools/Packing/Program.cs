@@ -72,7 +72,7 @@ static BillOfMaterials Joined(string notices, string adapterLicences, string oth
     var shipped = Notices.ShippedIn(notices).Concat(Notices.BundledIn(adapterLicences)).ToHashSet(StringComparer.Ordinal);
     var joined = new BillOfMaterials();
     foreach (var bill in bills.Select(path => JsonNode.Parse(File.ReadAllText(path)).AsObject()))
-        // The tool for npm lists all packages of the build; the one for NuGet tells the two apart.
+        // The bill for npm also lists packages that only the build uses. The bill for NuGet marks such packages itself.
         joined.Add(bill, IsOfNpm(bill) ? shipped.Contains : _ => true);
     foreach (var line in File.ReadLines(others).Select(line => line.Split('\t'))) joined.Add(line[0], line[1]);
     return joined;
@@ -83,7 +83,7 @@ static bool IsOfNpm(JsonObject bill) =>
 
 static void WriteLicences(string file, string licence, string apache, string[] packages)
 {
-    // The words of the MIT licence are the same for all; only the copyright line differs.
+    // The text of the MIT licence is always the same; only the copyright line differs.
     var mit = licence[licence.IndexOf("Permission is hereby granted", StringComparison.Ordinal)..];
     var texts = new LicenceTexts(new Dictionary<string, string> { ["MIT"] = mit, ["Apache-2.0"] = apache });
     foreach (var package in packages) texts.Add(package);

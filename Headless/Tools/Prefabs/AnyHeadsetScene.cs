@@ -5,14 +5,14 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>A robot cell for a headset with controllers. The base is placed by hand, and buttons replace a menu.</summary>
+/// <summary>Creates the scene of a robot cell for a headset with controllers. The user places the base by hand; buttons replace a menu.</summary>
 static class AnyHeadsetScene
 {
     const string Right = "<XRController>{RightHand}/", Left = "<XRController>{LeftHand}/";
 
     const float NudgeMs = 1, OpacityStep = 0.1f;
 
-    /// <summary>Initial place of the base: in front of the viewer, at the height of a table when the viewer stands.</summary>
+    /// <summary>Initial position of the base: in front of the user, at table height if the user stands.</summary>
     internal static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
 
     public static string Make(Workshop workshop)
@@ -29,7 +29,7 @@ static class AnyHeadsetScene
         return workshop.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
-    /// <summary>Adds the handle whose pose is the robot's base frame: an object of six centimetres with a nose along the robot's x.</summary>
+    /// <summary>Adds the handle whose pose is the robot's base frame. It is 6 cm large, and its nose points along the robot's x axis.</summary>
     static void AddHandle(Workshop workshop, Transform cell, Transform rig)
     {
         var handle = new GameObject("Base Handle");

@@ -3,7 +3,7 @@ using Nowpose.Prefabs.Mrtk3;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>All assets that this tool writes, each after the assets that it refers to.</summary>
+/// <summary>Lists all assets that this tool writes. Each asset comes after the assets that it references.</summary>
 public static class AssetPlan
 {
     static readonly (string Path, Func<Workshop, string> Make)[] Assets =
@@ -54,7 +54,7 @@ public static class AssetPlan
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);
 
-    /// <summary>Compares the assets without writing.</summary>
+    /// <summary>Compares the assets with the files without writing.</summary>
     /// <returns>Paths of the assets that are missing or outdated.</returns>
     public static IReadOnlyList<string> Differing(string root)
     {
@@ -75,7 +75,7 @@ public static class AssetPlan
             File.WriteAllText(Path.Combine(root, path), text);
             MetaWriter.WriteMissing(root);
             written.Add(path);
-            // Later assets must refer to its new version.
+            // Reloads the assets, so that later ones reference the new version.
             workshop = new Workshop(root);
         }
         return written;

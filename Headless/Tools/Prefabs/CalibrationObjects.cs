@@ -3,16 +3,16 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>The objects that measure a display: the code of each frame, the load behind it, and the sweep with its text below.</summary>
+/// <summary>Creates the objects for measuring a display: the code of each frame, the load behind it, and the sweep with its text.</summary>
 static class CalibrationObjects
 {
-    /// <summary>Distance from the viewer. From here, the code is an eighth as high as a headset camera's picture.</summary>
+    /// <summary>Distance of the code from the user. At this distance, its height is an eighth of the picture of the headset's camera.</summary>
     const float DistanceMetres = 1;
 
-    /// <summary>Angle below the line of sight: above the status panel, with space above it for three lines of text.</summary>
+    /// <summary>Angle below the line of sight. Negative: the code is above the status panel, with space above it for three lines of text.</summary>
     const float DegreesBelow = -6;
 
-    /// <summary>Distance of the load behind the status panel, so that it hides nothing.</summary>
+    /// <summary>Distance of the load behind the status panel, so that the load hides nothing.</summary>
     const float LoadBehindMetres = 0.5f;
 
     const float WordsAboveMetres = 0.06f;

@@ -4,26 +4,26 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Adds calls to events of components, as the Inspector does.</summary>
+/// <summary>Adds persistent calls to the events of components, as the Inspector does.</summary>
 static class Calls
 {
     /// <summary>Adds a call without an argument.</summary>
     public static void Add(Component owner, string eventField, Object target, string method) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.Void, null));
 
-    /// <summary>Adds a call with a number.</summary>
+    /// <summary>Adds a call with a number as argument.</summary>
     public static void Add(Component owner, string eventField, Object target, string method, float argument) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.Float, argument));
 
-    /// <summary>Adds a call with a Boolean.</summary>
+    /// <summary>Adds a call with a Boolean argument.</summary>
     public static void Add(Component owner, string eventField, Object target, string method, bool argument) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.Bool, argument));
 
-    /// <summary>Adds a call with the event's argument.</summary>
+    /// <summary>Adds a call that passes on the argument of the event.</summary>
     public static void AddDynamic(Component owner, string eventField, Object target, string method) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.EventDefined, null));
 
-    /// <summary>Adds a call to an event that is not a component's field, with or without a number.</summary>
+    /// <summary>Adds a call to an event that is not a field of a component. The call has a number as argument, or none.</summary>
     public static void Add(UnityEvent happened, Object target, string method, float? argument) => happened.Persistent.Add(
         PersistentCall.Of(target, method, argument.HasValue ? PersistentListenerMode.Float : PersistentListenerMode.Void, argument));
 

@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Objects that a scene adds to a cell of the package.</summary>
+/// <summary>Adds objects of a scene to a cell of the package.</summary>
 static class CellObjects
 {
-    /// <summary>Adds the actions on the parts of the cell.</summary>
+    /// <summary>Adds the component with the actions of the cell.</summary>
     public static CellActions AddActions(Workshop workshop, MrilSession session)
     {
         var actions = session.gameObject.AddComponent<CellActions>();

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>The objects of one robot in a scene: its session, its base anchor, its rig with the gripper, the ghost and the panel.</summary>
+/// <summary>Creates the prefab with the objects of one robot: session, base anchor, rig with gripper, ghost and panel.</summary>
 sealed class CellPrefab
 {
     readonly Workshop _workshop;
@@ -18,8 +18,8 @@ sealed class CellPrefab
         _session = new GameObject(name).AddComponent<MrilSession>();
     }
 
-    /// <param name="path">Path of the prefab, whose name is that of the file.</param>
-    /// <param name="robotPath">Path of the robot's description; null for the robot that the gateway describes.</param>
+    /// <param name="path">Path of the prefab. The prefab has the name of the file.</param>
+    /// <param name="robotPath">Path of the robot's description; null to use the robot that the gateway describes.</param>
     public static string Make(Workshop workshop, string path, string robotPath)
     {
         var robot = robotPath == null ? null : workshop.Load<RobotDescriptionAsset>(robotPath);
@@ -51,7 +51,7 @@ sealed class CellPrefab
         return rig;
     }
 
-    /// <summary>Adds the ghost, hidden until the user enables it. It has no text, because the displayed robot has one.</summary>
+    /// <summary>Adds the ghost, which is hidden until the user enables it. It has no text, because the displayed robot has one.</summary>
     void AddGhost(Transform anchor, RobotRig displayed)
     {
         var look = _workshop.Load<Material>(PackagePaths.Ghost);
@@ -65,7 +65,7 @@ sealed class CellPrefab
         rig.gameObject.SetActive(false);
     }
 
-    /// <summary>Creates the rig. The gripper is on its flange or, while the robot is unknown, below the rig.</summary>
+    /// <summary>Creates the rig. The gripper is a child of the flange or, while the robot is unknown, of the rig.</summary>
     RobotRig Rig(Transform anchor, Material arm, Material tool, out GameObject gripper)
     {
         var rig = Rigs.Build(_robot, anchor, arm, tool);
@@ -73,7 +73,7 @@ sealed class CellPrefab
         if (rig.Flange != null) Rigs.HideBelow(rig.Flange);
         gripper = _workshop.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
 
-        // One appearance for all parts of the rig, including those built at run time, replaces that of the gripper.
+        // Replaces the appearance of the gripper with one for the complete rig, including parts that are built at run time.
         Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
         var appearance = rig.gameObject.AddComponent<PoseAppearance>();
         Fields.Set(appearance, "_session", _session);
@@ -81,7 +81,7 @@ sealed class CellPrefab
         return rig;
     }
 
-    /// <summary>Adds the calibration by eye, disabled by default.</summary>
+    /// <summary>Adds the component for calibration by eye, disabled by default.</summary>
     void AddNudge(RobotRig displayed, LatencyProfileLoader loader)
     {
         var nudge = _session.gameObject.AddComponent<LatencyNudge>();

@@ -8,7 +8,7 @@ static class Fields
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
-    /// <exception cref="ArgumentException">The class has no such serialised field, or it has another type.</exception>
+    /// <exception cref="ArgumentException">The class has no serialised field of this name, or the field has another type.</exception>
     public static void Set(object target, string name, object value) => Of(target, name).SetValue(target, value);
 
     /// <inheritdoc cref="Set"/>

@@ -4,12 +4,12 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>The youBot's gripper as a separate prefab, in the flange's frame, with closed fingers.</summary>
+/// <summary>Creates the youBot's gripper as a separate prefab in the flange's frame, with closed fingers.</summary>
 static class GripperPrefab
 {
     const string Words = "Words";
 
-    /// <summary>Gets the text of an instance that shows why a pose is not current.</summary>
+    /// <summary>Gets the text of a gripper instance that states why its pose is not current.</summary>
     public static TextMesh WordsOf(GameObject gripper) => gripper.transform.Find(Words).GetComponent<TextMesh>();
 
     public static string Make(Workshop workshop)
@@ -17,7 +17,7 @@ static class GripperPrefab
         var hologram = workshop.Load<Material>(PackagePaths.Hologram);
         var robot = Rigs.Build(workshop.Load<RobotDescriptionAsset>(PackagePaths.Youbot), null, hologram, hologram);
 
-        // The names differ from those of the links, because a rig with the gripper would use it as its own link otherwise.
+        // The names must differ from those of the links. Otherwise, a rig would use these objects as its own links.
         var palm = Named(robot.Link("gripper_palm_link"), "Palm");
         var left = Named(robot.Link("gripper_finger_link_l"), "Left Finger");
         var right = Named(robot.Link("gripper_finger_link_r"), "Right Finger");
@@ -34,11 +34,11 @@ static class GripperPrefab
         return workshop.Prefab(gripper);
     }
 
-    /// <summary>Part of the gripper, so that a gripper used alone also shows when its pose is outdated.</summary>
+    /// <summary>Adds the appearance to the gripper itself, so that a gripper without a rig also shows when its pose is outdated.</summary>
     static void AddAppearance(Workshop workshop, GameObject gripper, Material substitute)
     {
         var words = Texts.Add(workshop, Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
-        // Next to the palm, where it covers neither the fingers nor a grasped object.
+        // Places the text next to the palm, where it hides neither the fingers nor a grasped object.
         words.transform.localPosition = new Vector3(0.12f, 0.02f, 0);
         var appearance = gripper.AddComponent<PoseAppearance>();
         Fields.Set(appearance, "_words", words);

@@ -4,31 +4,33 @@ namespace Nowpose.Prefabs;
 
 static class MaterialAssets
 {
-    /// <summary>Render queue before transparent objects: text in front of it must be drawn after it.</summary>
+    /// <summary>Render queue before transparent objects. Used for the background of text, which must be drawn before the text.</summary>
     const int BehindText = 2900;
 
     /// <summary>Render queue of opaque objects.</summary>
     const int Opaque = 2000;
 
-    /// <summary>Render queue after the virtual parts, so that its depth hides none of them; where it is in front, they show through it.</summary>
+    /// <summary>Render queue after the virtual parts. An object in this queue does not hide them; where it is in front, they shine through.</summary>
     const int AfterVirtualParts = 3100;
 
-    /// <summary>Material of the virtual parts: bright, because a headset's display only adds light.</summary>
+    /// <summary>Creates the material of virtual parts. It is bright, because a headset's display can only add light.</summary>
     public static string Hologram(Workshop workshop) => Make(workshop, "Hologram", new Color(0.25f, 0.75f, 1, 1));
 
-    /// <summary>Material of the arm in scenes without a real one. It fades and gets stripes like the tool, but has another colour.</summary>
+    /// <summary>
+    /// Creates the material of the arm in scenes without a real one. It fades and has stripes like the tool, but in another colour.
+    /// </summary>
     public static string Arm(Workshop workshop) => Make(workshop, "Arm", new Color(1, 0.55f, 0.15f, 1));
 
-    /// <summary>Material of workpieces: yellow, so that they differ from the gripper that holds them.</summary>
+    /// <summary>Creates the material of workpieces. It is yellow, so that they differ from the gripper that holds them.</summary>
     public static string Workpiece(Workshop workshop) => Make(workshop, "Workpiece", new Color(1, 0.85f, 0.2f, 1));
 
-    /// <summary>Material of the uncompensated pose: colourless and half transparent, so that it differs not only in colour.</summary>
+    /// <summary>Creates the material of the uncompensated pose. It is grey and half transparent, so that it differs not only in colour.</summary>
     public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
 
-    /// <summary>Material of real objects in a desktop scene: grey, and shaded without a light in both render pipelines.</summary>
+    /// <summary>Creates the material of real objects in a desktop scene. It is grey and shaded without a light in both render pipelines.</summary>
     public static string Solid(Workshop workshop) => Make(workshop, "Solid", new Color(0.6f, 0.6f, 0.6f, 1), Opaque);
 
-    /// <summary>Material of text that is hidden by objects in front of it.</summary>
+    /// <summary>Creates the material of text that objects in front of it can hide.</summary>
     public static string Text(Workshop workshop)
     {
         var material = new Material(workshop.Load<Shader>(PackagePaths.TextShader)) { name = "Text", color = Color.white, enableInstancing = true };
@@ -42,11 +44,11 @@ static class MaterialAssets
     }
 
     /// <summary>
-    /// Dark material behind the status panel's text: nearly invisible on a headset, and a background for bright text in the editor.
+    /// Creates the dark material behind the status panel's text. It is nearly invisible on a headset and a background in the editor.
     /// </summary>
     public static string Panel(Workshop workshop) => Make(workshop, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
 
-    /// <summary>Material of the lit squares of a code: as bright as possible.</summary>
+    /// <summary>Creates the material of a code's lit squares, which are as bright as possible.</summary>
     public static string Timestamp(Workshop workshop) => Make(workshop, "Timestamp", Color.white);
 
     static string Make(Workshop workshop, string name, Color colour, int renderQueue = -1)

@@ -2,7 +2,7 @@ using Nowpose.Prefabs.Mrtk3;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Paths of the assets in Unity's form.</summary>
+/// <summary>Paths of the assets as Unity writes them.</summary>
 static class PackagePaths
 {
     const string Runtime = "Packages/com.nowpose.mril/Runtime/";

@@ -3,13 +3,13 @@ using Nowpose.Prefabs;
 using Nowpose.Prefabs.Pictures;
 
 const string Help = """
-    Writes the prefabs, materials, robot descriptions, settings and scenes of the Unity project that the current folder lies in.
+    Writes the prefabs, materials, robot descriptions, settings and scenes of the Unity project that contains the current folder.
 
-      (no option)  write those that differ, and their .meta where it is missing
-      --check      write nothing, only list what differs
+      (no option)  write assets that differ, and their .meta files if missing
+      --check      write nothing, only list assets that differ
       --pictures   draw the manual's pictures of prefabs and sample: Documentation~/images/pose-appearance.svg, status-panel.svg and cell.svg
 
-    Exit status: 0 nothing differs, 1 something did, 2 wrong use.
+    Exit status: 0 no differences, 1 differences, 2 invalid arguments.
     """;
 
 if (args.Contains("--help"))

@@ -4,11 +4,11 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>The objects around the robot in a desktop scene.</summary>
+/// <summary>Creates the objects around the robot in a desktop scene.</summary>
 static class Props
 {
-    /// <param name="position">Metres.</param>
-    /// <param name="eulerAngles">Degrees.</param>
+    /// <param name="position">Position in metres.</param>
+    /// <param name="eulerAngles">Euler angles in degrees.</param>
     public static GameObject Camera(Vector3 position, Vector3 eulerAngles)
     {
         var camera = new GameObject("Main Camera") { tag = "MainCamera" };
@@ -24,8 +24,8 @@ static class Props
         return camera;
     }
 
-    /// <summary>Creates a camera that a headset moves. Black is transparent on a see-through display, and hands come close.</summary>
-    /// <remarks>Where a headset's rig brings its own camera, <see cref="SetNearClip"/> gives that one the same near clip plane.</remarks>
+    /// <summary>Creates a camera that a headset moves. Its background is black, which a see-through display shows as transparent.</summary>
+    /// <remarks>If a headset's rig has its own camera, use <see cref="SetNearClip"/> to give that camera the same near clip plane.</remarks>
     public static GameObject HeadsetCamera()
     {
         var camera = new GameObject("Main Camera") { tag = "MainCamera" };
@@ -41,7 +41,7 @@ static class Props
     /// <summary>Sets the near clip plane. At 0.1 m, a step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.</summary>
     public static void SetNearClip(Camera camera) => camera.nearClipPlane = 0.1f;
 
-    /// <summary>Creates a sun with soft shadows. A headset's scene has none: they need a second rendering, and its display cannot darken.</summary>
+    /// <summary>Creates a directional light. A headset's scene has no shadows: they need a second rendering, and its display cannot darken.</summary>
     public static GameObject Light(bool hasShadows = true)
     {
         var light = new GameObject("Directional Light");
@@ -53,7 +53,7 @@ static class Props
         return light;
     }
 
-    /// <summary>Creates a ground of 4 m × 4 m at the robot's base.</summary>
+    /// <summary>Creates a ground of 4 m × 4 m at the height of the robot's base.</summary>
     public static GameObject Ground(Workshop workshop)
     {
         var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);

@@ -4,13 +4,13 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Builds rigs like the component does at run time, to be stored in a prefab.</summary>
+/// <summary>Builds rigs in the same way as the component at run time, to store them in a prefab.</summary>
 static class Rigs
 {
-    /// <param name="robot">Null for a rig that builds itself once its robot is known.</param>
-    /// <param name="parent">Null for none.</param>
+    /// <param name="robot">Description of the robot; null for a rig that builds itself when its robot is known.</param>
+    /// <param name="parent">Parent of the rig; null for none.</param>
     /// <param name="arm">Material of the links up to the flange.</param>
-    /// <param name="tool">Material of the links that the flange carries.</param>
+    /// <param name="tool">Material of the links beyond the flange.</param>
     public static RobotRig Build(RobotDescriptionAsset robot, Transform parent, Material arm, Material tool)
     {
         var rig = new GameObject("Robot").AddComponent<RobotRig>();
@@ -21,7 +21,7 @@ static class Rigs
         return rig;
     }
 
-    /// <summary>Removes the renderers of the links below a link, because the virtual gripper has its own.</summary>
+    /// <summary>Removes the renderers below a link, because the virtual gripper has its own.</summary>
     public static void HideBelow(Transform link)
     {
         foreach (var renderer in link.GetComponentsInChildren<MeshRenderer>(includeInactive: true))

@@ -6,8 +6,8 @@ namespace Nowpose.Prefabs;
 static class RobotAssets
 {
     /// <summary>
-    /// The URDF's text in an asset that prefabs may refer to: the assets that an importer creates from a .urdf have fileIDs that only Unity
-    /// determines.
+    /// Creates an asset with the URDF's text that prefabs can reference. The assets that an importer creates from a .urdf file have fileIDs that
+    /// only Unity can determine.
     /// </summary>
     public static string Description(Workshop workshop, string path, string urdfPath)
     {
@@ -17,7 +17,7 @@ static class RobotAssets
         return workshop.Asset(asset);
     }
 
-    /// <summary>Creates settings for a gateway on this machine without calibration: the class's defaults.</summary>
+    /// <summary>Creates settings with the default values of the class: a gateway on this machine, without calibration.</summary>
     public static string Settings(Workshop workshop, string path)
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();

@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Scenes for a desktop without a real arm.</summary>
+/// <summary>Creates scenes for a desktop without a real arm.</summary>
 static class Scenes
 {
-    /// <summary>Creates the scene of the host project.</summary>
+    /// <summary>Creates the scene of the Unity project in this repository.</summary>
     public static string Demo(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.Settings);
@@ -22,7 +22,7 @@ static class Scenes
         return Save(workshop, cell);
     }
 
-    /// <summary>Creates a scene that also draws the real arm at its simulated position; the drawn arm itself hides objects behind it.</summary>
+    /// <summary>Creates a scene that also draws the real arm at its simulated position. The arm hides the virtual parts behind it.</summary>
     public static string VirtualRobotCell(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.VirtualSettings);
@@ -44,12 +44,12 @@ static class Scenes
         return Save(workshop, control.gameObject, real.gameObject, cell, objects);
     }
 
-    /// <summary>Creates a scene for a headset, and for the editor without one, where the camera stays at the origin and faces all objects.</summary>
+    /// <summary>Creates a scene for a headset. In the editor without a headset, the camera stays at the origin and sees all objects.</summary>
     public static string DisplayCalibration(Workshop workshop)
     {
         var cell = Cell(workshop, PackagePaths.Cell, PackagePaths.CalibrationSettings);
         cell.transform.Find("Base Anchor").localPosition = AnyHeadsetScene.BasePlace;
-        // Keeps the lower edge of the panel in view, and its upper edge below the code.
+        // Places the panel so that its lower edge is in view and its upper edge is below the code.
         Fields.Set(cell.GetComponentInChildren<StatusPanel>(includeInactive: true).GetComponent<BodyFollow>(), "_degreesBelow", 8f);
         CalibrationObjects.Add(workshop, cell.GetComponent<MrilSession>());
         var rig = new GameObject("Tracking Origin");
@@ -59,7 +59,7 @@ static class Scenes
         return workshop.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
-    /// <param name="settingsPath">Path of separate settings, because those of an installed package are read-only.</param>
+    /// <param name="settingsPath">Path of the scene's own settings, because those of an installed package are read-only.</param>
     internal static GameObject Cell(Workshop workshop, string cellPath, string settingsPath)
     {
         var cell = workshop.Instantiate(cellPath, null);
@@ -67,7 +67,7 @@ static class Scenes
         return cell;
     }
 
-    /// <summary>Gets the renderers that hide the gripper behind the real arm; they are invisible themselves.</summary>
+    /// <summary>Gets the invisible renderers that hide the gripper where it is behind the real arm.</summary>
     static IEnumerable<MeshRenderer> Arm(Workshop workshop, GameObject cell)
     {
         var occluder = workshop.Load<Material>(PackagePaths.Occluder);
@@ -75,7 +75,7 @@ static class Scenes
             .Where(r => r.sharedMaterial == occluder);
     }
 
-    /// <summary>Shows the arm, including one that is built at run time.</summary>
+    /// <summary>Makes the arm visible, also if it is built at run time.</summary>
     static void Draw(Workshop workshop, GameObject cell)
     {
         var material = workshop.Load<Material>(PackagePaths.Arm);

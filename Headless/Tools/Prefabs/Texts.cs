@@ -6,10 +6,10 @@ namespace Nowpose.Prefabs;
 
 static class Texts
 {
-    /// <summary>Font size of the font texture: letters stay sharp at arm's length.</summary>
+    /// <summary>Font size of the font's texture. With it, letters are sharp at arm's length.</summary>
     const int Points = 48;
 
-    /// <summary>Scale for letters of half a degree at 1 m. The components adapt it to the viewer's distance.</summary>
+    /// <summary>Scale at which letters are half a degree high at 1 m. The components adapt it to the distance of the user.</summary>
     const float Scale = 0.0035f;
 
     public static TextMesh Add(Workshop workshop, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)

@@ -2,10 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Removes rounding errors of trigonometry: 6.123234e-17 instead of 0.</summary>
+/// <summary>Removes rounding errors of trigonometric functions, for example 6.123234e-17 in place of 0.</summary>
 static class Tidy
 {
-    /// <summary>Number of decimals: a tenth of a micrometre or of a microradian, which is below the resolution of a float near 1 m.</summary>
+    /// <summary>Number of decimals: 0.1 µm or 0.1 µrad. The resolution of a float near 1 m is coarser.</summary>
     const int Digits = 7;
 
     public static void Transforms(Transform root)
@@ -21,6 +21,6 @@ static class Tidy
 
     static Vector3 Rounded(Vector3 v) => new(Rounded(v.x), Rounded(v.y), Rounded(v.z));
 
-    // The sum converts -0 to 0.
+    // Adding 0.0 converts -0 to 0.
     static float Rounded(float value) => (float)(Math.Round((double)value, Digits) + 0.0);
 }

@@ -6,13 +6,13 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>The virtual peripherals and workpieces of a cell whose robot has work.</summary>
+/// <summary>Creates the virtual peripherals and workpieces of a cell whose robot has a task.</summary>
 static class WorkObjects
 {
-    /// <summary>Width of the belt, thickness of the belt and of the fixture, m.</summary>
+    /// <summary>Width of the belt; thickness of belt and fixture, m.</summary>
     const float Width = 0.05f, Thickness = 0.01f;
 
-    /// <summary>Number of points of the belt per drawn section.</summary>
+    /// <summary>Number of the belt's points per straight section.</summary>
     const int PointsPerSection = 2;
 
     public static GameObject Build(Workshop workshop, MrilSession session, RobotModel robot)
@@ -38,7 +38,7 @@ static class WorkObjects
         return root;
     }
 
-    // Without words: six texts would hide the objects, and the status panel names those that are not current.
+    // Adds no text: six texts would hide the objects, and the status panel names the objects that are not current.
     static GameObject Shown<T>(string name, string frame, GameObject parent, MrilSession session, Material substitute)
         where T : Component
     {
@@ -56,7 +56,7 @@ static class WorkObjects
     static void AddWorkpiece(GameObject parent, Material material) =>
         AddCube(parent, "Cube", RigidTransform.Identity, Vector3.one * (float)CellWork.Size, material);
 
-    // Straight sections from point to point of the belt's upper side.
+    // Draws straight sections between points on the upper side of the belt.
     static void AddBelt(GameObject conveyor, CellWork work, Material material)
     {
         var points = work.BeltBehind(0).Select(point => work.ConveyorPose.Inverse * point).Where((_, i) => i % PointsPerSection == 0).ToArray();
@@ -71,8 +71,8 @@ static class WorkObjects
         }
     }
 
-    /// <param name="pose">Pose in the parent's frame, right-handed.</param>
-    /// <param name="size">Metres, along Unity's axes: right, up, forward.</param>
+    /// <param name="pose">Pose in the parent's frame, in right-handed coordinates.</param>
+    /// <param name="size">Size in metres along Unity's axes: right, up, forward.</param>
     static void AddCube(GameObject parent, string name, in RigidTransform pose, Vector3 size, Material material)
     {
         var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);

@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>The tools for building an asset: the existing assets and the writer.</summary>
+/// <summary>Loads existing assets and writes new ones.</summary>
 sealed class Workshop
 {
     readonly string _root;
@@ -27,8 +27,8 @@ sealed class Workshop
 
     public string ReadText(string path) => File.ReadAllText(Path.Combine(_root, path));
 
-    /// <summary>Creates a linked instance of a prefab.</summary>
-    /// <param name="parent">The parent; null for a root.</param>
+    /// <summary>Creates an instance that stays linked to its prefab.</summary>
+    /// <param name="parent">Parent of the instance; null for a root object.</param>
     public GameObject Instantiate(string prefabPath, Transform parent)
     {
         var made = _library.InstantiatePrefab(Load<GameObject>(prefabPath));

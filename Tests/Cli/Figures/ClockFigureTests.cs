@@ -2,6 +2,7 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Field;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Messages;
 using Nowpose.Sync;
 using NUnit.Framework;
 

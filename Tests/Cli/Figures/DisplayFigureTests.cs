@@ -4,6 +4,7 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Display;
 using Nowpose.Cli.Figures.Model;
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 

@@ -1,6 +1,7 @@
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Sweeps;
+using Nowpose.Cli.Messages;
 using Nowpose.Motion;
 using NUnit.Framework;
 

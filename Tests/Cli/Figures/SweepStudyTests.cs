@@ -2,6 +2,7 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Sweeps;
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 

@@ -2,6 +2,7 @@ using System.Xml.Linq;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using NUnit.Framework;

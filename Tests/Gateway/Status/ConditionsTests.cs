@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
@@ -13,8 +14,8 @@ public class ConditionsTests
     static IEnumerable<TestCaseData> Rows =>
     [
         new((int)JointDataState.Missing, "", true),
-        new((int)JointDataState.Refused, DropText.Of(DropReason.Unsynchronised), true),
-        new((int)JointDataState.Refused, DropText.Of(DropReason.NotFinite), false),
+        new((int)JointDataState.Refused, DropMessages.Of(DropReason.Unsynchronised), true),
+        new((int)JointDataState.Refused, DropMessages.Of(DropReason.NotFinite), false),
         new((int)JointDataState.Stale, "samples stopped arriving", false),
         new((int)JointDataState.Fault, "node deleted", false),
     ];

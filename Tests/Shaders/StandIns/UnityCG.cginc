@@ -1,2 +1,2 @@
-// Stand-in for the built-in pipeline's include.
+// Substitute for the include of the built-in pipeline.
 #include "StandIn.hlsl"

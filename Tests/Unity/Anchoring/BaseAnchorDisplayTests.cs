@@ -9,7 +9,7 @@ using static Nowpose.Unity.Tests.Anchoring.PlayedBaseAnchor;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>The base anchor as the wearer sees it, and as console and inspector show it.</summary>
+/// <summary>Tests how the state of the base anchor appears: to the wearer, in the console, and in the inspector.</summary>
 public class BaseAnchorDisplayTests
 {
     PlayedBaseAnchor _played;
@@ -21,7 +21,7 @@ public class BaseAnchorDisplayTests
     public void End() => _played.Dispose();
 
     [Test]
-    public void Words_SourceWithProblem_StateTheReason()
+    public void Words_SourceHasProblem_StateTheProblem()
     {
         _played.Markers.Problem = "no AR Session is in the scene";
         _played.Markers.IsBlind = true;
@@ -77,7 +77,7 @@ public class BaseAnchorDisplayTests
     }
 
     [Test]
-    public void Look_BaseUncertain_IsStripedWithWords()
+    public void Look_BaseUncertain_IsStripedWithText()
     {
         _played.Markers.IsBlind = true;
         _played.PlayOne();
@@ -97,7 +97,7 @@ public class BaseAnchorDisplayTests
     }
 
     [Test]
-    public void Panel_OfTheCell_ShowsTheBase()
+    public void StatusPanel_CellWithLockedBase_ShowsStateOfTheBase()
     {
         _played.PlayLocked();
         var texts = _played.Session.GetComponentInChildren<StatusPanel>().GetComponentsInChildren<TextMesh>();
@@ -129,7 +129,7 @@ public class BaseAnchorDisplayTests
     }
 
     [Test]
-    public void Rows_OfTheInspector_ShowLockDeviceAndMarkers()
+    public void InspectorRows_BaseLocked_ShowLockDeviceAnchorAndMarkers()
     {
         _played.Session.gameObject.AddComponent<FakeSpatialAnchors>();
         _played.PlayLocked();

@@ -8,7 +8,7 @@ using static Nowpose.Unity.Tests.Anchoring.PlayedBaseAnchor;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>The base anchor in a running cell of the package, with a device that sees markers.</summary>
+/// <summary>Tests the base anchor in a running cell of the package, with a device that sees markers.</summary>
 public class BaseAnchorTests
 {
     PlayedBaseAnchor _played;
@@ -20,7 +20,7 @@ public class BaseAnchorTests
     public void End() => _played.Dispose();
 
     [Test]
-    public void Markers_None_KeepThePlacedPose()
+    public void Base_NoMarkers_KeepsThePlacedPose()
     {
         _played.Markers.Markers.Clear();
         _played.Session.gameObject.SetActive(true);
@@ -37,7 +37,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Locked_DeviceLosesOrMovesTheAnchor_IsLoggedOnceAndShown()
+    public void LockedBase_DeviceLosesOrMovesItsAnchor_IsLoggedOnceAndShown()
     {
         var device = _played.Session.gameObject.AddComponent<FakeSpatialAnchors>();
         _played.PlayLocked();
@@ -60,7 +60,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Markers_InView_LockTheBaseAtTheRobot()
+    public void Base_MarkersInView_IsLockedAtTheRobot()
     {
         _played.PlayOne();
         var states = new List<BaseAnchorState>();
@@ -113,7 +113,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Device_HoldsAnchors_ReceivesTheLockAndIsFollowed()
+    public void Base_DeviceHoldsAnchors_IsAnchoredAndFollowsTheDevice()
     {
         var device = new GameObject("Anchors").AddComponent<FakeSpatialAnchors>();
         device.transform.SetParent(_played.Session.transform);
@@ -134,7 +134,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Device_KeptTheBase_IsRestoredUntilAMarkerConfirms()
+    public void Base_SavedOnTheDevice_IsRestoredUntilAMarkerConfirmsIt()
     {
         var device = _played.Session.gameObject.AddComponent<FakeSpatialAnchors>();
         (device.KeptAs, device.Pose) = ("cell 7", Base);
@@ -152,7 +152,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Hand_MovesAMarker_BaseFollowsAndLocksOnRelease()
+    public void HandPlacedMarker_Moved_BaseFollowsAndLocksOnRelease()
     {
         _played.Markers.Markers.Clear();
         var hand = new GameObject("Hand").AddComponent<HandPlacedMarker>();
@@ -175,7 +175,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Hand_NotHeld_IsAtTheMarkersPlace()
+    public void HandPlacedMarker_NotHeld_IsAtThePoseOfItsMarker()
     {
         var hand = new GameObject("Hand").AddComponent<HandPlacedMarker>().With("_payload", "a");
         hand.transform.SetParent(_played.Session.transform);
@@ -193,7 +193,7 @@ public class BaseAnchorTests
     }
 
     [Test]
-    public void Source_AddedOrRemoved_IsUsedOrReleased()
+    public void MarkerSource_AddedOrRemoved_IsUsedOrReleased()
     {
         UnityEngine.Object.DestroyImmediate(_played.Markers);
         _played.PlayOne();

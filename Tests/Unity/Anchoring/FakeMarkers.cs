@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>A device that sees one base's markers at 30 Hz with 1 mm and 0.2° of noise, while a test allows it.</summary>
+/// <summary>Simulates a device that sees the markers of a base at 30 Hz, with noise of 1 mm and 0.2°. Tests can make it blind.</summary>
 sealed class FakeMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
 {
     readonly System.Random _random = new(3);
@@ -13,7 +13,7 @@ sealed class FakeMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
 
     public IHeadsetClock Clock { get; set; }
 
-    /// <summary>The true pose of the base in the room frame.</summary>
+    /// <summary>True pose of the base in the room frame.</summary>
     public RigidTransform Base { get; set; } = RigidTransform.Identity;
 
     /// <summary>Poses of the markers in the base frame, by payload.</summary>

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>A device with one spatial anchor.</summary>
+/// <summary>Simulates a device that has one spatial anchor.</summary>
 sealed class FakeSpatialAnchors : MonoBehaviour, ISpatialAnchors, ISpatialAnchor
 {
     public bool IsReady => true;

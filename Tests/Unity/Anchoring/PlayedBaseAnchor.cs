@@ -67,7 +67,7 @@ sealed class PlayedBaseAnchor : IDisposable
 
     public void Dispose() => Cell.Dispose();
 
-    // Looks down from one metre above and to one side.
+    // Places the head one metre above and beside a place, looking down at it.
     void LookDownAt(in RigidTransform place)
     {
         var pose = UnityPoses.ToWorld(place);

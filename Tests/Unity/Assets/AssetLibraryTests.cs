@@ -5,7 +5,7 @@ using static Nowpose.Unity.Tests.Assets.TemporaryProject;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Prefabs, assets and materials are loaded with the values in their files.</summary>
+/// <summary>Tests that prefabs, assets and materials are loaded with the values in their files.</summary>
 public sealed class AssetLibraryTests
 {
     ProbedProject _probed;
@@ -47,7 +47,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_Fields_OfEveryKind_AreSet()
+    public void Load_FieldsOfEveryKind_AreSet()
     {
         _probed.Project.AddYaml("Assets/Data.asset", 4, Scriptable("Data", "  _text: hello\n"));
 
@@ -102,7 +102,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_FieldsOmitted_KeepTheirDefaults()
+    public void Load_FieldsMissingInTheFile_KeepTheirDefaults()
     {
         var probe = _probed.Probe("");
 
@@ -117,7 +117,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_PersistentCalls_RunWhenTheEventIsRaised()
+    public void Load_EventWithPersistentCalls_RunsThemWhenRaised()
     {
         const string Call = """
                   - m_Target: {fileID: 3}
@@ -145,7 +145,7 @@ public sealed class AssetLibraryTests
     }
 
     [Test]
-    public void Load_AssetsReferringToEachOther_AreTheSameObjects()
+    public void Load_AssetsReferToEachOther_ReferencesAreTheSameObjects()
     {
         _probed.Project.AddYaml("Assets/A.asset", 4, Scriptable("A", "  _next: {fileID: 11400000, guid: " + GuidOf(5) + ", type: 2}\n"))
             .AddYaml("Assets/B.asset", 5, Scriptable("B", "  _next: {fileID: 11400000, guid: " + GuidOf(4) + ", type: 2}\n"));

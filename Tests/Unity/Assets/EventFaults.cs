@@ -10,10 +10,11 @@ namespace Nowpose.Unity.Tests.Assets;
 /// <summary>Finds errors in the persistent calls of events.</summary>
 static class EventFaults
 {
-    /// <summary>Returns every event of a component and of its nested objects, with its place.</summary>
+    /// <summary>Returns all events in the fields of a component and of nested objects, each with its place.</summary>
     public static IEnumerable<(string Place, UnityEventBase Event)> EventsOf(Component component) =>
         EventsIn(component, component.name + " " + component.GetType().Name);
 
+    /// <summary>Checks the persistent calls of an event.</summary>
     /// <returns>One line for each call that would fail.</returns>
     public static IEnumerable<string> Of(UnityEventBase happened) =>
         happened.Persistent.Calls.Select(call => FaultOf(call, happened.ArgumentType)).Where(fault => fault != null);

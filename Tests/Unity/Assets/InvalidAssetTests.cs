@@ -5,7 +5,7 @@ using static Nowpose.Unity.Tests.Assets.TemporaryProject;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Assets that Unity would not load as they are written are refused with file, id and field.</summary>
+/// <summary>Tests that invalid assets, which Unity would load differently from the text, are refused with file, id and field.</summary>
 public sealed class InvalidAssetTests
 {
     ProbedProject _probed;
@@ -79,7 +79,7 @@ public sealed class InvalidAssetTests
     }
 
     [Test]
-    public void Load_AncestorOfItself_IsRefused()
+    public void Load_ObjectIsItsOwnAncestor_IsRefused()
     {
         _probed.Project.AddYaml("Assets/Arm.prefab", 3, Arm.Replace("PROBE\n", "", StringComparison.Ordinal)
             .Replace("m_Children: []", "m_Children:\n  - {fileID: 2}").Replace("m_Father: {fileID: 0}", "m_Father: {fileID: 12}"));
@@ -89,7 +89,7 @@ public sealed class InvalidAssetTests
     }
 
     [Test]
-    public void Load_MissingFileOrWrongName_IsNamed()
+    public void Load_FileMissingOrNameWrong_ErrorNamesTheFile()
     {
         _probed.Project.Add("Assets/Gone.txt", 4, null).AddYaml("Assets/Misnamed.asset", 5, Scriptable("Other", ""));
         var library = _probed.Project.Library();
@@ -109,7 +109,7 @@ public sealed class InvalidAssetTests
     }
 
     [Test]
-    public void Library_TwoMetasWithOneGuid_AreRefused()
+    public void Library_TwoMetaFilesWithTheSameGuid_AreRefused()
     {
         _probed.Project.Add("Assets/One.txt", 4, "1").Add("Assets/Two.txt", 4, "2");
 

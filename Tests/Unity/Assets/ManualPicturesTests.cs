@@ -6,13 +6,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Compares the manual's pictures of the prefabs with the current output of the tool that draws them.</summary>
+/// <summary>Tests the pictures of the prefabs in the manual, and compares them with the current output of the tool that draws them.</summary>
 public sealed class ManualPicturesTests
 {
     static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
 
     [Test]
-    public void Appearance_HeldPose_IsStripedFaintAndHasWords()
+    public void AppearancePicture_HeldPose_IsStripedFaintAndHasText()
     {
         var parts = XDocument.Parse(ManualPictures.Appearance(RepositoryFiles.Root)).Root.Elements(Svg + "svg").ToList();
 
@@ -25,7 +25,7 @@ public sealed class ManualPicturesTests
     }
 
     [Test]
-    public void Cell_WithoutCompensation_DiffersInTheGripperAndTheWorkpieceOnly()
+    public void CellPicture_WithoutCompensation_DiffersOnlyInGripperAndWorkpiece()
     {
         var parts = XDocument.Parse(ManualPictures.Cell(RepositoryFiles.Root)).Root.Elements(Svg + "svg")
             .Select(part => part.Elements(Svg + "path").Select(path => (Path: path.Attribute("d").Value, Fill: path.Attribute("fill").Value)).ToHashSet())
@@ -45,14 +45,14 @@ public sealed class ManualPicturesTests
     static bool IsBlue(string fill) => string.CompareOrdinal(fill[5..7], fill[1..3]) > 0;
 
     [Test]
-    public void Cell_Picture_IsThatOfTheReadme() =>
+    public void Readme_PictureOfTheCell_IsThePictureInTheManual() =>
         Assert.That(RepositoryFiles.Read("README.md"), Does.Contain($"]({RepositoryFiles.Package}/Documentation~/images/cell.svg)"));
 
     static double[] Opacities(XElement part) => [.. part.Elements(Svg + "path")
         .Select(path => double.Parse(path.Attribute("fill-opacity").Value, CultureInfo.InvariantCulture)).Distinct().Order()];
 
     [Test]
-    public void Panel_Drawn_HasAllRowsBelowTheMessage()
+    public void PanelPicture_Drawn_HasAllRowsBelowTheMessage()
     {
         var texts = XDocument.Parse(ManualPictures.Panel(RepositoryFiles.Root)).Root.Elements(Svg + "text").ToList();
 
@@ -64,7 +64,7 @@ public sealed class ManualPicturesTests
     }
 
     [Test]
-    public void Stripes_OfThePictures_MatchTheShader()
+    public void Stripes_InThePictures_MatchTheShader()
     {
         var shader = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime/Shaders", ".hlsl").Select(RepositoryFiles.Read)
             .SingleOrDefault(text => text.Contains("#define NOWPOSE_STRIPE_METRES", StringComparison.Ordinal));

@@ -11,12 +11,14 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Assets in Unity's YAML that the package, its samples and the host project contain.</summary>
+/// <summary>Tests the assets in Unity's text format in the package, in its samples and in the host project.</summary>
 public sealed class PackageAssetsTests
 {
     const string Runtime = "Packages/com.nowpose.mril/Runtime/";
 
-    /// <summary>References that may be empty, because there is a fallback, each with the end of the paths where this is allowed.</summary>
+    /// <summary>
+    /// References that may be empty because the component has a fallback, each with the end of the object paths where this is allowed.
+    /// </summary>
     static readonly (string Field, string Path)[] MayBeEmpty =
     {
         ("VirtualGripper._rig", "Virtual Gripper"),
@@ -30,7 +32,7 @@ public sealed class PackageAssetsTests
         ("BodyFollow._head", "/Status Panel (MRTK3)"),
         ("BodyFollow._head", "/Consent Prompt"),
         ("GraspableMarker._bounds", "/Hand-Placed Marker"),
-        // References that a sample's prefab cannot contain and that the scene assigns.
+        // References to objects outside of the prefab, which the scene of the sample assigns.
         ("StatusPanel._session", "Status Panel (MRTK3).prefab/Status Panel (MRTK3)"),
         ("CellActions._pairing", "Headset Menu.prefab/Headset Menu"),
         // This scene does not detect codes.
@@ -51,7 +53,7 @@ public sealed class PackageAssetsTests
         .Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".asset" or ".mat")
         .Where(f => !f.StartsWith("ProjectSettings/", StringComparison.Ordinal));
 
-    /// <summary>All assets except the stand-ins for other packages' prefabs, which have the fileIDs of those packages.</summary>
+    /// <summary>All assets except the stand-ins for prefabs of other packages, whose fileIDs come from these packages.</summary>
     static IEnumerable<string> OwnAssets => Assets.Where(f => !f.StartsWith("Headless/", StringComparison.Ordinal));
 
     static IEnumerable<string> Hierarchies => OwnAssets.Where(f => Path.GetExtension(f) is ".prefab" or ".unity");
@@ -60,9 +62,9 @@ public sealed class PackageAssetsTests
     public void SetUp() => _library = new AssetLibrary(RepositoryFiles.Root);
 
     [Test]
-    public void Assets_All_MatchTheToolsOutput()
+    public void Assets_InTheRepository_MatchTheOutputOfTheTool()
     {
-        // Objects that the tool creates stay in this scene.
+        // The tool creates its objects in this world.
         using var scene = new World(isPlaying: false, _ => { }).Enter();
 
         Assert.That(AssetPlan.Differing(RepositoryFiles.Root), Is.Empty, "run: dotnet run --project Headless/Tools/Prefabs");
@@ -70,7 +72,7 @@ public sealed class PackageAssetsTests
     }
 
     [TestCaseSource(nameof(OwnAssets))]
-    public void Asset_LoadedAndWritten_IsTheSameText(string path)
+    public void Asset_LoadedAndWritten_HasTheSameText(string path)
     {
         var writer = new AssetWriter(_library);
 
@@ -86,7 +88,7 @@ public sealed class PackageAssetsTests
     }
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void Hierarchy_References_AreSetUnlessTheyMayBeEmpty(string path)
+    public void Hierarchy_RequiredReferences_AreSet(string path)
     {
         var isScene = Path.GetExtension(path) == ".unity";
         var roots = isScene ? _library.LoadScene(path).Roots : new[] { _library.Load<GameObject>(path) };
@@ -95,24 +97,24 @@ public sealed class PackageAssetsTests
         var empty = components.SelectMany(c => SerializedFields.Of(c.GetType()).SelectMany(f => Empty(f, c))
             .Select(f => (Field: c.GetType().Name + "." + f, Path: path + PathOf(c.transform))));
 
-        // One cell gets its robot from the gateway. In one scene the simulation moves a rig.
+        // In one scene the gateway describes the robot. In another scene the simulation moves a rig, which therefore has no session.
         string[] left = path.Contains("Any Robot") ? ["MrilSession._robot"]
             : path.EndsWith("Virtual Robot Cell.unity", StringComparison.Ordinal) ? ["RobotRig._session"] : [];
         var missing = empty.Where(e => !MayBeEmpty.Any(m => m.Field == e.Field && IsIn(m.Path, e.Path)));
         Assert.That(missing.Select(e => e.Field), Is.EquivalentTo(left), string.Join("\n", missing));
     }
 
-    /// <summary>A place that ends with a slash means all objects below it.</summary>
+    /// <summary>Returns whether a path is at a place. A place that ends with a slash stands for all objects below it.</summary>
     static bool IsIn(string place, string path) =>
         place.EndsWith('/') ? path.Contains(place, StringComparison.Ordinal) : path.EndsWith(place, StringComparison.Ordinal);
 
     static string PathOf(Transform at) => (at.parent == null ? "" : PathOf(at.parent)) + "/" + at.name;
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void Hierarchy_DisplayedRig_LooksDifferentWhenNotCurrent(string path)
+    public void DisplayedRig_PoseNotCurrent_LooksDifferent(string path)
     {
         var roots = Path.GetExtension(path) == ".unity" ? _library.LoadScene(path).Roots : new[] { _library.Load<GameObject>(path) };
-        // The rig with the simulation's true pose is not a displayed pose.
+        // Excludes the rig with the true pose of the simulation, because it represents the real robot.
         var rigs = roots.SelectMany(r => r.GetComponentsInChildren<RobotRig>(true))
             .Where(r => r.Shows == RigPose.Displayed && r.GetComponent<TruthRig>() == null).ToList();
 
@@ -131,7 +133,7 @@ public sealed class PackageAssetsTests
     [TestCase("UR5e.asset", "ur5e.urdf")]
     [TestCase("UR10e.asset", "ur10e.urdf")]
     [TestCase("UR16e.asset", "ur16e.urdf")]
-    public void RobotDescription_Text_EqualsTheUrdf(string asset, string urdf)
+    public void RobotDescriptionAsset_Text_EqualsTheUrdf(string asset, string urdf)
     {
         var description = _library.Load<RobotDescriptionAsset>(Runtime + "Robots/" + asset);
 
@@ -139,7 +141,7 @@ public sealed class PackageAssetsTests
     }
 
     [Test]
-    public void DefaultSettings_ToSettings_AreAccepted()
+    public void ToSettings_DefaultAsset_DoesNotThrow()
     {
         var settings = _library.Load<SessionSettingsAsset>(Runtime + "Settings/Default Session Settings.asset");
 
@@ -211,7 +213,7 @@ public sealed class PackageAssetsTests
 
     [TestCase("Nowpose Robot Cell")]
     [TestCase("Nowpose Robot Cell UR5")]
-    public void Cell_ArmAndGripper_ArmOccludesAndGripperIsDrawn(string cell)
+    public void CellPrefab_Materials_ArmOccludesAndGripperIsDrawn(string cell)
     {
         var (rig, model) = Rig(cell, "Robot");
         var gripper = rig.GetComponentInChildren<VirtualGripper>(true).transform;
@@ -231,7 +233,10 @@ public sealed class PackageAssetsTests
         return (rig, root.GetComponent<MrilSession>().RobotAsset.Read());
     }
 
-    /// <summary>Tolerances are 0.01 mm and 1e-5 of the axes' length, because of floats over a chain of ten links.</summary>
+    /// <summary>
+    /// Compares the pose of a link with the expected pose. The tolerances, 0.01 mm and 1e-5 of the length of the axes, allow for the rounding of
+    /// floats over a chain of ten links.
+    /// </summary>
     static void RequireAt(Transform rig, Transform link, in RigidTransform expected, string what)
     {
         var pose = UnityFrame.ToUnity(expected);

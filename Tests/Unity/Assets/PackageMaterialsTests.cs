@@ -6,14 +6,16 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Prefabs and scenes use only materials of the package, in a render order that hides no part that should be visible.</summary>
+/// <summary>
+/// Tests that prefabs and scenes use only materials of the package, and that their render order does not hide parts that must be visible.
+/// </summary>
 public sealed class PackageMaterialsTests
 {
     const string Materials = RepositoryFiles.Package + "/Runtime/Materials/";
 
     AssetLibrary _library;
 
-    /// <summary>Materials and scenes of the package and of the host project, without the stand-ins for other packages' prefabs.</summary>
+    /// <summary>Prefabs, scenes, materials and assets of the package and of the host project, without stand-ins for other packages.</summary>
     static IEnumerable<string> Files => RepositoryFiles.All
         .Where(f => f.StartsWith("Packages/", StringComparison.Ordinal) || f.StartsWith("Assets/", StringComparison.Ordinal))
         .Where(f => Path.GetExtension(f) is ".prefab" or ".unity" or ".mat" or ".asset");
@@ -31,9 +33,9 @@ public sealed class PackageMaterialsTests
 
     Material Load(string name) => _library.Load<Material>(Materials + name + ".mat");
 
-    /// <summary>URP draws the built-in default material (10303) and Standard shader (46) magenta.</summary>
+    /// <summary>URP draws the built-in default material (10303) and the Standard shader (46) in magenta.</summary>
     [TestCaseSource(nameof(Files))]
-    public void File_BuiltInMaterials_AreNotUsed(string path)
+    public void File_References_ExcludeBuiltInMaterials(string path)
     {
         var text = RepositoryFiles.Read(path);
 
@@ -42,7 +44,7 @@ public sealed class PackageMaterialsTests
     }
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void Renderer_Materials_AreOfThePackage(string path)
+    public void Renderer_Materials_BelongToThePackage(string path)
     {
         var materials = All<Renderer>(path).SelectMany(r => r.sharedMaterials).ToList();
 
@@ -74,9 +76,10 @@ public sealed class PackageMaterialsTests
         }
     }
 
-    /// <summary>The ghost writes depth, so it is drawn after all parts that it must not hide.</summary>
+    /// <summary>The ghost writes depth, so it must be drawn after all parts that it must not hide.</summary>
     [Test]
-    public void Ghost_Queue_IsAfterOtherVirtualParts([Values("Hologram", "Arm", "Timestamp", "Text", "Panel", "Solid", "Occluder")] string other)
+    public void GhostMaterial_RenderQueue_IsAfterOtherVirtualParts(
+        [Values("Hologram", "Arm", "Timestamp", "Text", "Panel", "Solid", "Occluder")] string other)
     {
         Assert.That(Load("Ghost").renderQueue, Is.GreaterThan(Load(other).renderQueue));
     }

@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Runs the scenes in a player without connecting, because the ports of this machine may belong to other programs.</summary>
+/// <summary>
+/// Tests the scenes in a player. The sessions do not connect, because other programs may use the ports of this machine.
+/// </summary>
 public sealed class PackageScenesTests
 {
     static IEnumerable<string> Scenes => RepositoryFiles.All.Where(f => f.EndsWith(".unity", StringComparison.Ordinal));
@@ -41,7 +43,7 @@ public sealed class PackageScenesTests
         Assert.That(ghost.GetComponentInChildren<VirtualGripper>().Rig, Is.SameAs(ghost.GetComponent<RobotRig>()));
     }
 
-    /// <summary>Whether a message is AR Foundation's own warning about a missing headset, which the package does not suppress.</summary>
+    /// <summary>Returns whether a message is a warning of AR Foundation about a missing headset. The package does not suppress it.</summary>
     static bool IsOfNoHeadset(string message) => message.StartsWith("No active ", StringComparison.Ordinal);
 
     static Player Play(string path)

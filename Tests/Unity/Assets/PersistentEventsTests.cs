@@ -5,7 +5,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Calls of buttons, sliders and events in prefabs and scenes, including the events of MRTK3 that the sample sets.</summary>
+/// <summary>Tests the persistent calls of events in prefabs and scenes, including the events of MRTK3 that the sample sets.</summary>
 public sealed class PersistentEventsTests
 {
     Player _player;
@@ -24,7 +24,7 @@ public sealed class PersistentEventsTests
     public void TearDown() => _player.Dispose();
 
     [TestCaseSource(nameof(Hierarchies))]
-    public void Events_OfAPrefabOrScene_CallExistingPublicMethods(string path)
+    public void Events_InAPrefabOrScene_CallExistingPublicMethods(string path)
     {
         var faults = EventsOf(path).SelectMany(e => EventFaults.Of(e.Event).Select(fault => e.Place + " " + fault));
 
@@ -35,11 +35,11 @@ public sealed class PersistentEventsTests
     [TestCase("Consent Prompt.prefab", 2)]
     [TestCase("Status Panel (MRTK3).prefab", 2)]
     [TestCase("HoloLens 2 (MRTK3).unity", 22)]
-    public void Events_OfTheSample_HaveCalls(string file, int calls)
+    public void Events_InTheSample_HaveTheExpectedNumberOfCalls(string file, int calls)
     {
         var path = Hierarchies.Single(h => h.EndsWith("/" + file, StringComparison.Ordinal));
 
-        // The events of MRTK3's own prefab call its own objects.
+        // Excludes the events of MRTK3's prefab HandMenuBase, which call objects of the same prefab.
         var own = EventsOf(path).Where(e => !e.Place.StartsWith("HandMenuBase ", StringComparison.Ordinal)).SelectMany(e => e.Event.Persistent.Calls);
 
         Assert.That(own.Count(), Is.EqualTo(calls));
@@ -52,7 +52,7 @@ public sealed class PersistentEventsTests
     [TestCase(nameof(Probe.Turn), "Void", false)]
     [TestCase(nameof(Probe.Turn), "EventDefined", false)]
     [TestCase("Hidden", "Void", false)]
-    public void Fault_OfACall_IsReportedIfInvalid(string method, string modeName, bool expected)
+    public void EventFaults_CallWithAStoredArgument_AreReportedIfInvalid(string method, string modeName, bool expected)
     {
         var mode = Enum.Parse<PersistentListenerMode>(modeName);
         _probe.Happened.Persistent.Add(PersistentCall.Of(_probe, method, mode, mode == PersistentListenerMode.Float ? 1f : null));
@@ -64,7 +64,7 @@ public sealed class PersistentEventsTests
 
     [TestCase(nameof(Probe.Turn), true)]
     [TestCase(nameof(Probe.Open), false)]
-    public void Fault_OfACallWithTheEventsArgument_IsReportedIfIncompatible(string method, bool expected)
+    public void EventFaults_CallWithTheArgumentOfTheEvent_AreReportedIfIncompatible(string method, bool expected)
     {
         _probe.Turned.Persistent.Add(PersistentCall.Of(_probe, method, PersistentListenerMode.EventDefined, null));
 
@@ -74,7 +74,7 @@ public sealed class PersistentEventsTests
     }
 
     [Test]
-    public void Fault_OfACallWithoutTarget_IsReported()
+    public void EventFaults_CallWithoutATarget_AreReported()
     {
         var gone = new GameObject("Gone").AddComponent<Probe>();
         _probe.Happened.Persistent.Add(PersistentCall.Of(gone, nameof(Probe.Open), PersistentListenerMode.Void, null));

@@ -152,7 +152,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_ReferencedFromOutside_HasAPlaceholder()
+    public void Instance_ReferencedByAnotherObject_HasAPlaceholder()
     {
         var arm = NewArm(out var hand);
         var watch = arm.AddComponent<LoaderProbe>();
@@ -169,7 +169,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_OfAPrefabWithAnInstance_ReachesTheInnermost()
+    public void Instance_OfANestedPrefab_ChangesTheInnermostObject()
     {
         var arm = NewArm(out var hand);
         hand.GetComponent<LoaderProbe>().text = "of the arm";
@@ -192,7 +192,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Scene_WithInstances_PlaysThem()
+    public void Scene_WithPrefabInstances_PlaysThem()
     {
         var library = _project.Library();
         var first = library.InstantiatePrefab(library.Load<GameObject>(HandPath));

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Objects that tests save as prefabs.</summary>
+/// <summary>Creates objects that tests save as prefabs.</summary>
 static class PrefabParts
 {
     public static GameObject NewHand()

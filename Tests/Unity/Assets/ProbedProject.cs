@@ -5,7 +5,7 @@ using static Nowpose.Unity.Tests.Assets.TemporaryProject;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>A project with a prefab whose script has a field of each kind.</summary>
+/// <summary>A temporary project with a prefab whose script has a field of each kind.</summary>
 sealed class ProbedProject : IDisposable
 {
     public const string Arm = """

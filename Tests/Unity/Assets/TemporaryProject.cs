@@ -2,14 +2,14 @@ using Nowpose.UnityPlayer;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>A Unity project of a few files in a temporary folder, deleted when disposed.</summary>
+/// <summary>A Unity project with a few files in a temporary folder, which Dispose deletes.</summary>
 sealed class TemporaryProject : IDisposable
 {
     public const string YamlHeader = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
 
     readonly string _root = Directory.CreateTempSubdirectory("nowpose-assets-").FullName;
 
-    /// <summary>Returns the GUID of the asset with this number, in a form that is easy to write in a test.</summary>
+    /// <summary>Returns the GUID of the asset with a number: the number in hexadecimal digits, so that it is easy to write in a test.</summary>
     public static string GuidOf(int number) => number.ToString("x32", System.Globalization.CultureInfo.InvariantCulture);
 
     public AssetLibrary Library() => new(_root);
@@ -27,7 +27,7 @@ sealed class TemporaryProject : IDisposable
 
     public TemporaryProject AddYaml(string path, int guid, string body) => Add(path, guid, YamlHeader + body, "PrefabImporter");
 
-    /// <summary>Adds the .meta of a script whose class is in the assembly of these tests.</summary>
+    /// <summary>Adds the .meta file of a script whose class is in the assembly of these tests.</summary>
     public TemporaryProject AddScript<T>(int guid)
     {
         Add("Assets/Scripts/Nowpose.Unity.Tests.asmdef", 0xa5, "{}", "AssemblyDefinitionImporter");

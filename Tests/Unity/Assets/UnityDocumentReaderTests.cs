@@ -20,7 +20,7 @@ public sealed class UnityDocumentReaderTests
     }
 
     [Test]
-    public void Read_LinesEndedByCrLf_ReadsTheSame()
+    public void Read_LinesEndWithCrLf_ReturnsTheSameObjects()
     {
         var text = (Header + "--- !u!1 &7\nGameObject:\n  m_Name: Arm\n").Replace("\n", "\r\n", StringComparison.Ordinal);
 
@@ -40,7 +40,7 @@ public sealed class UnityDocumentReaderTests
     [TestCase(Header + "--- !u!1 &1\nGameObject:\n", "&1: has to hold one class name with its fields")]
     [TestCase(Header + "--- !u!1 &1\nGameObject:\n  a: 1\nTransform:\n  b: 2\n", "&1: has to hold one class name with its fields")]
     [TestCase(Header + "--- !u!1 &1\n", "&1: has to hold one class name with its fields")]
-    public void Read_InvalidFile_IsRefusedWithItsPlace(string text, string expected)
+    public void Read_InvalidFile_ThrowsWithThePlaceInTheFile(string text, string expected)
     {
         Assert.That(() => UnityDocumentReader.Read(text, "Arm.prefab"), Throws.TypeOf<AssetException>().With.Message.Contains(expected));
     }

@@ -104,7 +104,7 @@ public sealed class UnityDocumentWriterTests
     [TestCase(1e-7f, "1e-7")]
     [TestCase(1e20f, "1e20")]
     [TestCase(0.70710677f, "0.70710677")]
-    public void Numbers_Float_IsShort(float value, string expected)
+    public void NumbersWrite_Float_ReturnsTheShortestText(float value, string expected)
     {
         Assert.That(Numbers.Write(value), Is.EqualTo(expected));
     }

@@ -52,7 +52,7 @@ public sealed class LatencyNudgeTests
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
 
-    // Moves back and forth, two seconds each way. Returns metres at a time of the headset clock.
+    // Returns the true position in metres at a time of the headset clock in s. The robot moves back and forth, two seconds in each direction.
     static double TruthAt(double seconds)
     {
         var phase = seconds % 4;
@@ -77,14 +77,14 @@ public sealed class LatencyNudgeTests
         }
     }
 
-    // Runs until the middle of the next movement forward or backward.
+    // Runs until the middle of the next motion forward or backward.
     void RunToTheMiddle(bool isForward)
     {
         var phase = Headset % 4;
         Run(((isForward ? 1.2 : 3.2) - phase + 4) % 4);
     }
 
-    // The shift in mm that a user would mark: true minus displayed tool position when this frame's light appears, plus the misplacement.
+    // The shift in mm that a user would mark: the true minus the displayed tool position at the display time, plus the error of the base.
     float Agreeing => (float)(1000 * (TruthAt(Headset + TrueMs / 1000) - _session.Frame.ToolPose.X) + MisplacedMm);
 
     void MarkBothWays(int repeats)
@@ -121,7 +121,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_LimitKnown_KeepsIt()
+    public void Apply_RenderTimeLimitKnown_KeepsTheLimit()
     {
         _loader.Save(new LatencyProfile(
             UsedVisuMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, 15, RenderTimeSourceKind.GpuCompletion));
@@ -136,7 +136,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_LimitOfTheSettings_IsKeptAndSaved()
+    public void Apply_RenderTimeLimitInTheSettings_IsKeptAndSaved()
     {
         _session.Settings = new SessionSettings(
             PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, range: new ConstantLatencyRange(15, RenderTimeSourceKind.GpuCompletion));
@@ -154,7 +154,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_LimitNotReached_KeepsTheMeasuredMaximum()
+    public void Apply_RenderTimeLimitNotReached_KeepsTheMeasuredMaximum()
     {
         _loader.Save(new LatencyProfile(
             UsedVisuMs, 1, "Stand-in", 0, DateTime.UtcNow, CalibrationMethod.VisibleLight, 300, null, RenderTimeSourceKind.GpuCompletion, 12));
@@ -169,7 +169,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Apply_CannotBeSaved_IsUsedAndTheShiftReset()
+    public void Apply_SavingFails_UsesTheResultAndResetsTheShift()
     {
         Directory.CreateDirectory(Path.Combine(_folder, "latency-profile.json.new"));
         Run(8);
@@ -239,7 +239,7 @@ public sealed class LatencyNudgeTests
     }
 
     [Test]
-    public void Speed_ForwardAndBackward_HasItsSign()
+    public void Speed_ForwardOrBackward_IsPositiveOrNegative()
     {
         Run(8);
         RunToTheMiddle(isForward: true);
@@ -255,7 +255,7 @@ public sealed class LatencyNudgeTests
     [TestCase(NudgeAxis.X, 0, 0, 0.012f)]
     [TestCase(NudgeAxis.Y, -0.012f, 0, 0)]
     [TestCase(NudgeAxis.Z, 0, 0.012f, 0)]
-    public void OffsetMm_Axis_ShiftsTheRigUntilDisabled(NudgeAxis axis, float x, float y, float z)
+    public void OffsetMm_Set_ShiftsTheRigAlongTheAxisUntilDisabled(NudgeAxis axis, float x, float y, float z)
     {
         Run(0.1);
         var home = new Vector3(1, 2, 3);

@@ -50,7 +50,7 @@ public sealed class LatencyProfileLoaderTests
     double VisuMs => _session.Session.Visualisation.Length.TotalMilliseconds;
 
     [Test]
-    public void Enabled_NoProfile_KeepsTheSettingsWithoutMessage()
+    public void OnEnable_NoProfile_KeepsTheSettingsWithoutMessage()
     {
         Play();
 
@@ -61,7 +61,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_ProfilesInAllPlaces_UsesTheSavedOne()
+    public void OnEnable_ProfilesInAllPlaces_UsesTheSavedProfile()
     {
         LatencyProfileFile.Save(Saved, Profile(51));
         LatencyProfileFile.Save(Shipped, Profile(52));
@@ -76,7 +76,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_ShippedOnly_UsesTheFileBeforeTheAsset()
+    public void OnEnable_OnlyShippedProfiles_PrefersTheFileToTheAsset()
     {
         LatencyProfileFile.Save(Shipped, Profile(52));
         Play(new TextAsset(LatencyProfileJson.Write(Profile(53))));
@@ -91,7 +91,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Pause_NewSessionAfterwards_IsCalibratedBeforeItsFirstFrame()
+    public void NewSession_AfterAPause_IsCalibratedBeforeItsFirstFrame()
     {
         LatencyProfileFile.Save(Saved, Profile(51));
         Play();
@@ -108,7 +108,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_SavedProfileOfAnotherDevice_IsRefusedInOneLineAndTheNextUsed()
+    public void OnEnable_SavedProfileOfAnotherDevice_IsRefusedInOneLineAndTheNextIsUsed()
     {
         LatencyProfileFile.Save(Saved, Profile(51, device: "HoloLens 2"));
         LatencyProfileFile.Save(Shipped, Profile(52));
@@ -121,7 +121,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Reload_InvalidFile_KeepsTheFormerProfile()
+    public void Reload_InvalidFile_KeepsThePreviousProfile()
     {
         LatencyProfileFile.Save(Saved, Profile(51));
         Play();
@@ -151,7 +151,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Enabled_ProfileOfAnotherGraphicsApi_IsUsedWithOneWarning()
+    public void OnEnable_ProfileOfAnotherGraphicsApi_IsUsedWithOneWarning()
     {
         LatencyProfileFile.Save(Saved, new LatencyProfile(
             51, 1, new DisplayConditions("Stand-in", 60, "Direct3D12"), DateTime.UtcNow, CalibrationMethod.VisibleLight, 300));
@@ -184,7 +184,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void StreamingAssets_InsideAnArchive_IsReportedOnlyWithoutOtherProfile()
+    public void StreamingAssets_InsideAnArchive_IsReportedOnlyIfNoOtherProfileExists()
     {
         _cell.Player.World.Host.StreamingAssetsPath = "jar:file:///data/app/base.apk!/assets";
         Play();
@@ -199,7 +199,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Save_Profile_IsUsedImmediatelyAndLoadedAgain()
+    public void Save_ValidProfile_IsUsedImmediatelyAndLoadedAtTheNextStart()
     {
         Play();
         var session = _session.Session;
@@ -214,7 +214,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Save_CannotWrite_UsesTheProfileAndReportsIt()
+    public void Save_WritingFails_UsesTheProfileAndReportsTheProblem()
     {
         Directory.CreateDirectory(Saved + ".new");
         Play();
@@ -230,7 +230,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void Save_OfAnotherDevice_IsRefused()
+    public void Save_ProfileOfAnotherDevice_IsRefused()
     {
         Play();
 

@@ -18,7 +18,7 @@ public sealed class LoadGeneratorTests
     [TearDown]
     public void End() => _cell.Dispose();
 
-    // Duration of each building step: each reading advances the clock by this.
+    // Simulated duration of a building step in ms: each reading of the clock advances it by this time.
     const double StepMs = 0.5;
 
     void Play(int vertices = 0, float? msPerFrame = null)
@@ -34,6 +34,7 @@ public sealed class LoadGeneratorTests
         wall.SetActive(true);
     }
 
+    /// <summary>Runs frames until the load is built.</summary>
     /// <returns>Number of frames.</returns>
     int Build()
     {
@@ -74,7 +75,7 @@ public sealed class LoadGeneratorTests
         Assert.That(_load.VerticesShown, Is.EqualTo(50_000));
     }
 
-    // Advance of the clock during a frame, ms.
+    // Runs a frame and returns the time in ms by which the clock has advanced.
     double FrameMs()
     {
         _cell.Frame(null);
@@ -84,7 +85,7 @@ public sealed class LoadGeneratorTests
     [TestCase(LoadMesh.MaxVertices, 2f)]
     [TestCase(600_000, 10f)]
     [TestCase(100_000, 0.1f, TestName = "Building_StepLongerThanTheTimePerFrame_TakesOneStep")]
-    public void Building_Load_StaysWithinTheTimePerFrame(int vertices, float msPerFrame)
+    public void Update_BuildingALoad_StaysWithinTheTimeBudgetPerFrame(int vertices, float msPerFrame)
     {
         Play(0, msPerFrame);
         var without = Enumerable.Range(0, 10).Max(_ => FrameMs());
@@ -94,7 +95,7 @@ public sealed class LoadGeneratorTests
         while (!_load.IsReady && frames.Count < 5000) frames.Add(FrameMs() - without);
 
         Assert.That(_load.VerticesShown, Is.EqualTo(vertices));
-        // The clock is read once before the first step.
+        // The second StepMs is for the reading of the clock before the first step.
         Assert.That(frames.Max(), Is.LessThanOrEqualTo(Math.Max(msPerFrame, StepMs) + StepMs + 1e-3));
         Assert.That(frames.Skip(frames.Count / 2).Average(), Is.GreaterThan(0.6 * msPerFrame), "the time is used");
     }

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
 
-/// <summary>Sweeps that end early: stopped, disabled, or without a load, a folder or a valid plan.</summary>
+/// <summary>Tests sweeps that end early: stopped, disabled, or without a load, a folder or a valid plan.</summary>
 public sealed class LoadSweepEndTests
 {
     PlayedSweep _played;
@@ -128,7 +128,7 @@ public sealed class LoadSweepEndTests
     }
 
     [Test]
-    public void Parts_Missing_AreReported()
+    public void StartSweep_ComponentMissing_IsReported()
     {
         var sweep = new GameObject("Alone").AddComponent<LoadSweep>();
 
@@ -139,7 +139,7 @@ public sealed class LoadSweepEndTests
     }
 
     [Test]
-    public void Plan_OutOfRange_IsReported()
+    public void StartSweep_PlanOutOfRange_IsReported()
     {
         _played.Play();
         _played.Sweep.With("_steps", 1);

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
 
-/// <summary>The log and the verdict of a sweep.</summary>
+/// <summary>Tests the log and the verdict of a complete sweep.</summary>
 public sealed class LoadSweepTests
 {
     PlayedSweep _played;
@@ -20,7 +20,7 @@ public sealed class LoadSweepTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public async Task Log_OfASweep_HasARowForEachCodeWithItsLoad(bool rewrites)
+    public async Task Log_SweepComplete_HasARowForEachCodeWithItsLoad(bool rewrites)
     {
         _played.Play(rewrites);
         _played.Run(5);
@@ -63,7 +63,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public async Task Log_OfASweep_StartsWithTheConditions()
+    public async Task Log_SweepComplete_StartsWithTheConditions()
     {
         _played.Play(rewrites: true);
         _played.Session.Reprojection = ReprojectionMode.Depth;
@@ -132,7 +132,7 @@ public sealed class LoadSweepTests
     }
 
     [Test]
-    public void Frames_OfOneLoad_AllocateNothing()
+    public void Frames_WhileTheLoadIsConstant_AllocateNothing()
     {
         _played.Play(seconds: 60);
         _played.Run(10);

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Calibration;
 
-/// <summary>A sweep in a running scene whose display has a GPU that takes longer for more vertices.</summary>
+/// <summary>A sweep in a running scene, with a simulated GPU whose time increases with the number of vertices.</summary>
 sealed class PlayedSweep : IAsyncDisposable
 {
     readonly DisplayPipeline _gpu;
@@ -32,7 +32,7 @@ sealed class PlayedSweep : IAsyncDisposable
         var material = new Material((Shader)null);
         var wall = new GameObject("Load");
         wall.transform.SetParent(Session.transform, worldPositionStays: false);
-        // Limits building to a few steps per frame, so that a load takes some time.
+        // With this clock step, only a few building steps fit into a frame, so a load takes some time.
         Cell.Clock.Step = TimeSpan.FromMicroseconds(5);
         Load = wall.AddComponent<LoadGenerator>().With("_material", isPainted ? material : null).With("_vertices", 7777).With("_msPerFrame", 0.1f);
         Display = Session.gameObject.AddComponent<TimestampDisplay>().With("_light", material);
@@ -47,7 +47,7 @@ sealed class PlayedSweep : IAsyncDisposable
     {
         for (var end = Cell.Now + seconds; Cell.Now < end; seen?.Invoke())
         {
-            // Exaggerates the effect of the vertices, because the test is about the verdict.
+            // Exaggerates the effect of the vertices, so that the verdict is clear.
             var vertices = gpuSeesLoad ? 10.0 * Load.VerticesShown : 0;
             Cell.Player.World.Gpu.DisplayGpuTime = (float)_gpu.Next(vertices).RenderTime.TotalSeconds;
             Cell.Frame(Session);
@@ -65,7 +65,7 @@ sealed class PlayedSweep : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         Cell.Dispose();
-        // A background thread, which no frame waits for, still writes the rows logged so far.
+        // Waits for the background thread that writes the log.
         if (Sweep is not null) await Sweep.Closed.Bounded();
         if (Directory.Exists(Folder)) Directory.Delete(Folder, recursive: true);
         else File.Delete(Folder);

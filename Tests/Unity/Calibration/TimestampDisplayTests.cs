@@ -33,7 +33,7 @@ public sealed class TimestampDisplayTests
 
     MeshRenderer Code => _display.transform.Find("Timestamp").GetComponent<MeshRenderer>();
 
-    /// <summary>Returns the squares that are lit in their middle, from the mesh as a camera sees it.</summary>
+    /// <summary>Returns which squares of the code are lit, by testing a point of each square against the triangles of the mesh.</summary>
     bool[] Lit()
     {
         var mesh = Code.GetComponent<MeshFilter>().sharedMesh;
@@ -42,7 +42,7 @@ public sealed class TimestampDisplayTests
         if (!Code.enabled) return lit;
         for (var cell = 0; cell < lit.Length; cell++)
         {
-            // A point slightly off the diagonal that divides a square.
+            // The point is near the middle of the square, but not on the diagonal between its two triangles.
             var x = ((cell % 8 + 0.52) / 8 - 0.5) * 0.1;
             var y = (0.5 - (cell / 8 + 0.47) / 8) * 0.1;
             for (var i = 0; i < triangles.Length; i += 3)
@@ -51,7 +51,7 @@ public sealed class TimestampDisplayTests
         return lit;
     }
 
-    // Only triangles that are clockwise seen from −z, with x to the right and y up, are visible; others are culled.
+    // Returns whether a triangle contains a point. Only triangles that are clockwise as seen from −z (x right, y up) are visible.
     static bool Holds(Vector3 a, Vector3 b, Vector3 c, double x, double y) => Right(a, b, x, y) && Right(b, c, x, y) && Right(c, a, x, y);
 
     static bool Right(Vector3 a, Vector3 b, double x, double y) => (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x) < 0;
@@ -68,10 +68,10 @@ public sealed class TimestampDisplayTests
 
     string Words => _display.transform.Find("Timestamp/Words").GetComponent<TextMesh>().text;
 
-    // Compares the code that a camera sees with the displayed frame, using the cell's true clocks.
+    // Compares the code that a camera sees with the start of the displayed frame, converted with the true clocks of the cell.
     [TestCase(false)]
     [TestCase(true)]
-    public void Code_OfEachFrame_IsTheControlTimeOfItsStart(bool rewrites)
+    public void Code_EachFrame_IsTheControlTimeOfItsStart(bool rewrites)
     {
         Play(rewrites: rewrites);
         HeadsetTime? start = null;
@@ -89,7 +89,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Text_OfAFrame_IsItsTimeInMilliseconds()
+    public void Text_EachFrame_IsTheTimeOfItsStartWithMilliseconds()
     {
         Play();
 
@@ -100,7 +100,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Clock_NotSynchronised_ShowsOnlyWords()
+    public void Clock_NotSynchronised_ShowsOnlyAMessage()
     {
         _cell.IsSyncUp = false;
 
@@ -126,7 +126,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Robot_Unknown_ShowsOnlyWords()
+    public void Robot_Unknown_ShowsOnlyAMessage()
     {
         Play(robot: null);
 
@@ -135,7 +135,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Session_Paused_ShowsOnlyWordsUntilResumed()
+    public void Session_Paused_ShowsOnlyAMessageUntilResumed()
     {
         Play();
 

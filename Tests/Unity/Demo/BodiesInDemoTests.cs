@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The cell's objects in a demo in virtual time.</summary>
+/// <summary>Tests the errors of the cell's objects in a demo in virtual time.</summary>
 public class BodiesInDemoTests
 {
     static DemoSettings Settings(int seed, string predictor = "adaptive")
@@ -25,7 +25,7 @@ public class BodiesInDemoTests
     [TestCase(1)]
     [TestCase(2)]
     [TestCase(3)]
-    public void Objects_WhileTheyMove_AreShownWhereTheyAre(int seed)
+    public void Objects_Moving_AreShownAtTheirTruePoses(int seed)
     {
         var score = new DemoScore(VirtualStage.Play(Settings(seed), hasScene: false));
 
@@ -48,6 +48,6 @@ public class BodiesInDemoTests
     }
 
     [Test]
-    public void Result_CellWithoutObjects_HasNone() => Assert.That(
+    public void Result_CellWithoutObjects_HasNoErrorsOfObjects() => Assert.That(
         new DemoScore(VirtualStage.Play(Settings(1) with { Work = null, Seconds = 6 }, hasScene: false)).Result().Bodies, Is.Null);
 }

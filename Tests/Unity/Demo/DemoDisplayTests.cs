@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The demo's display, and the monitor's evaluation of its driver's data, in virtual time.</summary>
+/// <summary>Tests the demo's display, and how the render-time monitor evaluates the data of its driver, in virtual time.</summary>
 public class DemoDisplayTests
 {
     static readonly DemoSettings Plain = new() { Seconds = 20, VisualisationMs = 40, Seed = 1 };
@@ -47,7 +47,7 @@ public class DemoDisplayTests
     }
 
     [Test]
-    public void DemoCalibration_OfTheSimulatedHeadset_EstimatesItsLatencyAndLimit([Values(1, 2, 3)] int seed)
+    public void DemoCalibration_SimulatedHeadset_EstimatesItsLatencyAndLimit([Values(1, 2, 3)] int seed)
     {
         var profile = DemoCalibration.Of(Plain with { Load = 0, Seed = seed, VisualisationMs = 43.4, VisualisationErrorMs = 2 });
 
@@ -57,7 +57,7 @@ public class DemoDisplayTests
     }
 
     [Test]
-    public void DriverTime_EachFrame_IsOfAFrameCompletedBeforeItsStart()
+    public void DriverTime_EachFrame_BelongsToAFrameCompletedBeforeItsStart()
     {
         var display = new DemoDisplay(Plain with { Load = 2_000_000 });
         var renderTimes = new List<(TimeSpan Done, TimeSpan RenderTime)>();

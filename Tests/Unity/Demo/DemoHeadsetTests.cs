@@ -13,12 +13,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The demo's scene in virtual time, fed by a virtual cell: the recorded data agree with the transforms.</summary>
+/// <summary>Tests that the recorded data of the demo agree with the transforms in its scene. A virtual cell supplies the data.</summary>
 [TestFixture("youbot")]
 [TestFixture("ur5")]
 public class DemoHeadsetTests(string robot)
 {
-    /// <summary>0.01 mm, because of floats over a chain of ten links.</summary>
+    /// <summary>Tolerance that allows for the rounding of floats over a chain of ten links.</summary>
     const double ToleranceMm = 0.01;
 
     readonly RobotModel _model = RobotFiles.Load(robot);
@@ -64,7 +64,7 @@ public class DemoHeadsetTests(string robot)
         }
     }
 
-    /// <summary>Converts a point of the scene to the robot's base frame with URDF axes.</summary>
+    /// <summary>Converts a point in the scene to the robot's base frame, in URDF axes.</summary>
     static ToolPosition InBaseFrame(RobotRig rig, Vector3 point)
     {
         var place = rig.transform.InverseTransformPoint(point);
@@ -100,7 +100,7 @@ public class DemoHeadsetTests(string robot)
     }
 
     [Test]
-    public void ReportGpuTime_BeyondTheLimitAndBack_ChangesTheSceneAndIsLoggedOnce()
+    public void ReportGpuTime_AboveTheLimitAndBack_ChangesTheSceneAndIsLoggedOnce()
     {
         _gpuTime = TimeSpan.FromMilliseconds(10);
         Run(3);

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The paper's Fig. 10 in the demo: only a load that delays frames raises the alarm and the error.</summary>
+/// <summary>Tests Fig. 10 of the paper in the demo: only a load that delays frames raises the alarm and the error.</summary>
 public class DemoLoadTests
 {
     [Test]
@@ -43,7 +43,7 @@ public class DemoLoadTests
     }
 
     [Test]
-    public void Demo_LoadBeyondAProfileWithoutLimit_WithholdsTheHeadsetsNumber()
+    public void Demo_LoadBeyondTheMeasuredRangeOfAProfile_WithholdsTheErrorReduction()
     {
         var profile = new LatencyProfile(
             40, 1, "another headset", DemoDisplay.FramesPerSecond, DateTime.UtcNow, CalibrationMethod.VisibleLight, 10, null,
@@ -56,7 +56,7 @@ public class DemoLoadTests
     }
 
     [Test]
-    public void Demo_LoadWithinTheLimit_RaisesNeither([Values(1, 2, 3)] int seed)
+    public void Demo_LoadWithinTheLimit_RaisesNeitherAlarmNorError([Values(1, 2, 3)] int seed)
     {
         var run = LoadedDemo.Play(300_000, seed);
 
@@ -77,7 +77,7 @@ public class DemoLoadTests
         foreach (var (second, delayMs) in new[] { (2.0, 90), (3.5, 9), (4.0, 8), (4.5, 41) })
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(second), Delay = TimeSpan.FromMilliseconds(delayMs) });
 
-        var (label, value) = new DemoDelayWords(frames).Rows.Single();
+        var (label, value) = new DemoDelayRows(frames).Rows.Single();
 
         Assert.That(label, Is.EqualTo("frames that began late"));
         Assert.That(value, Does.StartWith("2 of 3, by up to 41 ms: this machine was busy"));
@@ -91,7 +91,7 @@ public class DemoLoadTests
         for (var i = 0; i < 200; i++)
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(4), Delay = TimeSpan.FromMilliseconds(i < late ? 50 : 1) });
 
-        Assert.That(new DemoDelayWords(frames).Rows, Is.Empty);
+        Assert.That(new DemoDelayRows(frames).Rows, Is.Empty);
     }
 
     static double WhileLoaded(int seed)
@@ -100,7 +100,7 @@ public class DemoLoadTests
         return WhileLoaded(new DemoScore(run), run);
     }
 
-    /// <summary>RMS error of the tool while the load is present, mm.</summary>
+    /// <summary>Returns the RMS error of the tool in mm while the load is present.</summary>
     static double WhileLoaded(DemoScore score, DemoRun run)
     {
         var load = new DemoLoad(1, run.Settings.Seconds);

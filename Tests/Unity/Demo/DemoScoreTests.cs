@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>Scoring of a run with known errors per frame: a slider with one joint, where 1 m of travel is 1000 mm of error.</summary>
+/// <summary>Tests the score of a run whose frames have known errors. The robot is a slider with one joint.</summary>
 public class DemoScoreTests
 {
     const double CycleSeconds = 4;
@@ -20,7 +20,7 @@ public class DemoScoreTests
         <joint name="s" type="prismatic"><parent link="base"/><child link="tool0"/><axis xyz="1 0 0"/></joint></robot>
         """, "slider");
 
-    /// <summary>Errors of one frame; the true position is 0.</summary>
+    /// <summary>Errors of one frame. The true position is 0.</summary>
     readonly record struct Wrong(double HeldMm, double Mm, double LightMs = 0, double OffsetUs = 0);
 
     static readonly TimeSpan Stated = TimeSpan.FromMilliseconds(0.3);
@@ -37,7 +37,7 @@ public class DemoScoreTests
             var wrong = wrongAt(elapsed.TotalSeconds);
             var light = new ControlTime(elapsed);
             var state = elapsed >= converged ? ClockState.Synchronised : ClockState.Converging;
-            // The joint values differ on purpose: the score must use the tool's position in the scene.
+            // These joint values do not match the errors on purpose: the score must use the position of the tool in the scene.
             frames.Add([nan ?? 7], [7], new DemoFrames.Row(
                 elapsed, new HeadsetTime(elapsed), light, light + TimeSpan.FromMilliseconds(wrong.LightMs),
                 new ClockModel(default, default, (Truth.SkewPpm + skewErrorPpm) * 1e-6, default, state, estimatedError: Stated), PoseState.Current, wrong.OffsetUs,
@@ -77,7 +77,7 @@ public class DemoScoreTests
     [Test]
     public void Score_Reduction_IsOneMinusTheRatioOfTheRms()
     {
-        // Half of the scored frames have 30 and 3 mm, half have 40 and 4 mm.
+        // The errors are 30 mm (hold) and 3 mm in half of the scored frames, 40 mm and 4 mm in the other half.
         var result = Score(15, s => s < 10 ? new Wrong(30, 3) : new Wrong(40, 4));
 
         Assert.That(result.ToolErrorMm.HoldRms, Is.EqualTo(Math.Sqrt((900 + 1600) / 2.0)).Within(1e-6));
@@ -88,7 +88,7 @@ public class DemoScoreTests
     [Test]
     public void Score_Percentiles_AreInterpolatedBetweenOrderStatistics()
     {
-        // From 0 to 1 mm with either sign, evenly distributed over the 600 scored frames.
+        // The magnitude of the errors increases evenly from 0 to 1 mm over the 600 scored frames; their signs differ.
         var result = Score(15, s => new Wrong(1, (s - 5) / 10, -(s - 5) / 10, -(s - 5) * 100));
 
         Assert.That(result.ToolErrorMm.P95, Is.EqualTo(0.95).Within(2e-3));
@@ -108,7 +108,7 @@ public class DemoScoreTests
     [Test]
     public void Score_Cycles_SeparatesTheFirstFromTheThirdOnwards()
     {
-        // Cycles of 4 s, scored from 5 s on, so the first is over. Error ratio 0.5 in the second, 0.2 in the third, 0.1 in the fourth.
+        // A cycle takes 4 s. Scoring starts at 5 s, after the first cycle. The error ratios of cycles 2 to 4 are 0.5, 0.2 and 0.1.
         var result = Score(16, s => new Wrong(10, s < 8 ? 5 : s < 12 ? 2 : 1));
 
         Assert.That(result.ToolErrorMm.ReductionFirstCycle, Is.Null);
@@ -146,7 +146,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Failure_OfARun_NamesItsCause()
+    public void Failure_RunFailed_NamesTheCause()
     {
         Assert.That(Run(10, _ => new Wrong(1, 1), Converged, nan: double.NaN).Failure(), Does.StartWith("frame 0: the position of moving joint 0"));
         Assert.That(Run(4, _ => new Wrong(1, 1), Converged).Failure(), Does.Contain("no sample was used"));

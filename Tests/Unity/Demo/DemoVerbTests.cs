@@ -4,8 +4,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The demo end to end, over real sockets and in real time: checks that it runs and what it writes.</summary>
-/// <remarks>The reduction of the error is measured in virtual time, by the tests of the virtual robot cell and of planned sessions.</remarks>
+/// <summary>Tests that the demo runs over real sockets in real time, and that it writes its files.</summary>
+/// <remarks>Tests of the virtual robot cell and of planned sessions measure the reduction of the error, in virtual time.</remarks>
 public class DemoVerbTests
 {
     string _folder;
@@ -105,9 +105,9 @@ public class DemoVerbTests
     }
 
     [Test]
-    public async Task Demo_RecordingOnAnotherRobot_PlaysItsColumns()
+    public async Task Demo_RecordingOfAnotherRobot_PlaysItsColumns()
     {
-        // The motion is at rest at both ends, where it reverses.
+        // The motion starts and ends at rest, because the demo plays it alternately forward and backward.
         var rows = Enumerable.Range(0, 301)
             .Select(i => (Time: i * 0.02, Swing: Math.Cos(i * Math.PI / 150)))
             .Select(row => FormattableString.Invariant($"{row.Time},{-row.Swing},{-1 + 0.3 * row.Swing}"));
@@ -161,7 +161,7 @@ public class DemoVerbTests
 
     static string Names(JsonElement element) => string.Join(' ', element.EnumerateObject().Select(property => property.Name));
 
-    // Checks that the page plays back the instants of the error plot, with the same number for each track.
+    // Checks that the playback on the page starts at the same time as the error plot, and that its tracks have a value for each joint.
     static void AssertPlayback(string report)
     {
         var json = Regex.Match(report, "id=\"report-data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value;

@@ -8,11 +8,12 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Unity.Tests.Demo;
 
-/// <summary>The main job in virtual time, with or without a load.</summary>
+/// <summary>Runs the demo in virtual time, with or without a rendering load.</summary>
 static class LoadedDemo
 {
-    /// <param name="vertices">Vertices of the load; null for a display without a load.</param>
-    /// <param name="profile">The profile given to the runtime; null for the demo's own calibration.</param>
+    /// <summary>Runs the demo.</summary>
+    /// <param name="vertices">Number of vertices of the load; null for no load.</param>
+    /// <param name="profile">Latency profile of the runtime; null for the result of the demo's own calibration.</param>
     public static DemoRun Play(int? vertices, int seed, double seconds = 20, LatencyProfile profile = null)
     {
         var robot = RobotFiles.Load("youbot", out var urdf);

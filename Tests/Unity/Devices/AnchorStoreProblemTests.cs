@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>Stores that refuse, fail or end while they load.</summary>
+/// <summary>Tests anchor stores that refuse anchors, that fail, or that are destroyed while they load.</summary>
 public sealed class AnchorStoreProblemTests
 {
     PlayedAnchorStore _played;
@@ -35,7 +35,7 @@ public sealed class AnchorStoreProblemTests
     }
 
     [Test]
-    public void Keep_StoreAlwaysRefuses_ReportsItAndStaysHeld()
+    public void Keep_StoreAlwaysRefuses_ReportsItAndTheAnchorStaysHeld()
     {
         _played.Run(0.1);
         _played.Storage.Accepts = false;

@@ -11,7 +11,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>A QR code on the robot, a Base Anchor and the device's anchors together, including a restart of the application.</summary>
+/// <summary>Tests a QR code on the robot, a Base Anchor and the device's anchors together, including a restart of the application.</summary>
 public sealed class AnchoredCellTests
 {
     const string Payload = "nowpose-marker", Cell = "cell 3";
@@ -19,7 +19,7 @@ public sealed class AnchoredCellTests
     static readonly TrackableId Code = new(5, 5);
     static readonly RigidTransform Base = RigidTransform.FromXyzRpy(2, 0.3, 0.1, 0, 0, 0.7);
 
-    // Upright on the front of the base: the print faces x and its upper edge is up.
+    // The code is upright on the front of the base: its print faces x, and its upper edge is up.
     static readonly RigidTransform MarkerInBase = RigidTransform.FromXyzRpy(0.2, 0.05, 0.3, Math.PI / 2, 0, Math.PI / 2);
     static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 
@@ -69,7 +69,7 @@ public sealed class AnchoredCellTests
         _codes.Texts[Code] = Payload;
     }
 
-    // The device sees the code 30 times a second with 1 mm of noise.
+    // Simulates that the device sees the code, with 1 mm of noise. Tests call it 30 times per second.
     void See()
     {
         var code = UnityPoses.ToWorld(Base * MarkerInBase * MarkerInCode.Inverse);
@@ -119,7 +119,7 @@ public sealed class AnchoredCellTests
         Assert.That(_cell.Player.Logs.Where(log => log.Type == LogType.Exception), Is.Empty);
     }
 
-    // The XR Origin's position in the scene determines the world position of the session's origin.
+    // Positions of the XR Origin in the scene. They determine where the session's origin is in the world.
     static readonly Vector3[] Origins = [Vector3.zero, new(0, 1.6f, 0), new(1, 0.5f, -2)];
 
     [TestCaseSource(nameof(Origins))]

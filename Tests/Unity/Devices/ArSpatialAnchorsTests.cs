@@ -54,7 +54,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Hold_DeviceAccepts_IsHeldAtThePose()
+    public void Hold_DeviceAccepts_AnchorIsHeldAtThePose()
     {
         var anchor = _anchors.Hold(Place);
         var before = anchor.State;
@@ -70,7 +70,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Pose_DeviceCorrectsItsMap_Follows()
+    public void Pose_DeviceCorrectsItsMap_FollowsTheCorrection()
     {
         var anchor = _anchors.Hold(Place);
         Run(0.1);
@@ -103,7 +103,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Hold_DeviceAcceptsNone_FailsAfterATimeoutWithTheReason()
+    public void Hold_DeviceAcceptsNoAnchors_FailsAfterATimeoutWithTheReason()
     {
         _device.Accepts = false;
         var anchor = _anchors.Hold(Place);
@@ -197,7 +197,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Keep_NoStore_ReportsItAndStaysHeld()
+    public void Keep_NoStore_ReportsItAndTheAnchorStaysHeld()
     {
         var anchor = _anchors.Hold(Place);
         Run(0.1);

@@ -10,7 +10,7 @@ using static Nowpose.Unity.Tests.Devices.PlayedDisplayTime;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>Without a usable time of the runtime, the calibration is used and the reason is reported.</summary>
+/// <summary>Tests that the calibration is used, and the reason reported, while the runtime's display time cannot be used.</summary>
 public sealed class DisplayTimeFallbackTests
 {
     PlayedDisplayTime _played;
@@ -67,7 +67,7 @@ public sealed class DisplayTimeFallbackTests
 
     [TestCase(0.9, false)]
     [TestCase(1.05, true)]
-    public void DisplayTime_ImplausibleForASecond_IsReportedOnceInPanelLogAndDiagnosticsAsIsItsRecovery(double seconds, bool isReported)
+    public void DisplayTime_ImplausibleForASecond_IsReportedOnceAndSoIsItsRecovery(double seconds, bool isReported)
     {
         _played.Play();
         var texts = new StatusTexts();
@@ -79,7 +79,7 @@ public sealed class DisplayTimeFallbackTests
         string Diagnostic() => _played.Session.Session.Listener.Diagnostics().Values.SingleOrDefault(v => v.Key == "display_time").Value;
         int Lines(string of) => _played.Cell.Messages.Count(m => m.Contains(of));
         HeadsetTime Right(FrameTime _) => _played.Cell.Clock.Read + TimeSpan.FromMilliseconds(40);
-        // Counts of 24 MHz read as counts of 10 MHz: on a device that has run for a while the result is far ahead.
+        // Simulates a fault that reads counts of 24 MHz as counts of 10 MHz. On a device that has run for some time, the result is far ahead.
         HeadsetTime Wrong(FrameTime _) => new(_played.Cell.Clock.Read.SinceEpoch * 2.4);
 
         _played.Runtime.LightOf = t => Right(t);

@@ -80,7 +80,7 @@ public sealed class ExperimentalPlanarReprojectionTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Posed_VelocityDisabledOrPoseStale_SendsNone(bool isSwitchedOff)
+    public void Posed_VelocityDisabledOrPoseStale_SendsNoVelocity(bool isSwitchedOff)
     {
         Play();
         Run(5);
@@ -96,7 +96,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
-    public void OnDisable_InUse_StopsAndReportsTheEarlierMode()
+    public void OnDisable_InUse_StopsAndReportsThePreviousMode()
     {
         Play();
         Run(3);
@@ -112,7 +112,7 @@ public sealed class ExperimentalPlanarReprojectionTests
     }
 
     [Test]
-    public void Update_RigNotPosed_ReportsTheEarlierMode()
+    public void Update_RigNotPosed_ReportsThePreviousMode()
     {
         Play();
         Run(3);

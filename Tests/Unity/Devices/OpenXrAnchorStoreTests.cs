@@ -8,7 +8,7 @@ using static Nowpose.Unity.Tests.Devices.PlayedAnchorStore;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>Anchors that are kept, found again and forgotten.</summary>
+/// <summary>Tests that anchors are saved in the store, found again, and deleted.</summary>
 public sealed class OpenXrAnchorStoreTests
 {
     PlayedAnchorStore _played;
@@ -112,7 +112,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Find_NothingStoredOrNotLoaded_IsNull()
+    public void Find_NothingStoredOrStoreNotLoaded_ReturnsNull()
     {
         _played.Storage.Put("other", Earlier);
 
@@ -125,7 +125,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Find_SameAnchorTwice_StaysValidAfterTheFirstIsReleased()
+    public void Find_SameAnchorTwice_SecondStaysValidAfterTheFirstIsReleased()
     {
         _played.Storage.Put("cell", Earlier);
         _played.Run(0.1);
@@ -143,7 +143,7 @@ public sealed class OpenXrAnchorStoreTests
     }
 
     [Test]
-    public void Forget_StoredAnchor_IsRemovedFromTheStoreAndStaysHeld()
+    public void Forget_StoredAnchor_IsRemovedFromTheStoreButStaysHeld()
     {
         _played.Run(0.1);
         var anchor = _played.Kept("cell");

@@ -5,7 +5,7 @@ using static Nowpose.Unity.Tests.Devices.PlayedDisplayTime;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>The display time of the OpenXR runtime.</summary>
+/// <summary>Tests that the session uses the display time that the OpenXR runtime predicts.</summary>
 public sealed class OpenXrDisplayTimeTests
 {
     PlayedDisplayTime _played;
@@ -51,7 +51,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void DisplayTime_SessionRestarted_Continues()
+    public void DisplayTime_SessionRestarted_IsUsedAgain()
     {
         _played.Play();
         _played.Runtime.LightOf = _ => _played.Cell.Clock.Read + TimeSpan.FromMilliseconds(47);
@@ -64,7 +64,7 @@ public sealed class OpenXrDisplayTimeTests
     }
 
     [Test]
-    public void DisplayTime_LastingDifferenceFromTheCalibration_UsesTheRuntimeAndReportsIt()
+    public void DisplayTime_DiffersFromTheCalibration_UsesTheRuntimeAndReportsTheDifference()
     {
         _played.Play();
         _played.Runtime.LightOf = _ => _played.Cell.Clock.Read + TimeSpan.FromMilliseconds(47);

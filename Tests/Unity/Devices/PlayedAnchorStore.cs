@@ -9,7 +9,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>A device that holds anchors, and the store that keeps them beyond a run.</summary>
+/// <summary>Simulates a device that holds anchors, with a store that saves them across restarts of the application.</summary>
 sealed class PlayedAnchorStore : IDisposable
 {
     public static readonly RigidTransform Place = RigidTransform.FromXyzRpy(1.5, -0.4, 0.8, 0.1, 0.2, 0.3);
@@ -22,7 +22,7 @@ sealed class PlayedAnchorStore : IDisposable
         Device = Origin.Device.Offer<XRAnchorSubsystem>();
         Storage = new XRAnchorStore();
         XRAnchorStore.Loading = _ => Task.FromResult(Storage);
-        // The store adds the anchors component.
+        // The store component requires ArSpatialAnchors, so Unity adds it.
         Store = new GameObject("Anchors").AddComponent<OpenXrAnchorStore>();
         Anchors = Store.GetComponent<ArSpatialAnchors>();
     }

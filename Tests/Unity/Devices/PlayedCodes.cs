@@ -9,13 +9,13 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>A device that reports a code on a tilted print, and the component that reads it in a running session.</summary>
+/// <summary>Simulates a device that reports a code on a tilted print, with the component that reads the code in a running session.</summary>
 sealed class PlayedCodes : IDisposable
 {
     public static readonly TrackableId Id = new(0xAB, 0xCD);
     public static readonly Vector3 Corner = new(2, 1, 3);
 
-    // The print is tilted and turned, so none of its axes is parallel to an axis of the room.
+    // With this rotation, no axis of the print is parallel to an axis of the room.
     public static readonly Quaternion Turned = Quaternion.Euler(20, 50, 10);
 
     public PlayedCodes()

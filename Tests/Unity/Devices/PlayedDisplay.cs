@@ -5,7 +5,7 @@ using UnityEngine.XR.OpenXR;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>A simulated OpenXR display on the stand-ins, with a camera and all other requirements of depth submission.</summary>
+/// <summary>Simulates an OpenXR display that meets all requirements of depth submission, with a camera.</summary>
 sealed class PlayedDisplay : IDisposable
 {
     public const string DepthExtension = "XR_KHR_composition_layer_depth";

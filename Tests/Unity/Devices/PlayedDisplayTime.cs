@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>A gantry that moves, a display whose latency varies, and an OpenXR runtime that predicts the display time.</summary>
+/// <summary>Simulates a moving gantry, a display with varying latency, and an OpenXR runtime that predicts the display time.</summary>
 sealed class PlayedDisplayTime : IDisposable
 {
     const string Gantry = """
@@ -58,7 +58,7 @@ sealed class PlayedDisplayTime : IDisposable
         }
     }
 
-    // RMS distance over 12 s between the drawn tool and its true position when the frame's light appears, mm.
+    // Runs for 12 s, and returns the RMS distance in mm between the drawn tool and its true position at the display time.
     public double ErrorMm()
     {
         double sum = 0;
@@ -73,7 +73,8 @@ sealed class PlayedDisplayTime : IDisposable
         return Math.Sqrt(sum / frames);
     }
 
-    // In Update the runtime predicts for the previous frame, so it is one frame off here. Before rendering it predicts for this frame.
+    // Returns the runtime's prediction. If a frame is computed again right before rendering, the first prediction (in Update) is one frame too
+    // late, because the runtime then predicts for another frame. The second prediction is exact.
     public HeadsetTime? Predicted(FrameTime tick, bool isRewritten)
     {
         var light = Cell.Clock.Read + TrueLatency(Cell.Now);
@@ -90,10 +91,10 @@ sealed class PlayedDisplayTime : IDisposable
         Runtime.Dispose();
     }
 
-    // Moves back and forth at up to half a metre per second.
+    // Returns the true position in metres. The gantry moves back and forth at up to 0.5 m/s.
     static double TruthAt(HeadsetTime at) => 0.5 * Math.Sin(at.SinceEpoch.TotalSeconds);
 
-    // The display latency varies by half a refresh, alternating every half second.
+    // Returns the true display latency. It alternates every half second between two values around the calibrated value.
     static TimeSpan TrueLatency(double seconds) =>
         TimeSpan.FromMilliseconds(CalibratedMs + ((int)(seconds * 2) % 2 == 0 ? VariationMs : -VariationMs));
 }

@@ -4,7 +4,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>A simulated headset on the stand-ins: a camera below an XR Origin away from the room's origin, and the runtime's features.</summary>
+/// <summary>Simulates a headset: a runtime, and a camera below an XR Origin that is not at the origin of the room.</summary>
 sealed class PlayedOrigin : IDisposable
 {
     public PlayedOrigin()
@@ -20,7 +20,7 @@ sealed class PlayedOrigin : IDisposable
     public XROrigin Origin { get; }
     public Transform Head { get; }
 
-    /// <summary>Converts a pose in the room to the device's session space.</summary>
+    /// <summary>Converts a pose in the room to the space of the device's session.</summary>
     public Pose InSession(Vector3 position, Quaternion rotation)
     {
         var space = Origin.TrackablesParent;

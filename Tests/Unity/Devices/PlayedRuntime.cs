@@ -4,13 +4,13 @@ using Nowpose.OpenXR;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>An OpenXR runtime that predicts the display time of frames, on the stand-in of Microsoft's plugin.</summary>
+/// <summary>Simulates an OpenXR runtime that predicts the display time of frames.</summary>
 sealed class PlayedRuntime : IDisposable
 {
-    /// <summary>OpenXR's epoch differs from that of the counter.</summary>
+    /// <summary>OpenXR time at the count 0. It is not 0, because OpenXR and the counter have different epochs.</summary>
     const long XrTimeAtCountZero = 987_654_321_123_456_789;
 
-    /// <summary>The stopwatch may start with the application, while the counter starts with the device.</summary>
+    /// <summary>Reading of the counter when the stopwatch starts: the counter starts with the device, the stopwatch with the application.</summary>
     static readonly TimeSpan UpTime = TimeSpan.FromDays(90);
 
     readonly SteppedClock _clock;
@@ -25,13 +25,13 @@ sealed class PlayedRuntime : IDisposable
             LightOf(tick) is { } light ? XrTimeAtCountZero + (light + UpTime).Nanoseconds : Unknown;
     }
 
-    /// <summary>Predicted display time of the frame, for a request in Update or before rendering; null if it is not known.</summary>
+    /// <summary>Returns the predicted display time of the frame, for a request in Update or before rendering; null if it is unknown.</summary>
     public Func<FrameTime, HeadsetTime?> LightOf { get; set; } = _ => null;
 
-    /// <summary>The value returned if the display time is not known.</summary>
+    /// <summary>Value that the runtime returns if the display time is unknown.</summary>
     public long Unknown { get; set; }
 
-    /// <summary>Gives a component the counters of this device.</summary>
+    /// <summary>Makes a component use the counters of this device.</summary>
     public void Equip(OpenXrDisplayTime component)
     {
         component.OpenCounter = () => new Counter(_clock, UpTime, _countsPerSecond);

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>The manager that the component adds or uses, and the problems that it reports.</summary>
+/// <summary>Tests the AR Marker Manager that the component adds or uses, and the problems that the component reports.</summary>
 public sealed class QrMarkerManagerTests
 {
     PlayedCodes _played;
@@ -21,7 +21,7 @@ public sealed class QrMarkerManagerTests
     public void TearDown() => _played.Dispose();
 
     [Test]
-    public void Manager_NoneOnTheOrigin_IsAddedForCodesInCornerMode()
+    public void Manager_MissingOnTheOrigin_IsAddedForCodesInCornerMode()
     {
         var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
 
@@ -97,7 +97,7 @@ public sealed class QrMarkerManagerTests
     }
 
     [Test]
-    public void Problem_NoOrigin_IsReportedUntilThereIsOne()
+    public void Problem_NoOrigin_IsReportedUntilAnOriginExists()
     {
         Object.Destroy(_played.Origin.Origin.GetComponent<ARMarkerManager>());
         _played.Origin.Head.SetParent(null, false);

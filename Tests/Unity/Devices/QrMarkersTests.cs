@@ -10,7 +10,7 @@ using static Nowpose.Unity.Tests.Devices.PlayedCodes;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>The codes that the component reads.</summary>
+/// <summary>Tests the sightings that the component returns for codes.</summary>
 public sealed class QrMarkersTests
 {
     PlayedCodes _played;
@@ -21,7 +21,7 @@ public sealed class QrMarkersTests
     [TearDown]
     public void TearDown() => _played.Dispose();
 
-    // Converts a point in the marker frame (right, up, out of the print) to the world.
+    // Converts a point in the marker frame, given as right, up and out of the print, to the world.
     static Vector3 World(in RigidTransform marker, double right, double up, double outwards)
     {
         var point = marker * RigidTransform.FromXyzRpy(right, up, outwards, 0, 0, 0);
@@ -63,7 +63,7 @@ public sealed class QrMarkersTests
     [TestCase(TransformMode.MostStable, 0)]
     [TestCase(TransformMode.Center, 0)]
     [TestCase(TransformMode.Center, 0.06f)]
-    public void Read_AtTheSessionsOrigin_IsNotTracked(TransformMode mode, float shift)
+    public void Read_CodeAtTheSessionsOrigin_IsNotTracked(TransformMode mode, float shift)
     {
         _played.Codes.Report(new XRMarker
         {
@@ -76,13 +76,13 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_LastSeen_IsOnTheSessionsClock()
+    public void Read_CodeSeen_HasTheTimeOfTheSessionsClock()
     {
         _played.Report(lastSeenAgo: 0.5f);
 
         var marker = _played.ReadOne();
 
-        // The frame after the report reads it, which adds 1/60 s.
+        // The component reads the report one frame later, which adds 1/60 s.
         Assert.That((_played.Cell.Clock.Read - marker.LastSeen).TotalSeconds, Is.EqualTo(0.5 + 1 / 60.0).Within(1e-3));
     }
 
@@ -99,7 +99,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_TimeInTheFuture_IsNow()
+    public void Read_LastSeenInTheFuture_ReturnsTheCurrentTime()
     {
         _played.Report(lastSeenAgo: -1);
 
@@ -107,7 +107,7 @@ public sealed class QrMarkersTests
     }
 
     [Test]
-    public void Read_TextAvailableLater_IsRequestedUntilItIsKnown()
+    public void Read_TextNotDecodedYet_IsRequestedUntilItIsKnown()
     {
         _played.Report();
         Assert.That(_played.ReadOne().Payload, Is.Null);

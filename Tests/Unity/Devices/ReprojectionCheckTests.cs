@@ -1,5 +1,4 @@
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
 using Nowpose.Messages;
 using Nowpose.OpenXR;
 using Nowpose.Unity;
@@ -42,7 +41,7 @@ public sealed class ReprojectionCheckTests
         _cell.Run(seconds, _session);
     }
 
-    // Each case breaks one requirement of depth submission.
+    // Removes the requirement of depth submission whose absence gives a state.
     void Break(DepthSubmission how)
     {
         switch (how)
@@ -87,7 +86,7 @@ public sealed class ReprojectionCheckTests
     }
 
     [Test]
-    public void Update_ConditionMissing_IsReportedOnceInPanelLogAndDiagnosticsAsIsItsRecovery(
+    public void Update_ConditionMissing_IsReportedOnceAndSoIsItsRecovery(
         [Values(DepthSubmission.TurnedOff, DepthSubmission.NotSupported, DepthSubmission.NoMainCamera, DepthSubmission.NotRequested)]
         DepthSubmission broken)
     {
@@ -135,7 +134,7 @@ public sealed class ReprojectionCheckTests
     }
 
     [Test]
-    public void Update_NoRuntime_IsUnknownAndSilent()
+    public void Update_NoRuntime_IsUnknownWithoutAMessage()
     {
         _display.Dispose();
 
@@ -157,7 +156,7 @@ public sealed class ReprojectionCheckTests
     }
 
     [Test]
-    public void OnDisable_Known_IsUnknownAgain()
+    public void OnDisable_StateKnown_BecomesUnknown()
     {
         Play(2);
 

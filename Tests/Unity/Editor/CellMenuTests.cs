@@ -16,7 +16,7 @@ public sealed class CellMenuTests : EditorFixture
     };
 
     [TestCaseSource(nameof(Items))]
-    public void Item_PrefabExists_PlacesAndSelectsAnInstanceWithUndo(string item, object of)
+    public void MenuItem_PrefabExists_PlacesAndSelectsAnInstanceWithUndo(string item, object of)
     {
         var prefab = Put((PackageAsset)of);
 
@@ -34,7 +34,7 @@ public sealed class CellMenuTests : EditorFixture
     [TestCase("Signal", typeof(CellSignal))]
     [TestCase("Actuated Part", typeof(ActuatedPart))]
     [TestCase("Another Robot", typeof(RobotRig))]
-    public void Item_Component_CreatesAndSelectsAnObjectWithUndo(string item, Type component)
+    public void MenuItem_ForAComponent_CreatesAndSelectsAnObjectWithUndo(string item, Type component)
     {
         Choose("GameObject/Nowpose/" + item);
 
@@ -44,7 +44,7 @@ public sealed class CellMenuTests : EditorFixture
     }
 
     [Test]
-    public void Entries_OfTheSetupWindow_AreThoseOfTheMenu()
+    public void SetupWindow_Entries_EqualTheMenu()
     {
         var items = typeof(CellMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
             .Select(method => (method.GetCustomAttribute<MenuItem>()?.menuItem, method)).Where(item => item.menuItem != null);

@@ -7,13 +7,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Display and actions of the inspectors in edit mode.</summary>
+/// <summary>Tests what inspectors show, and what their buttons do, in edit mode.</summary>
 public sealed class EditModeInspectorTests : EditorFixture
 {
     const string BuildButton = "Build 'youBot' here";
 
     [Test]
-    public void Rig_ButtonClicked_BuildsTheSessionsRobotWithUndo()
+    public void RigInspector_ButtonClicked_BuildsTheSessionsRobotWithUndo()
     {
         var rig = NewRig("youbot");
 
@@ -27,7 +27,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_BuiltByTheButton_IsNotReplacedByAnotherRobot()
+    public void RigInspector_RobotBuilt_IsNotReplacedByAnotherRobot()
     {
         var rig = NewRig("youbot");
         Click(rig, BuildButton);
@@ -40,7 +40,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_ButtonClickedTwice_BuildsOnceAndReportsIt()
+    public void RigInspector_ButtonClickedTwice_BuildsOnceAndReportsTheSecondClick()
     {
         var rig = NewRig("youbot");
         Click(rig, BuildButton);
@@ -54,7 +54,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_InvalidDescription_StatesTheReason()
+    public void RigInspector_InvalidDescription_StatesTheReason()
     {
         var rig = NewRig("youbot");
         rig.GetComponentInParent<MrilSession>().With("_robot", Keep(RobotDescriptionAsset.Create("youBot", "<robot")));
@@ -67,7 +67,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Rig_SessionWithoutRobot_HasNoButton()
+    public void RigInspector_SessionWithoutRobot_HasNoButton()
     {
         Inspect(NewRig(null)).OnInspectorGUI();
 
@@ -75,10 +75,10 @@ public sealed class EditModeInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Anchor_Placed_ShowsItsPoseInTheFormOfAUrdf()
+    public void AnchorInspector_AnchorPlaced_ShowsThePoseInUrdfAxes()
     {
         var anchor = NewAnchor();
-        // A quarter turn to the left, seen from above, then the front 30° up; 3 m forward, 1 m left, 2 m up.
+        // The pose is 3 m forward, 1 m left and 2 m up, turned to the left by 90° as seen from above, with the front raised by 30°.
         anchor.transform.SetPositionAndRotation(new Vector3(-1, 2, 3), Quaternion.Euler(0, -90, 0) * Quaternion.Euler(-30, 0, 0));
 
         Inspect(anchor).OnInspectorGUI();
@@ -93,7 +93,7 @@ public sealed class EditModeInspectorTests : EditorFixture
     [TestCase("y − 5 mm, right", 0.005f, 0, 0)]
     [TestCase("z + 5 mm, up", 0, 0.005f, 0)]
     [TestCase("z − 5 mm, down", 0, -0.005f, 0)]
-    public void Anchor_Nudged_MovesAlongItsOwnAxesWithUndo(string button, float x, float y, float z)
+    public void AnchorInspector_StepButtonClicked_MovesAlongItsOwnAxesWithUndo(string button, float x, float y, float z)
     {
         var anchor = NewAnchor();
         var moved = 0;
@@ -110,7 +110,7 @@ public sealed class EditModeInspectorTests : EditorFixture
 
     [TestCase("0.5° to the left", -0.5f)]
     [TestCase("0.5° to the right", 0.5f)]
-    public void Anchor_Turned_RotatesAboutTheVertical(string button, float degrees)
+    public void AnchorInspector_TurnButtonClicked_RotatesAboutTheVertical(string button, float degrees)
     {
         var anchor = NewAnchor();
 

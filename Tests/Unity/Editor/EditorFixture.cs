@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Resets the editor's stand-in to the state of a new project before each test.</summary>
+/// <summary>Base class of tests with the stand-in editor. Resets the editor to a new project before each test.</summary>
 public abstract class EditorFixture
 {
     /// <summary>Objects to destroy after the test.</summary>
@@ -39,7 +39,7 @@ public abstract class EditorFixture
         Project.Open(null);
     }
 
-    /// <summary>Destroys the object after the test.</summary>
+    /// <summary>Registers an object, which is destroyed after the test.</summary>
     public T Keep<T>(T made) where T : Object
     {
         Made.Add(made);

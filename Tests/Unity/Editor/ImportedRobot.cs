@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>A project with a robot description, and the objects that its import created.</summary>
+/// <summary>A temporary project with a robot description, and the objects that its import has created.</summary>
 sealed class ImportedRobot : IDisposable
 {
     public const string Urdf = "Assets/arm_description/urdf/arm.urdf";

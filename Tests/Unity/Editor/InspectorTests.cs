@@ -8,7 +8,7 @@ using static Nowpose.Unity.Tests.Editor.PlayedInspectors;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The inspectors of robot, gripper, appearance and panel in play mode, drawn on the editor's stand-in.</summary>
+/// <summary>Tests the inspectors of robot, gripper, appearance and panel in play mode.</summary>
 public sealed class InspectorTests : EditorFixture
 {
     PlayedInspectors _played;
@@ -52,7 +52,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Others_Playing_ShowTheirValues()
+    public void GripperAndRenderTimeSource_Playing_ShowTheirValues()
     {
         var session = _played.Cell.Play();
         var rig = Below<RobotRig>(session);
@@ -70,7 +70,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void PartsOfTheCell_Playing_ShowTheirValuesAndFaults()
+    public void CellParts_Playing_ShowTheirValuesAndFaults()
     {
         var session = _played.Cell.Play();
         var rig = Below<RobotRig>(session);
@@ -112,7 +112,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Gripper_OnARigWithoutRobot_ShowsDashes()
+    public void Gripper_RigWithoutRobot_ShowsDashes()
     {
         var rig = new GameObject("Robot").AddComponent<RobotRig>();
         var gripper = Gripper(rig, "gripper_finger_joint_l");
@@ -151,7 +151,7 @@ public sealed class InspectorTests : EditorFixture
     }
 
     [Test]
-    public void Appearance_BeforeAnyPosition_ShowsThatNothingIsDrawn()
+    public void Appearance_NoPositionsYet_ShowsThatNothingIsDrawn()
     {
         var session = _played.Cell.Play();
         _played.Cell.IsPlantUp = false;
@@ -181,7 +181,7 @@ public sealed class InspectorTests : EditorFixture
         GuiRecorder.Clear();
         panel.enabled = false;
         _played.Editors[0].OnInspectorGUI();
-        Assert.That(GuiRecorder.Texts, Does.Contain("Shows: nothing, it is disabled"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("Shows: nothing; the component is disabled"));
     }
 
     [Test]

@@ -24,7 +24,7 @@ public sealed class LinkerProtectionTests : EditorFixture
     }
 
     [Test]
-    public void Generate_Content_PreservesAllAssembliesOfThePackage()
+    public void Generate_AnyProject_PreservesTheListedAssemblies()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{}");

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>OpenXR settings with the serialised fields of com.unity.xr.openxr 1.13, as in a new project: no feature is enabled.</summary>
+/// <summary>
+/// Creates OpenXR settings with the serialised fields of com.unity.xr.openxr 1.13. As in a new project, no feature is enabled.
+/// </summary>
 static class OpenXrAssets
 {
     public const string HoloLens = "com.microsoft.openxr.feature.hololens";

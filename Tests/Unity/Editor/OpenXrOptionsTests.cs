@@ -17,7 +17,7 @@ public sealed class OpenXrOptionsTests : EditorFixture
     }
 
     [Test]
-    public void TurnOn_Feature_IsOnOnlyForThatPlayer()
+    public void TurnOn_FeatureOfOnePlayer_IsOnOnlyForThatPlayer()
     {
         OpenXrAssets.Put(Keep, BuildTargetGroup.Standalone, BuildTargetGroup.WSA);
         Assert.That(OpenXrOptions.IsOn(BuildTargetGroup.WSA, OpenXrAssets.HoloLens), Is.False);
@@ -32,7 +32,7 @@ public sealed class OpenXrOptionsTests : EditorFixture
     }
 
     [Test]
-    public void Set_Option_AppliesOnlyToThatPlayer()
+    public void Set_OptionOfOnePlayer_AppliesOnlyToThatPlayer()
     {
         OpenXrAssets.Put(Keep, BuildTargetGroup.Android, BuildTargetGroup.WSA);
 

@@ -6,7 +6,7 @@ using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The checks of the packages that a project needs.</summary>
+/// <summary>Tests the checks of the packages that a project needs.</summary>
 public sealed class PackageChecksTests : EditorFixture
 {
     ReviewedProject _reviewed;
@@ -15,7 +15,7 @@ public sealed class PackageChecksTests : EditorFixture
     public void SetUp() => _reviewed = new ReviewedProject(this);
 
     [Test]
-    public void Package_OfUnity_IsRequestedByNameAndFoundOnceInstalled()
+    public void UnityPackage_Missing_IsRequestedByNameAndFoundOnceInstalled()
     {
         var check = _reviewed.IndexOf("OpenXR");
         Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr is not installed"));
@@ -34,7 +34,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_WithVersion_IsRequestedWithTheVersion()
+    public void Package_VersionGiven_IsRequestedWithThisVersion()
     {
         _reviewed.Review.Fix(_reviewed.IndexOf("AR Foundation"));
 
@@ -43,7 +43,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_TooOld_IsRecommendedAgain()
+    public void Package_TooOld_IsRecommended()
     {
         PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.arfoundation", "4.1.7"));
         PackageInfo.Registered.Add(new PackageInfo("com.microsoft.mixedreality.openxr", "1.11.1-preview"));
@@ -56,7 +56,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_CannotBeAdded_StatesTheReason()
+    public void AddPackage_Fails_StatesTheReason()
     {
         _reviewed.Review.Fix(_reviewed.IndexOf("NativeWebSocket (optional)"));
         Client.Newest.Fail("no git");
@@ -66,7 +66,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_OfMicrosoft_IsAddedToTheManifestWithItsRegistry()
+    public void MicrosoftPackage_Missing_IsAddedToTheManifestWithItsRegistry()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{ \"dependencies\": {} }");
@@ -86,7 +86,7 @@ public sealed class PackageChecksTests : EditorFixture
 
     [TestCase(null, "com.microsoft.mixedreality.openxr could not be added: Could not find file")]
     [TestCase("nothing", "com.microsoft.mixedreality.openxr could not be added: Packages/manifest.json:1: not a JSON object")]
-    public void Package_ManifestInvalid_StatesTheReasonAndChangesNothing(string manifest, string trouble)
+    public void AddPackage_ManifestInvalid_StatesTheReasonAndChangesNothing(string manifest, string trouble)
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/other.txt", "");
@@ -105,7 +105,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Checks_OfPackages_ExcludeDependenciesOfThePackage()
+    public void PackageChecks_DependenciesOfThePackage_AreExcluded()
     {
         var manifest = RepositoryFiles.Read(RepositoryFiles.Package + "/package.json");
 
@@ -116,7 +116,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_Optional_IsOnlyRecommended()
+    public void OptionalPackage_Missing_IsOnlyRecommended()
     {
         var check = _reviewed.IndexOf("MRTK3 (optional)");
 
@@ -126,7 +126,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Mrtk3_PartInstalled_NamesTheMissingPackages()
+    public void Mrtk3_PartlyInstalled_NamesTheMissingPackages()
     {
         foreach (var part in new[] { "core", "uxcore", "standardassets", "uxcomponents", "spatialmanipulation", "input" })
             PackageInfo.Registered.Add(new PackageInfo("org.mixedrealitytoolkit." + part, "3.3.0"));
@@ -159,7 +159,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_OfMicrosoft_KeepsTheManifestsFormatAndABackup()
+    public void MicrosoftPackage_Added_KeepsTheFormatOfTheManifestAndABackup()
     {
         using var folder = new ProjectFolder();
         const string before = "{\r\n\t\"dependencies\": {\r\n\t}\r\n}\r\n";

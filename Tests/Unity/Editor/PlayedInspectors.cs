@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Inspectors of the components of a running cell, closed when disposed.</summary>
+/// <summary>Opens inspectors of components in a running cell. Dispose closes them.</summary>
 sealed class PlayedInspectors : IDisposable
 {
     public PlayedInspectors() => Cell = new PlayedCell();

@@ -8,7 +8,7 @@ using static Nowpose.Unity.Tests.Editor.ReviewedProject;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The project checks on the settings of the editor's stand-in.</summary>
+/// <summary>Tests the project checks with the settings of the stand-in editor.</summary>
 public sealed class ProjectChecksTests : EditorFixture
 {
     ReviewedProject _reviewed;
@@ -20,7 +20,7 @@ public sealed class ProjectChecksTests : EditorFixture
         .Where(c => c.FixLabel != null && c is not (PackageCheck or OpenXrLoaderCheck or GraphicsJobsCheck)).Select(c => c.Title);
 
     [TestCaseSource(nameof(SettingChecks))]
-    public void Check_OfASetting_FailsBeforeAndPassesAfterItsFix(string title)
+    public void Check_Setting_FailsBeforeAndPassesAfterItsFix(string title)
     {
         var check = _reviewed.IndexOf(title);
         Assert.That(_reviewed.Review.Results[check].State, Is.Not.EqualTo(CheckState.Good), "before");
@@ -32,19 +32,19 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [TestCaseSource(nameof(SettingChecks))]
-    public void Fix_OfOneSetting_DoesNotChangeOthers(string title)
+    public void Fix_OneSetting_DoesNotChangeOtherSettings(string title)
     {
         var before = _reviewed.Review.Results.ToArray();
 
         _reviewed.Review.Fix(_reviewed.IndexOf(title));
 
         var changed = Enumerable.Range(0, before.Length).Where(i => before[i].State != _reviewed.Review.Results[i].State);
-        // Unity reports Graphics Jobs only for the active build target.
+        // Excludes Graphics Jobs: Unity reports this setting only for the active build target, which another fix may change.
         Assert.That(changed.Where(i => _reviewed.Review.Checks[i] is not GraphicsJobsCheck), Is.EqualTo(new[] { _reviewed.IndexOf(title) }));
     }
 
     [Test]
-    public void Look_AllChecks_ChangeNothing()
+    public void Look_AllChecks_DoNotChangeTheProject()
     {
         for (var i = 0; i < 3; i++) _reviewed.Review.Refresh();
 
@@ -84,7 +84,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void OpenXrSettings_None_AreMissingAndTheFixNamesTheirPlace()
+    public void OpenXrSettings_Missing_FixOpensTheProjectSettingsAndNamesThePage()
     {
         Project.Open(null);
         _reviewed.Review.Refresh();
@@ -168,7 +168,7 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void RenderPipeline_OfTheLevelOrTheDefault_IsNamed()
+    public void RenderPipeline_OfTheQualityLevelOrTheDefault_IsNamed()
     {
         var check = _reviewed.IndexOf("Render pipeline is the built-in one or URP");
         Assert.That(_reviewed.Review.Results[check].Found, Does.StartWith("built-in"));
@@ -185,14 +185,14 @@ public sealed class ProjectChecksTests : EditorFixture
     }
 
     [Test]
-    public void UnityVersion_OfThisEditor_IsChecked()
+    public void UnityVersion_RunningEditor_IsChecked()
     {
         Assert.That(
             _reviewed.Review.Results[_reviewed.IndexOf("The Unity version has been tested")].Found,
             Does.StartWith("2022.3.62f1: compiled against 2022.3.7"));
     }
 
-    // The field of GraphicsSettings.asset that the checks read.
+    // Has the field of GraphicsSettings.asset that the checks read.
     sealed class GraphicsAssetOfATest : ScriptableObject
     {
         public RenderPipelineAsset m_CustomRenderPipeline;

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>A temporary folder for a Unity project, deleted when disposed.</summary>
+/// <summary>A temporary folder for a Unity project. Dispose deletes it.</summary>
 sealed class ProjectFolder : IDisposable
 {
     public string Root { get; } = Directory.CreateTempSubdirectory("nowpose-project-").FullName;

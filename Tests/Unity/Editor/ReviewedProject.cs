@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>A project on the editor's stand-in with a camera, and the review of its checks for HoloLens 2.</summary>
+/// <summary>A project with a camera in the stand-in editor, and the review of its checks for HoloLens 2.</summary>
 sealed class ReviewedProject
 {
     public ReviewedProject(EditorFixture fixture)
@@ -28,7 +28,7 @@ sealed class ReviewedProject
 
     public static int IndexIn(ProjectReview review, string title) => review.Checks.Select(c => c.Title).ToList().IndexOf(title);
 
-    // The field of ProjectSettings.asset that the checks read.
+    // Has the field of ProjectSettings.asset that the checks read.
     sealed class PlayerAssetOfATest : ScriptableObject
     {
         public int activeInputHandler;

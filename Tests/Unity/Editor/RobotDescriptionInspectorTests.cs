@@ -16,7 +16,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
         + "<axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>";
 
     [Test]
-    public void Draw_Robot_ShowsItsProperties()
+    public void Draw_ValidRobot_ShowsItsProperties()
     {
         Draw(Inspect(Robot));
 
@@ -37,7 +37,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Draw_Empty_ShowsTheRemedy()
+    public void Draw_NoUrdf_ShowsTheRemedy()
     {
         Draw(Inspect(""));
 
@@ -60,7 +60,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Load_File_SetsItsTextWithUndo()
+    public void Load_FileChosen_SetsTheTextWithUndo()
     {
         using var folder = new ProjectFolder();
         folder.Write("two.urdf", Robot);
@@ -88,7 +88,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Load_AssetDeletedSince_DoesNothing()
+    public void Load_AssetDeletedMeanwhile_DoesNothing()
     {
         var editor = Inspect(Robot);
         GuiRecorder.Click = LoadLabel;

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The inspectors of a session and its settings in play mode, drawn on the editor's stand-in.</summary>
+/// <summary>Tests the inspectors of a session and of the components around it in play mode.</summary>
 public sealed class SessionInspectorTests : EditorFixture
 {
     PlayedInspectors _played;
@@ -94,7 +94,7 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Session_Playing_PlotsLinesWithinTheirStrips()
+    public void Session_Playing_PlotsLinesWithinTheirCharts()
     {
         var session = _played.Cell.Play();
         var editor = _played.Inspect(session);
@@ -124,7 +124,7 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Session_CannotStart_ShowsTheReason()
+    public void Session_StartFails_ShowsTheReason()
     {
         var session = new GameObject("Cell").AddComponent<MrilSession>();
 
@@ -150,7 +150,7 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Sampling_OfAPlayingSession_AllocatesNothing()
+    public void Sample_SessionPlaying_AllocatesNothing()
     {
         var session = _played.Cell.Play();
         _played.Inspect(session);
@@ -167,7 +167,7 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Several_Selected_AreEditedTogetherWithoutLiveValues()
+    public void SeveralObjects_Selected_AreEditedTogetherWithoutLiveValues()
     {
         MrilSession one = _played.Cell.Play(), two = _played.Cell.Play();
         var editor = _played.Inspect(one, two);
@@ -184,7 +184,7 @@ public sealed class SessionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Fix_OfAMissingReference_IsAppliedByTheClickWithUndo()
+    public void FixButton_ReferenceMissing_AssignsItWithUndo()
     {
         var session = _played.Cell.NewSession();
         var rig = new GameObject("Robot").AddComponent<RobotRig>();

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>The drop-downs of the session settings. The asset stores the names as strings.</summary>
+/// <summary>Tests the drop-down lists in the inspector of the session settings. The asset stores the chosen names as strings.</summary>
 public sealed class SessionSettingsInspectorTests : EditorFixture
 {
     SessionSettingsAsset _settings;
@@ -52,7 +52,7 @@ public sealed class SessionSettingsInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Inspector_AssetsWithDifferentNames_ShowsMixedAndChangesNothing()
+    public void Inspector_AssetsWithDifferentNames_ShowsMixedValuesAndChangesNothing()
     {
         var other = ScriptableObject.CreateInstance<SessionSettingsAsset>();
         Set(other, "cubic");

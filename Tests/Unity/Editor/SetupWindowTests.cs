@@ -27,7 +27,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnAFix_AppliesOnlyThat()
+    public void Click_OnAFix_AppliesOnlyThisFix()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
@@ -44,7 +44,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Focus_AfterAnExternalChange_ShowsIt()
+    public void Focus_AfterAnExternalChange_ShowsTheChange()
     {
         PlayerSettings.enableFrameTimingStats = true;
 
@@ -55,7 +55,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_OnAFixOfAClosedWindow_HasNoEffect()
+    public void Click_WindowClosedMeanwhile_HasNoEffect()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
@@ -77,7 +77,7 @@ public sealed class SetupWindowTests : EditorFixture
         var texts = Draw();
 
         Assert.That(texts[2], Is.EqualTo("8 points are missing for an Android headset."));
-        Assert.That(texts, Does.Contain("✗ Internet Access is Require"));
+        Assert.That(texts, Does.Contain("✗ Internet Access is set to Require"));
         Assert.That(texts, Has.None.Contains("Capability"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "choosing what is listed switches nothing");
     }

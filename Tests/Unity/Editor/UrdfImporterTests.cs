@@ -7,7 +7,7 @@ using static Nowpose.Unity.Tests.Editor.ImportedRobot;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Robots of a user's project, imported on the editor's stand-in.</summary>
+/// <summary>Tests the import of robots of a user's project in the stand-in editor.</summary>
 public sealed class UrdfImporterTests : EditorFixture
 {
     ImportedRobot _imported;
@@ -36,7 +36,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_AnyRobot_HasARigOnTopAndItsDescription()
+    public void Import_AnyRobot_HasARigAtTheRootAndADescription()
     {
         var robot = _imported.Import("<link name='base'/>");
 
@@ -61,7 +61,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_LinkOfMissingMeshesOnly_IsDrawnAsBars()
+    public void Import_LinkWithOnlyMissingMeshes_IsDrawnAsBars()
     {
         var robot = _imported.Import("<link name='base'>" + Visual("<mesh filename='a.stl'/>") + "</link><link name='tip'/>"
             + "<joint name='j' type='fixed'><parent link='base'/><child link='tip'/><origin xyz='0 0 2'/></joint>");
@@ -97,7 +97,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_FileTooLong_CausesOneErrorWithoutReading()
+    public void Import_FileTooLong_CausesOneErrorAndIsNotRead()
     {
         _imported.Folder.Write(Urdf, "");
         using (var file = File.OpenWrite(Path.Combine(_imported.Folder.Root, Urdf))) file.SetLength((16 << 20) + 1);
@@ -108,7 +108,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Import_Twice_HasTheSameIdentifiers()
+    public void Import_SameFileTwice_HasTheSameIdentifiers()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));
         var body = "<link name='base'>" + Visual("<mesh filename='../meshes/a.stl'/>") + Visual("<box size='1 1 1'/>") + "</link>";
@@ -122,7 +122,7 @@ public sealed class UrdfImporterTests : EditorFixture
     }
 
     [Test]
-    public void Gather_BeforeTheImport_NamesTheExistingModels()
+    public void GatherDependencies_BeforeTheImport_ReturnsTheExistingModels()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.dae", "");
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", "");
@@ -135,7 +135,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
     [TestCase("<link")]
     [TestCase(null)]
-    public void Gather_InvalidRobot_IsEmpty(string body)
+    public void GatherDependencies_InvalidRobot_ReturnsNothing(string body)
     {
         if (body != null) _imported.Folder.Write(Urdf, ImportedRobot.Robot(body));
 

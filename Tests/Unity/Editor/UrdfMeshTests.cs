@@ -9,7 +9,7 @@ using static Nowpose.Unity.Tests.Editor.ImportedRobot;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Meshes and materials of imported robots.</summary>
+/// <summary>Tests the meshes and materials of imported robots.</summary>
 public sealed class UrdfMeshTests : EditorFixture
 {
     ImportedRobot _imported;
@@ -43,7 +43,7 @@ public sealed class UrdfMeshTests : EditorFixture
 
         _imported.Import("<link name='base'>" + Visual("<mesh filename='../meshes/a.stl'/>") + "</link>");
 
-        // Anticlockwise about the file's z, which is Unity's y. Unity draws triangles that are clockwise.
+        // The triangle is anticlockwise about z in the file. This is Unity's y, and Unity draws triangles that are clockwise.
         var mesh = _imported.Objects().OfType<Mesh>().Single();
         var corners = mesh.triangles.Select(i => mesh.vertices[i]).ToArray();
         Assert.That(mesh.normals, Is.All.EqualTo(Vector3.up));
@@ -51,7 +51,7 @@ public sealed class UrdfMeshTests : EditorFixture
     }
 
     [Test]
-    public void Import_Stl_SharesCornersOfAPlaneAndKeepsEdgesSharp()
+    public void Import_Stl_SharesCornersWithinAPlaneAndKeepsEdgesSharp()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", Stl(
             ("0 0 0", "1 0 0", "1 1 0"), ("0 0 0", "1 1 0", "0 1 0"), ("0 0 0", "0 1 0", "0 0 1")));
@@ -64,7 +64,7 @@ public sealed class UrdfMeshTests : EditorFixture
     }
 
     [Test]
-    public void Import_StlOfManyCorners_HasLongIndices()
+    public void Import_StlWithManyCorners_Has32BitIndices()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", Stl(Enumerable.Range(0, 22_000)
             .Select(i => ($"{i} 0 0", $"{i} 1 0", $"{i} 0 {1 + i % 7}")).ToArray()));
@@ -125,7 +125,7 @@ public sealed class UrdfMeshTests : EditorFixture
     }
 
     [Test]
-    public void Import_ModelWithPartsNamedLikeLinks_IsDistinguished()
+    public void Import_ModelWithPartsNamedLikeLinks_IsNotMistakenForLinks()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.obj", "v 0 0 0");
         var model = AsUnityImports((1, 2, 3), UpAxis.Y, isBaked: true);
@@ -141,7 +141,7 @@ public sealed class UrdfMeshTests : EditorFixture
     }
 
     [Test]
-    public void Import_SeveralOfOneKind_HaveUniqueNames()
+    public void Import_SeveralVisualsOfOneKind_HaveUniqueNames()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));
         _imported.Folder.Write("Assets/arm_description/meshes/a.obj", "v 0 0 0");
@@ -160,7 +160,7 @@ public sealed class UrdfMeshTests : EditorFixture
     }
 
     [Test]
-    public void Import_WithMaterialsChosen_UsesThemForEverything()
+    public void Import_MaterialsChosen_UsesThemForAllParts()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));
         _imported.Folder.Write("Assets/arm_description/meshes/a.obj", "v 0 0 0");
@@ -188,7 +188,9 @@ public sealed class UrdfMeshTests : EditorFixture
         _ => "v 0 0 0",
     };
 
-    /// <summary>Mirrors x, and rotates the up axis to y, with the root's rotation or (if baked) in the vertices.</summary>
+    /// <summary>
+    /// Simulates Unity's model importer: mirrors x, and turns the up axis to y by the rotation of the root or, if baked, of the vertices.
+    /// </summary>
     GameObject AsUnityImports((float X, float Y, float Z) point, UpAxis up, bool isBaked)
     {
         var model = Keep(new GameObject("model"));

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>Tests on assets with the serialised fields of XR Plug-in Management.</summary>
+/// <summary>Tests with assets that have the serialised fields of XR Plug-in Management.</summary>
 public sealed class XrPlugInsTests : EditorFixture
 {
     [Test]
@@ -26,7 +26,7 @@ public sealed class XrPlugInsTests : EditorFixture
     }
 
     [Test]
-    public void UseOpenXr_LoaderWithoutEarlyInitialisation_IsTrue()
+    public void UseOpenXr_LoaderNoPreInit_IsTrue()
     {
         Put((BuildTargetGroup.WSA, Settings(New<OpenXRLoaderNoPreInit>())));
 
@@ -93,7 +93,7 @@ public sealed class XrPlugInsTests : EditorFixture
         public List<ScriptableObject> m_Loaders;
     }
 
-    // As in com.unity.xr.openxr, where neither loader derives from the other.
+    // As in com.unity.xr.openxr, both loaders derive from one base class and not from each other.
     abstract class OpenXRLoaderBase : ScriptableObject { }
 
     sealed class OpenXRLoader : OpenXRLoaderBase { }

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine;
 
-/// <summary>Tests in play mode: each test has its own player with an empty scene.</summary>
+/// <summary>Base class of tests in play mode. Each test has its own player with an empty scene.</summary>
 public abstract class PlayerFixture
 {
     double _time;
@@ -24,7 +24,7 @@ public abstract class PlayerFixture
     [TearDown]
     public void Quit() => Player.Dispose();
 
-    /// <summary>Runs frames of 10 ms and returns the notes made in them.</summary>
+    /// <summary>Runs frames of 10 ms, and returns the notes that scripts have made in these frames.</summary>
     protected string Frame(int count = 1)
     {
         for (var i = 0; i < count; i++) Player.Step(_time += 0.01);

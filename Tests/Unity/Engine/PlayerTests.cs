@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Tests.Engine;
 public sealed class PlayerTests : PlayerFixture
 {
     [Test]
-    public void Step_Times_AreTheGivenTimes()
+    public void Step_GivenTimes_SetUnitysTimes()
     {
         Player.Step(2);
         Assert.That((Time.timeAsDouble, Time.frameCount), Is.EqualTo((2d, 1)));
@@ -42,7 +42,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void Step_Scripts_AllocatesNothingAfterWarmUp()
+    public void Step_WithScripts_AllocatesNothingAfterWarmUp()
     {
         for (var i = 0; i < 20; i++) new GameObject("a").AddComponent<Silent>();
         Add<Camera>("c");
@@ -58,7 +58,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void LoadScene_Second_DestroysTheFirstExceptKeptObjects()
+    public void LoadScene_SecondScene_DestroysTheFirstExceptPersistentObjects()
     {
         var first = Detached("first");
         Player.LoadScene("one", "one.unity", [first]);
@@ -90,7 +90,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void Subscribers_Removed_AreNotCounted()
+    public void SubscriberCount_SubscriberRemoved_DoesNotCountIt()
     {
         Application.onBeforeRender += Nothing;
         Application.logMessageReceived += Nothing;
@@ -114,7 +114,7 @@ public sealed class PlayerTests : PlayerFixture
     }
 
     [Test]
-    public void Step_OneOfTwoPlayers_AdvancesOnlyThatOne()
+    public void Step_OneOfTwoPlayers_AdvancesOnlyThatPlayer()
     {
         Add<Recorder>("a");
         Journal.Take();

@@ -40,7 +40,7 @@ public sealed class UnityEventTests : PlayerFixture
     [TestCase("Int", "m_IntArgument", 4, "HeardInt(4)")]
     [TestCase("String", "m_StringArgument", "x", "HeardString(x)")]
     [TestCase("Bool", "m_BoolArgument", true, "HeardBool(True)")]
-    public void Invoke_CallWithAStoredArgument_PassesIt(string mode, string field, object value, string expected)
+    public void Invoke_CallWithAStoredArgument_PassesTheArgument(string mode, string field, object value, string expected)
     {
         var happened = FromFile<UnityEvent>(Add<Listener>("a"), "Heard" + mode, Enum.Parse<PersistentListenerMode>(mode), (field, value));
 
@@ -66,7 +66,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_CallWithAnotherArgumentType_LogsAnErrorWithItsName()
+    public void Invoke_CallWithAnotherArgumentType_LogsAnErrorWithTheMethod()
     {
         FromFile<UnityEvent<int>>(Add<Listener>("a"), "HeardBool", PersistentListenerMode.EventDefined).Invoke(7);
 
@@ -89,7 +89,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_CallOfAMissingMethod_LogsAnErrorWithItsName()
+    public void Invoke_CallOfAMissingMethod_LogsAnErrorWithTheMethod()
     {
         FromFile<UnityEvent>(Add<Listener>("a"), "Nowhere", PersistentListenerMode.Void).Invoke();
 
@@ -97,7 +97,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_ListenerThrows_ReachesTheCaller()
+    public void Invoke_ListenerThrows_ExceptionReachesTheCaller()
     {
         var happened = FromFile<UnityEvent>(Add<Listener>("a"), "Throw", PersistentListenerMode.Void);
 

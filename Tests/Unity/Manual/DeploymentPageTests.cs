@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>The HoloLens pages name the packages and declarations that the code of this package requires.</summary>
+/// <summary>Tests that the pages about HoloLens name the packages and capabilities that the code of this package requires.</summary>
 public sealed partial class DeploymentPageTests
 {
     static readonly string Page = RepositoryFiles.Read(RepositoryFiles.Package + "/Documentation~/deploy-hololens2.md")
@@ -21,13 +21,13 @@ public sealed partial class DeploymentPageTests
         select new TestCaseData(Path.GetFileNameWithoutExtension(path), package, version, expression);
 
     [TestCaseSource(nameof(Ranges))]
-    public void Version_OnThePage_EnablesTheAssembly(string assembly, string package, string version, string expression)
+    public void Version_NamedOnThePage_EnablesTheAssembly(string assembly, string package, string version, string expression)
     {
         Assert.That(Contains(expression, Version.Parse(version)), $"{assembly} wants {package} {expression}");
     }
 
     [Test]
-    public void Packages_OfTheDevices_AreNamedWithTheirVersions()
+    public void DevicePackages_OnThePage_HaveTheirVersions()
     {
         var named = Ranges.Select(r => (string)r.Arguments[1]).Distinct();
 
@@ -35,7 +35,7 @@ public sealed partial class DeploymentPageTests
     }
 
     [Test]
-    public void Capabilities_OnThePage_MatchTheSetupWindow()
+    public void Capabilities_NamedOnThePage_MatchTheSetupWindow()
     {
         var looked = ProjectChecks.ForHoloLens().OfType<CapabilityCheck>().Select(c => c.Title["Capability ".Length..]);
         var table = Page[Page.IndexOf("| Capability | Why |", StringComparison.Ordinal)..];
@@ -50,7 +50,7 @@ public sealed partial class DeploymentPageTests
     [TestCase("[5.0.0,7.0.0-pre)", "5.1.5", true)]
     [TestCase("[5.0.0,7.0.0-pre)", "7.0.0", false)]
     [TestCase("[5.0.0,7.0.0-pre)", "4.2.9", false)]
-    public void Range_OfVersions_IsRead(string expression, string version, bool contains)
+    public void Contains_VersionExpression_IsEvaluated(string expression, string version, bool contains)
     {
         Assert.That(Contains(expression, Version.Parse(version)), Is.EqualTo(contains));
     }
@@ -58,7 +58,7 @@ public sealed partial class DeploymentPageTests
     static IEnumerable<string> VersionsOf(string package) =>
         Regex.Matches(Page, $@"`{Regex.Escape(package)}` (\d+\.\d+\.\d+)").Select(m => m.Groups[1].Value).Distinct();
 
-    // Unity's version expressions: a version alone is the minimum; an upper bound that is a preview also excludes its release.
+    // Evaluates a version expression of Unity. A single version is the minimum. An upper bound that is a preview also excludes the release.
     static bool Contains(string expression, Version version)
     {
         var bounds = expression.Trim('[', ')').Split(',').Select(b => Version.Parse(b.Split('-')[0])).ToArray();

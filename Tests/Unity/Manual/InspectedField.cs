@@ -2,9 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <param name="Label">Label in the Inspector; a field within a list follows the list's label, such as "Fingers › Joint".</param>
-/// <param name="Default">Value in a new component, in words.</param>
-/// <param name="Type">Type of the field, or of the elements of its list.</param>
-/// <param name="Range">Null for no range.</param>
-/// <param name="Tooltip">Null for no tooltip.</param>
+/// <summary>A field of a component or asset in the Inspector.</summary>
+/// <param name="Label">Label in the Inspector. A field in the elements of a list has the label of the list first: "Fingers › Joint".</param>
+/// <param name="Default">Value in a new component, as text.</param>
+/// <param name="Type">Type of the field, or of the elements if the field is a list.</param>
+/// <param name="Range">Range of the slider; null if the field has none.</param>
+/// <param name="Tooltip">Tooltip; null if the field has none.</param>
 sealed record InspectedField(string Label, string Default, Type Type, RangeAttribute Range, string Tooltip);

@@ -13,7 +13,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>A component or asset of the package as a user sees it: in a menu, in the Inspector and in a script.</summary>
+/// <summary>A component or asset of the package as a user sees it in a menu, in the Inspector and in a script.</summary>
 sealed partial class InspectedType
 {
     const string MenuPrefix = "Nowpose/";
@@ -22,7 +22,7 @@ sealed partial class InspectedType
 
     public InspectedType(Type type) => _type = type;
 
-    /// <summary>Every component and asset of the package's runtime, including those for optional packages, and the editor's importers.</summary>
+    /// <summary>All components and assets of the package's runtime, including those for optional packages, and the package's importers.</summary>
     public static IEnumerable<Type> All => Concrete(typeof(MrilSession), typeof(MonoBehaviour), typeof(ScriptableObject))
         .Concat(Concrete(typeof(HeadsetMenu), typeof(MonoBehaviour)))
         .Concat(Concrete(typeof(ArSpatialAnchors), typeof(MonoBehaviour)))
@@ -30,7 +30,7 @@ sealed partial class InspectedType
         .Concat(Concrete(typeof(QrMarkers), typeof(MonoBehaviour)))
         .Concat(Concrete(typeof(SetupWindow), typeof(AssetImporter)));
 
-    /// <summary>Name in the menu, such as Robot Rig; null if it is in no menu. For an importer, its name.</summary>
+    /// <summary>Name in the menu, for example Robot Rig, or the name of an importer; null if the type is not in a menu.</summary>
     public string Title
     {
         get
@@ -43,10 +43,10 @@ sealed partial class InspectedType
 
     public string PageName => Title?.ToLowerInvariant().Replace(' ', '-') + ".md";
 
-    /// <summary>Fields in the Inspector from top to bottom; the fields of a list's elements follow the list.</summary>
+    /// <summary>Fields in the Inspector from top to bottom. The fields of the elements of a list follow the list.</summary>
     public IReadOnlyList<InspectedField> Fields => FieldsOf(_type, "").ToList();
 
-    /// <summary>Members that a script can use in addition to those of Unity's own classes.</summary>
+    /// <summary>Members that a script can use, without the members of Unity's base classes.</summary>
     public IReadOnlyList<string> Members => _type
         .GetMembers(BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly)
         .Where(m => m is not ConstructorInfo && (m is not MethodInfo method || (!method.IsSpecialName && method.GetBaseDefinition() == method)))
@@ -61,7 +61,7 @@ sealed partial class InspectedType
     static IEnumerable<InspectedField> FieldsOf(Type type, string prefix)
     {
         var made = Activator.CreateInstance(type, nonPublic: true);
-        // Reflection guarantees no order. The compiler emits the fields in the order of the source, so their tokens are sorted.
+        // Reflection does not guarantee an order. The metadata tokens of the fields increase in the order of the source.
         foreach (var field in type.GetFields(BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.DeclaredOnly)
             .Where(IsShown).OrderBy(f => f.MetadataToken))
         {
@@ -86,7 +86,7 @@ sealed partial class InspectedType
         !field.IsInitOnly && !field.IsStatic && !field.IsLiteral && !field.IsDefined(typeof(NonSerializedAttribute))
         && (field.IsPublic || field.IsDefined(typeof(SerializeField))) && !field.IsDefined(typeof(HideInInspector));
 
-    /// <summary>Returns Unity's label for a name: without the prefix, with separate words and a capital first letter.</summary>
+    /// <summary>Returns the label that Unity shows for the name of a field: without its prefix, in separate words, with a capital letter.</summary>
     public static string Label(string name)
     {
         var bare = Prefix().Replace(name, "");

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>A page of the package's manual, with its tables by heading.</summary>
+/// <summary>Reads a page of the package's manual.</summary>
 sealed partial class ManualPage
 {
     public const string Folder = RepositoryFiles.Package + "/Documentation~";
@@ -19,10 +19,12 @@ sealed partial class ManualPage
 
     public string Title => _text.Split('\n')[0].TrimStart('#', ' ');
 
-    /// <summary>Names of the pages that this page links to.</summary>
+    /// <summary>Names of the pages to which this page has links.</summary>
     public IReadOnlyList<string> Linked => Links().Matches(_text).Select(m => m.Groups[1].Value).Distinct().ToList();
 
-    /// <summary>Returns the rows of the first table below a heading, without its header row and with trimmed cells; empty if there is none.</summary>
+    /// <summary>
+    /// Returns the rows of the first table below a heading, with trimmed cells and without the header row; empty if no table exists.
+    /// </summary>
     public IReadOnlyList<string[]> TableUnder(string heading)
     {
         var lines = _text.Split('\n').SkipWhile(l => l.Trim() != "## " + heading).Skip(1)

@@ -5,12 +5,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>Compares fields and members in the manual with those of the components.</summary>
+/// <summary>Tests that the manual's pages describe the fields and members that the components have.</summary>
 public sealed partial class ManualTests
 {
     const string Index = "index.md";
 
-    /// <summary>Units on the pages, by words of a label.</summary>
+    /// <summary>Units on the pages, by the word in the label of a field that stands for the unit.</summary>
     static readonly Dictionary<string, string> Units = new()
     {
         ["Ms"] = "ms", ["Seconds"] = "s", ["Metres"] = "m", ["Degrees"] = "degrees", ["Megabytes"] = "MB", ["Percent"] = "%", ["Radians"] = "rad",
@@ -44,7 +44,7 @@ public sealed partial class ManualTests
         var inspected = new InspectedType(type);
         var rows = ManualPage.Read(inspected.PageName).TableUnder("Fields").ToDictionary(r => r[0]);
 
-        // The default may be followed by a unit.
+        // On the page, a unit may follow the default.
         var wrong = inspected.Fields.Where(f => !(rows[f.Label][1] + " ").StartsWith(f.Default + " ", StringComparison.Ordinal));
 
         Assert.That(wrong.Select(f => f.Label + ": " + rows[f.Label][1] + " is " + f.Default), Is.Empty);
@@ -82,7 +82,7 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Page_Members_MatchTheClass(Type type)
+    public void Page_Members_MatchThoseOfTheClass(Type type)
     {
         var inspected = new InspectedType(type);
 
@@ -122,7 +122,7 @@ public sealed partial class ManualTests
 
     static string UnitOf(string label) => label.Split(' ').Select(word => Units.GetValueOrDefault(word)).FirstOrDefault(unit => unit != null);
 
-    // In "0.005 to 5 m, or 0" the zero needs no unit; a cell in words needs none either.
+    // Returns whether the unit follows a number of the cell; true for a cell without digits. Not each number needs it: "0.005 to 5 m, or 0".
     static bool HasUnit(string cell, string unit) => !cell.Any(char.IsDigit) || Regex.IsMatch(cell, $@"\d\)? {Regex.Escape(unit)}(?!\w)");
 
     /// <summary>Matches the name in `event Shown`, `Connect()` or `Settings {get; set;}`.</summary>

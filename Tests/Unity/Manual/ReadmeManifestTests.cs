@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>The block that a user pastes into Packages/manifest.json: an error in it breaks package resolution.</summary>
+/// <summary>Tests the block in the README that a user copies to Packages/manifest.json. With an error in it, Unity resolves no packages.</summary>
 public sealed partial class ReadmeManifestTests
 {
     const string ModulePrefix = "com.unity.modules.";
@@ -14,7 +14,7 @@ public sealed partial class ReadmeManifestTests
     static readonly JsonElement Project = Parse(RepositoryFiles.Read("Packages/manifest.json"));
 
     [Test]
-    public void Block_Package_IsTheFolderOfThisRepositoryAtItsVersion()
+    public void ManifestBlock_Package_IsThisRepositoryAtItsVersion()
     {
         var url = Block.GetProperty("dependencies").GetProperty(Package.GetProperty("name").GetString()).GetString();
 
@@ -23,24 +23,24 @@ public sealed partial class ReadmeManifestTests
     }
 
     [Test]
-    public void Block_Dependencies_MatchThePackage()
+    public void ManifestBlock_Dependencies_MatchThePackage()
     {
         var own = Package.GetProperty("name").GetString();
 
         var named = Dependencies(Block).Where(d => !d.StartsWith(own + " ", StringComparison.Ordinal));
 
-        // Modules are part of every Unity installation; a package that names them enables them.
+        // Modules are excluded, because they are part of each Unity installation, and the package itself enables them.
         Assert.That(named, Is.EquivalentTo(Dependencies(Package).Where(d => !d.StartsWith(ModulePrefix, StringComparison.Ordinal))));
     }
 
     [Test]
-    public void Block_Registries_MatchTheProject()
+    public void ManifestBlock_Registries_MatchTheProject()
     {
         Assert.That(Registries(Block), Is.EquivalentTo(Registries(Project)));
     }
 
     [Test]
-    public void Block_DependenciesOutsideUnity_HaveARegistry()
+    public void ManifestBlock_DependenciesFromOtherRegistries_HaveARegistry()
     {
         var scopes = Block.GetProperty("scopedRegistries").EnumerateArray()
             .SelectMany(r => r.GetProperty("scopes").EnumerateArray()).Select(s => s.GetString()).ToList();

@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>Every field of a component has a tooltip with its purpose and its unit.</summary>
+/// <summary>Tests that each field of a component has a tooltip, and that it contains the unit and the correct default.</summary>
 public sealed partial class TooltipTests
 {
-    // Units by the ending of a field's name, for a number or a vector; a port has no unit.
+    // Words that a tooltip must contain, by the word in the label of a number or vector that stands for the unit. A port has no unit.
     static readonly Dictionary<string, string> Units = new()
     {
         ["Ms"] = "ms", ["Seconds"] = "seconds", ["Metres"] = "metres", ["Degrees"] = "degrees", ["Port"] = "port",
@@ -18,7 +18,7 @@ public sealed partial class TooltipTests
     static IEnumerable<Type> Types => InspectedType.All;
 
     [TestCaseSource(nameof(Types))]
-    public void Field_InTheInspector_HasATooltip(Type type)
+    public void InspectorField_Tooltip_IsNotEmpty(Type type)
     {
         var without = new InspectedType(type).Fields.Where(f => string.IsNullOrWhiteSpace(f.Tooltip));
 
@@ -26,7 +26,7 @@ public sealed partial class TooltipTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Field_OfAQuantity_HasItsUnitInItsNameAndItsTooltip(Type type)
+    public void QuantityField_NameAndTooltip_ContainTheUnit(Type type)
     {
         var wrong = new InspectedType(type).Fields.Where(f => IsQuantity(f.Type) && !NamesItsUnit(f.Label, f.Tooltip));
 
@@ -36,7 +36,7 @@ public sealed partial class TooltipTests
     [TestCaseSource(nameof(Types))]
     public void Tooltip_ValuesWithAReason_IncludeTheDefault(Type type)
     {
-        // Example: 1.3 in "Distance from the head in metres. Default 1.3: a picture is sharp at an arm's length and more."
+        // Finds, for example, 1.3 in "Distance from the head in metres. Default 1.3: a picture is sharp at an arm's length and more."
         var stated = new InspectedType(type).Fields
             .Select(f => (f.Label, f.Default, Values: Reasons().Matches(f.Tooltip ?? "").Select(m => m.Groups[1].Value).ToList()));
 
@@ -52,7 +52,7 @@ public sealed partial class TooltipTests
     [TestCase("Visualisation Ms", "L_visu in ms.", true)]
     [TestCase("Visualisation Ms", "L_visu of displays and forms.", false)]
     [TestCase("Visualisation Ms", null, false)]
-    public void Unit_OfAField_IsNamedOnlyIfLabelAndTooltipContainIt(string label, string tooltip, bool expected)
+    public void NamesItsUnit_LabelAndTooltip_IsTrueOnlyIfBothContainTheUnit(string label, string tooltip, bool expected)
     {
         Assert.That(NamesItsUnit(label, tooltip), Is.EqualTo(expected));
     }

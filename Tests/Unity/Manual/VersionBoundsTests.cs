@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Manual;
 
-/// <summary>Compares the versions in the documents with the table in the code.</summary>
+/// <summary>Tests that the versions in the documents match the table in the code.</summary>
 public sealed partial class VersionBoundsTests
 {
     static readonly string Readme = RepositoryFiles.Read(RepositoryFiles.Package + "/README.md");
@@ -19,7 +19,7 @@ public sealed partial class VersionBoundsTests
     [TestCase("6000.0", "6000.0.78f1")]
     [TestCase("6000.1, 6000.2", "6000.2.0f1")]
     [TestCase("6.3 (6000.3) and newer", "6000.3.0f1")]
-    public void Readme_RowOfUnity_MatchesTheTable(string row, string version)
+    public void Readme_RowOfAUnityVersion_MatchesTheTableInTheCode(string row, string version)
     {
         var words = Readme.Split('\n').Single(line => line.StartsWith($"| {row} |", StringComparison.Ordinal));
 
@@ -33,7 +33,7 @@ public sealed partial class VersionBoundsTests
     }
 
     [TestCaseSource(nameof(Addresses))]
-    public void Deployment_Package_IsNamed(string package)
+    public void DeploymentPage_RequiredPackage_IsNamed(string package)
     {
         if (package is "com.unity.test-framework" or "com.unity.nuget.newtonsoft-json" or "com.unity.inputsystem") return;
 
@@ -43,7 +43,7 @@ public sealed partial class VersionBoundsTests
     [TestCase("README.md")]
     [TestCase(RepositoryFiles.Package + "/README.md")]
     [TestCase(RepositoryFiles.Package + "/Documentation~/deploy-hololens2.md")]
-    public void Installation_OfEachPage_StartsWithTheCommand(string path)
+    public void InstallationPage_FirstStep_IsTheCommand(string path)
     {
         var text = RepositoryFiles.Read(path);
         var command = text.IndexOf("nowpose unity PATH", StringComparison.Ordinal);

@@ -77,7 +77,7 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Prompt_Question_FitsItsLines()
+    public void Prompt_Question_IsShownInLinesThatFit()
     {
         LookAtTheMarker();
 
@@ -136,7 +136,7 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
-    public void Buttons_OfThePrompt_HaveNoVoiceCommands()
+    public void Prompt_Buttons_HaveNoVoiceCommands()
     {
         Assert.That(_accept.AllowSelectByVoice, Is.False);
         Assert.That(_refuse.AllowSelectByVoice, Is.False);

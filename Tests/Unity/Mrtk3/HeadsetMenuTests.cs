@@ -61,7 +61,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Toggle_Pressed_ActsAndShowsTheState()
+    public void Toggle_Pressed_RunsTheActionAndShowsTheState()
     {
         Press(_ghost);
         Run();
@@ -71,7 +71,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Toggle_StateChangedElsewhere_Follows()
+    public void Toggle_StateChangedElsewhere_ShowsTheNewState()
     {
         _actions.SetGhost(true);
         Run();
@@ -99,7 +99,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Slider_Moved_ActsAndShowsTheValue()
+    public void Slider_Moved_RunsTheActionAndShowsTheValue()
     {
         _nudge.Value = -7.5f;
         _opacity.Value = 0.25f;
@@ -111,7 +111,7 @@ public sealed class HeadsetMenuTests
     }
 
     [Test]
-    public void Slider_ValueBeyondItsRange_ShowsTheEndAndKeepsTheValue()
+    public void Slider_ValueBeyondItsRange_ShowsTheLimitAndKeepsTheValue()
     {
         _actions.SetNudgeMs(35);
         Run();

@@ -3,7 +3,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Mrtk3;
 
-/// <summary>A keyword recognition subsystem that receives its keywords from a test.</summary>
+/// <summary>Simulates keyword recognition: a test says the keywords.</summary>
 sealed class SpokenKeywords : IKeywordRecognitionSubsystem
 {
     readonly Dictionary<string, UnityEvent> _events = [];
@@ -16,7 +16,7 @@ sealed class SpokenKeywords : IKeywordRecognitionSubsystem
         return happened;
     }
 
-    /// <summary>Whether the recognition supports the platform.</summary>
+    /// <summary>Whether keyword recognition is supported on the simulated platform.</summary>
     public bool IsSupported { get; set; } = true;
 
     public int Calls { get; private set; }
@@ -30,7 +30,8 @@ sealed class SpokenKeywords : IKeywordRecognitionSubsystem
 
     public void RemoveKeyword(string keyword) => _events.Remove(keyword);
 
-    /// <returns>Whether the keyword is registered.</returns>
+    /// <summary>Simulates that the wearer says a keyword.</summary>
+    /// <returns>True if the keyword is registered.</returns>
     public bool Say(string keyword)
     {
         if (!running || !_events.TryGetValue(keyword, out var happened)) return false;

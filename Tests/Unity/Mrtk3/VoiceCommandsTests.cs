@@ -70,7 +70,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_Disabled_IsUnregistered()
+    public void Keyword_ComponentDisabled_IsUnregistered()
     {
         XRSubsystemHelpers.Provide(_speech);
         Run(0.1);
@@ -82,7 +82,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_DisabledButSharedWithAnother_KeepsTheOtherListener()
+    public void Keyword_SharedAndOneComponentDisabled_KeepsTheOtherListener()
     {
         var others = 0;
         _speech.CreateOrGetEventForKeyword("overlay ghost").AddListener(() => others++);
@@ -96,7 +96,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_UnregisteredByAnother_IsRegisteredAgain()
+    public void Keyword_UnregisteredByAnotherComponent_IsRegisteredAgain()
     {
         XRSubsystemHelpers.Provide(_speech);
         Run(0.1);
@@ -125,7 +125,7 @@ public sealed class VoiceCommandsTests
     }
 
     [Test]
-    public void Keyword_NoRecognition_IsLoggedOnceWithoutAWarning()
+    public void Keyword_NoRecognition_IsLoggedOnceAsInformation()
     {
         Run(30);
 

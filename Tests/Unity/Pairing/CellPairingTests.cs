@@ -7,7 +7,7 @@ using static Nowpose.Unity.Tests.Pairing.PlayedPairing;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>The pairing component in a running scene.</summary>
+/// <summary>Tests the pairing component in a running scene.</summary>
 public class CellPairingTests
 {
     PlayedPairing _played;
@@ -100,7 +100,7 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Session_SameCellSeenAgain_IsNotRestarted()
+    public void Session_MarkerOfThePairedCellSeenAgain_IsNotRestarted()
     {
         _played.Shown.Texts.Add(Desk);
         _played.Frames();
@@ -162,7 +162,7 @@ public class CellPairingTests
         _played.Pairing.enabled = false;
         _played.Frames(60);
 
-        // The stand-in's own allocations are the same without the component; a search for sources reuses its list.
+        // Subtracts the allocations of the stand-in engine, which are the same without the component. The rest is the search for marker sources.
         Assert.That(with - Measured(), Is.LessThan(600 * 8));
     }
 

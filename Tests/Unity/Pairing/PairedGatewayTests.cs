@@ -6,7 +6,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>The whole set-up: an unconfigured headset looks at two codes and is connected over TLS with a token of its own.</summary>
+/// <summary>Tests the whole set-up: a headset without settings sees two codes, and is then connected over TLS with a token of its own.</summary>
 public class PairedGatewayTests
 {
     PlayedCell _cell;
@@ -67,7 +67,7 @@ public class PairedGatewayTests
     }
 
     [Test]
-    public async Task TwoCodes_SeenOnce_PairTheHeadsetPermanently()
+    public async Task Headset_SeesBothCodesOnce_IsPairedPermanently()
     {
         var paired = 0;
         var onPaired = new UnityEvent();
@@ -88,7 +88,7 @@ public class PairedGatewayTests
     }
 
     [Test]
-    public async Task Token_RevokedAndAnotherCodeSeen_IsReplaced()
+    public async Task Token_RevokedAndNewCodeSeen_IsReplaced()
     {
         await PairAsync();
         Assert.That(_pairing.Guidance, Is.Null);
@@ -104,7 +104,7 @@ public class PairedGatewayTests
     }
 
     [Test]
-    public async Task Code_AlreadyUsed_IsReportedAndTheNextWorks()
+    public async Task Code_AlreadyUsed_IsReportedAndTheNextCodeWorks()
     {
         var used = await _gateway.ShownAsync();
         await _gateway.ExchangeAsync(used.Token, "another headset");

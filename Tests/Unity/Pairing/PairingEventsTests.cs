@@ -7,7 +7,7 @@ using static Nowpose.Unity.Tests.Pairing.PlayedPairing;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>Listeners of the pairing, the actions that ask to forget it, and codes that do not start it.</summary>
+/// <summary>Tests listeners of the pairing, the action that forgets the cell, and codes that must not start a pairing.</summary>
 public class PairingEventsTests
 {
     PlayedPairing _played;
@@ -19,7 +19,7 @@ public class PairingEventsTests
     public void Stop() => _played.Dispose();
 
     [Test]
-    public void ForgetCell_OfTheActions_AsksAndForgetsIfAccepted()
+    public void ForgetCell_CellPaired_AsksAndForgetsIfAccepted()
     {
         var actions = _played.Session.gameObject.AddComponent<CellActions>();
         _played.Shown.Texts.Add(Desk);
@@ -52,7 +52,7 @@ public class PairingEventsTests
     }
 
     [Test]
-    public void Events_OfQuestionAndProblem_AreRaisedOnce()
+    public void Events_QuestionOrProblem_AreRaisedOnce()
     {
         int asked = 0, problems = 0;
         UnityEvent onAsked = new(), onProblem = new();
@@ -68,7 +68,7 @@ public class PairingEventsTests
     }
 
     [Test]
-    public void Listener_DisablesThePairing_CompletesTheEvent()
+    public void Listener_DisablesThePairing_EventCompletes()
     {
         var onAsked = new UnityEvent();
         onAsked.AddListener(() => _played.Pairing.enabled = false);
@@ -82,7 +82,7 @@ public class PairingEventsTests
     }
 
     [Test]
-    public void Listener_AnchorThrows_PairingCompletes()
+    public void AnchorListener_Throws_PairingCompletes()
     {
         var changes = 0;
         _played.Anchor.StateChanged += () => throw new InvalidOperationException("a listener's own fault");
@@ -99,7 +99,7 @@ public class PairingEventsTests
     }
 
     [Test]
-    public void Listener_AnchorDisablesThePairing_PairingCompletes()
+    public void AnchorListener_DisablesThePairing_PairingCompletes()
     {
         _played.Anchor.StateChanged += () => _played.Pairing.enabled = false;
         _played.Shown.Texts.Add(Desk);

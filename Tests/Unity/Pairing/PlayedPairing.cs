@@ -5,12 +5,14 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>A running session with the pairing component, a base anchor and codes in view. The ports that it would connect to are closed.</summary>
+/// <summary>
+/// A running session with the pairing component, a base anchor and codes in view. Its connections fail, because their port is closed.
+/// </summary>
 sealed class PlayedPairing : IDisposable
 {
     static readonly CertificatePin Pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
 
-    // Port 1 is closed.
+    // Port 1 is used because it is closed.
     public static readonly string Desk = new CellCode("desk", "127.0.0.1", null, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text;
 
     public static readonly string Press = new CellCode("press", "127.0.0.1", Pin, new MarkerOffset(0.5, 0, 0), 0.1, 1, 1).Text;

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Pairing;
 
-/// <summary>A marker source that sees the codes shown by a test.</summary>
+/// <summary>A marker source that sees the codes that a test shows.</summary>
 sealed class ShownCodes : MonoBehaviour, IMarkerSource
 {
-    /// <summary>Creates a source where a session searches for sources.</summary>
+    /// <summary>Creates a source below a session, where the session's components search for sources.</summary>
     public static ShownCodes Below(MrilSession session)
     {
         var codes = new GameObject("Codes").AddComponent<ShownCodes>();

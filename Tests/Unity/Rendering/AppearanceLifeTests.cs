@@ -5,7 +5,7 @@ using static Nowpose.Unity.Tests.Rendering.PlayedAppearance;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>The look of the parts after the appearance is disabled, enabled again, refreshed or destroyed.</summary>
+/// <summary>Tests the look of the parts after the appearance is disabled, enabled again, refreshed or destroyed.</summary>
 public class AppearanceLifeTests
 {
     PlayedAppearance _played;
@@ -43,7 +43,7 @@ public class AppearanceLifeTests
     }
 
     [Test]
-    public void OnDisable_UsersOwnLook_IsRestored()
+    public void OnDisable_UserChangedTheLook_RestoresTheUsersLook()
     {
         var block = new MaterialPropertyBlock();
         block.SetFloat("_Fade", 0.25f);

@@ -38,7 +38,7 @@ public sealed class FontTextureTests
     }
 
     [Test]
-    public void OnEnable_FontMaterial_SetsItsTexture()
+    public void OnEnable_FontMaterialAssigned_SetsItsTexture()
     {
         _renderer.gameObject.SetActive(true);
 
@@ -46,7 +46,7 @@ public sealed class FontTextureTests
     }
 
     [Test]
-    public void LateUpdate_FontHasAnotherTexture_SetsThat()
+    public void LateUpdate_FontReplacesItsTexture_SetsTheNewTexture()
     {
         _renderer.gameObject.SetActive(true);
 
@@ -57,7 +57,7 @@ public sealed class FontTextureTests
     }
 
     [Test]
-    public void OnEnable_PropertiesOfOthers_AreKept()
+    public void OnEnable_PropertyBlockWithOtherProperties_KeepsThem()
     {
         var block = new MaterialPropertyBlock();
         block.SetFloat("_Own", 7);
@@ -80,7 +80,7 @@ public sealed class FontTextureTests
     }
 
     [Test]
-    public void Instantiate_Copy_HasTheTexture()
+    public void Instantiate_TextWithFontTexture_CopyHasTheTexture()
     {
         var copy = UnityEngine.Object.Instantiate(_renderer.gameObject);
         copy.SetActive(true);

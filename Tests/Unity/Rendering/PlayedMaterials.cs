@@ -8,7 +8,7 @@ using static Nowpose.Unity.Tests.Rendering.UserMaterials;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>A part with the user's materials below a running session, and what is drawn of it.</summary>
+/// <summary>A part with materials of the user below a running session, and a description of how it is drawn.</summary>
 sealed class PlayedMaterials : IDisposable
 {
     public PlayedMaterials()
@@ -45,7 +45,7 @@ sealed class PlayedMaterials : IDisposable
         Assert.That(Session.Frame.State, Is.EqualTo(PoseState.Held));
     }
 
-    /// <summary>Describes the drawn result: nothing, or each material with the changes of the property block.</summary>
+    /// <summary>Describes how the part is drawn: "nothing", or each material with the values from its property block.</summary>
     public string Seen()
     {
         if (!Tool.isVisible) return "nothing";
@@ -55,7 +55,7 @@ sealed class PlayedMaterials : IDisposable
     public string Seen(Material material, int index)
     {
         if (material == null) return "magenta";
-        // A property block of one material replaces that of the renderer.
+        // A property block of one material replaces the property block of the renderer.
         var block = new MaterialPropertyBlock();
         Tool.GetPropertyBlock(block, index);
         if (block.isEmpty) Tool.GetPropertyBlock(block);
@@ -69,7 +69,7 @@ sealed class PlayedMaterials : IDisposable
             if (material.HasProperty(name)) seen += " " + name + (block.HasFloat(name) ? block.GetFloat(name) : material.GetFloat(name));
         foreach (var name in new[] { "_Color", "_BaseColor" })
         {
-            // A lower alpha is visible only with a material that blends by alpha.
+            // The alpha is described only for materials that are blended by alpha, because it is not visible for others.
             if (!material.HasProperty(name) || !material.HasProperty("_SrcBlend") || material.GetFloat("_SrcBlend") != SourceAlpha) continue;
             seen += " " + (block.HasColor(Shader.PropertyToID(name)) ? block.GetColor(name) : material.GetColor(name));
         }

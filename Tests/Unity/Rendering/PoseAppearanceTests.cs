@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>The look of each state of the pose.</summary>
+/// <summary>Tests the look of the parts in each state of the pose.</summary>
 public class PoseAppearanceTests
 {
     PlayedAppearance _played;
@@ -21,7 +21,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_Current_IsDrawnUnchangedWithoutWords()
+    public void Show_Current_IsDrawnUnchangedWithoutText()
     {
         _played.BeCurrent();
 
@@ -31,7 +31,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_BeforeTheFirstPositions_DrawsOnlyTheWords()
+    public void Show_BeforeTheFirstPositions_DrawsOnlyTheText()
     {
         _played.Cell.IsPlantUp = false;
         var wasVisible = new List<bool>();
@@ -45,7 +45,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_NotSynchronised_IsFaintStripedWithWords()
+    public void Show_NotSynchronised_IsFaintStripedWithText()
     {
         _played.Cell.IsSyncUp = false;
 
@@ -58,7 +58,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_SamplesStop_IsFaintStripedWithWordsUntilTheyReturn()
+    public void Show_SamplesStop_IsFaintStripedWithTextUntilTheyReturn()
     {
         _played.BeCurrent();
 
@@ -76,7 +76,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_OutsideRange_IsFaintStripedWithWords()
+    public void Show_OutsideRange_IsFaintStripedWithText()
     {
         _played.BeCurrent();
 
@@ -89,7 +89,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Abandon_Paused_IsDrawnAsNotCurrent()
+    public void Hidden_SessionPaused_IsDrawnAsNotCurrent()
     {
         _played.BeCurrent();
 
@@ -108,7 +108,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Abandon_BeforeTheFirstPositions_IsNotDrawn()
+    public void Hidden_BeforeTheFirstPositions_IsNotDrawn()
     {
         _played.Cell.IsPlantUp = false;
         _played.Play(0.5);
@@ -120,7 +120,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void Show_UsersOwnProperties_AreKept()
+    public void Show_UserPropertyBlock_KeepsItsProperties()
     {
         var block = new MaterialPropertyBlock();
         block.SetFloat("_Own", 7);
@@ -144,7 +144,7 @@ public class PoseAppearanceTests
     }
 
     [Test]
-    public void LateUpdate_Words_FaceTheViewerAndAreReadable()
+    public void LateUpdate_Text_FacesTheViewerAndIsLegible()
     {
         _played.Cell.IsPlantUp = false;
         _played.Play(0.5);
@@ -156,7 +156,7 @@ public class PoseAppearanceTests
         away.y = 0;
         Assert.That(Vector3.Angle(_played.Words.transform.forward, away), Is.LessThan(0.1f));
         Assert.That(_played.Words.transform.up.y, Is.EqualTo(1).Within(1e-5));
-        // Height of a capital letter of the built-in font.
+        // Height of a capital letter: 0.688 is its fraction of the font size in the built-in font.
         var height = 0.688 * 6.4 * _played.Words.transform.lossyScale.y;
         Assert.That(2 * Math.Atan(height / 2 / Math.Sqrt(10)) * 180 / Math.PI, Is.InRange(0.5, 0.76));
     }
@@ -164,7 +164,7 @@ public class PoseAppearanceTests
     [Test]
     public void Show_ChangingStates_AllocatesNothing()
     {
-        // Changes too short for a console message each time.
+        // Each change is too short to be logged.
         _played.EachFrame = frame => _played.Cell.IsPlantUp = frame % 40 < 12;
         _played.Play(40);
         var changes = _played.Words.TextChanges;

@@ -8,7 +8,7 @@ using static Nowpose.Unity.Tests.Rendering.UserMaterials;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>Parts with the user's own materials look different while the pose is not current, with every kind of shader.</summary>
+/// <summary>Tests that parts with the user's own materials look different while the pose is not current, with each kind of shader.</summary>
 public sealed class PoseOwnMaterialTests
 {
     PlayedMaterials _played;

@@ -132,7 +132,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void LateUpdate_SeveralCameras_AreSummed()
+    public void LateUpdate_SeveralCameras_MeasuresFromTheFirstToTheLast()
     {
         _cell.Clock.Step = TimeSpan.FromMilliseconds(1);
         new GameObject("second").AddComponent<Camera>();
@@ -156,7 +156,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void LateUpdate_GpuTimesStop_UsesTheNextBestAndLogsItOnce()
+    public void LateUpdate_GpuTimesStop_UsesTheNextBestSourceAndLogsItOnce()
     {
         DisplayTakes(0.02f);
         Gpu.ReadbackFrames = 1;

@@ -7,7 +7,7 @@ using static Nowpose.Unity.Tests.Rendering.UserMaterials;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>Opaque materials are drawn with the striped substitute while the pose is not current.</summary>
+/// <summary>Tests that the striped substitute replaces opaque materials while the pose is not current.</summary>
 public sealed class SubstituteMaterialTests
 {
     PlayedMaterials _played;
@@ -18,7 +18,7 @@ public sealed class SubstituteMaterialTests
     [TearDown]
     public void End() => _played.Dispose();
 
-    /// <summary>Graphics Tools Standard has a property _Fade with the opposite meaning of this package's: 1 is fully visible.</summary>
+    /// <summary>The shader Graphics Tools Standard has a property _Fade with the opposite meaning: at 1 the part is fully visible.</summary>
     [Test]
     public void Show_FadeWithoutHatch_IsUnchanged([Values] bool several)
     {

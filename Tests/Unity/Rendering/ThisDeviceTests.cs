@@ -35,7 +35,7 @@ public sealed class ThisDeviceTests
         public Optimization latencyOptimization => Optimization.PrioritizeInputPolling;
     }
 
-    // The class after stripping.
+    // The settings class of OpenXR after managed code stripping, which has removed the property.
     sealed class SettingsWithField
     {
 #pragma warning disable CS0414
@@ -52,7 +52,7 @@ public sealed class ThisDeviceTests
         public Optimization latencyOptimization => throw new DllNotFoundException("UnityOpenXR");
     }
 
-    // The class before version 1.15.
+    // The settings class of OpenXR before version 1.15, which did not have the setting.
     sealed class SettingsWithout
     {
         public static SettingsWithout Instance { get; } = new();
@@ -66,7 +66,7 @@ public sealed class ThisDeviceTests
     }
 
     [Test]
-    public void Conditions_PlayerWithOtherSettings_AreRead()
+    public void Conditions_OtherPlayerSettings_AreRead()
     {
         var gpu = _cell.Player.World.Gpu;
         gpu.ConnectDisplay();
@@ -79,7 +79,7 @@ public sealed class ThisDeviceTests
     }
 
     [Test]
-    public void OneLine_InvalidName_IsMadeValid()
+    public void OneLine_InvalidName_BecomesValid()
     {
         var name = ThisDevice.OneLine("PC\n" + new string('x', 200));
 

@@ -6,7 +6,7 @@ using static Nowpose.Unity.Tests.Rendering.PlayedAppearance;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>Parts that follow no robot are not drawn: the rig or the gripper is missing, disabled or refused.</summary>
+/// <summary>Tests that parts are not drawn if they follow no robot because the rig or the gripper is missing, disabled or refused.</summary>
 public class UnmovedPartsTests
 {
     PlayedAppearance _played;
@@ -20,7 +20,7 @@ public class UnmovedPartsTests
     [Test]
     public void Show_RigCannotShowTheRobot_IsNotDrawn()
     {
-        // The root link alone counts as a hierarchy, with missing links.
+        // An object with the name of the root link is sufficient for the rig to search for all links, which it does not find.
         Child("arm_link_0", _played.Rig.transform);
 
         _played.Play(5);
@@ -67,7 +67,7 @@ public class UnmovedPartsTests
     }
 
     [Test]
-    public void Show_WithoutRig_DrawsAccordingToThePose()
+    public void Show_NoRig_DrawsAccordingToThePose()
     {
         var sign = Part("Sign", _played.Session.transform);
         sign.gameObject.AddComponent<PoseAppearance>();
@@ -77,7 +77,7 @@ public class UnmovedPartsTests
         Assert.That(sign.isVisible, Is.True);
     }
 
-    /// <summary>Mounts a gripper with its own appearance outside the rig's hierarchy.</summary>
+    /// <summary>Creates a gripper with its own Pose Appearance that follows the rig but is not below it.</summary>
     (VirtualGripper Gripper, Renderer Part, TextMesh Words) MountElsewhere(string flange = "")
     {
         var gripper = Child("Gripper", _played.Session.transform).AddComponent<VirtualGripper>()
@@ -141,7 +141,7 @@ public class UnmovedPartsTests
     }
 
     [Test]
-    public void Show_GripperObjectInactive_HasNoWords()
+    public void Show_GripperObjectInactive_HasNoText()
     {
         var gripper = Child("Gripper", _played.Rig.transform).AddComponent<VirtualGripper>();
         _played.BeCurrent();

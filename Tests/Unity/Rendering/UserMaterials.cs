@@ -2,13 +2,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Rendering;
 
-/// <summary>Materials with the kinds of shaders that users have.</summary>
+/// <summary>Creates materials with the kinds of shaders that users have.</summary>
 public static class UserMaterials
 {
     /// <summary>Values of <c>_SrcBlend</c>.</summary>
     public const int One = 1, SourceAlpha = 5;
 
-    /// <summary>Kinds of users' shaders: the package's own with a pattern, blended ones, opaque ones.</summary>
+    /// <summary>Kinds of materials: with the pattern of the package's shaders, blended in several ways, or opaque.</summary>
     public enum Sort
     {
         Patterned, Blended, BlendedUniversal, Premultiplied, BlendedUnknown, OpaqueDrawnLate, Opaque, OpaqueWithColour, OppositeFade, Several,

@@ -8,7 +8,7 @@ using UnityEngine.InputSystem;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The scene as imported; the test simulates the headset and its controllers.</summary>
+/// <summary>Tests the scene of the sample with a simulated headset and simulated controllers.</summary>
 public sealed class AnyOpenXrHeadsetTests
 {
     const string Scene = "Packages/com.nowpose.mril/Samples~/Any OpenXR headset/Any OpenXR headset.unity";
@@ -78,7 +78,7 @@ public sealed class AnyOpenXrHeadsetTests
 
     [TestCase("<XRController>{LeftHand}/{PrimaryButton}")]
     [TestCase("<Keyboard>/g")]
-    public void Button_OfTheGhost_TogglesItOncePerPress(string path)
+    public void GhostButton_Pressed_TogglesTheGhostOncePerPress(string path)
     {
         Press(path);
         Assert.That(Actions.IsGhostShown);
@@ -88,7 +88,7 @@ public sealed class AnyOpenXrHeadsetTests
     }
 
     [Test]
-    public void Buttons_AllOthers_TriggerTheirActions()
+    public void OtherButtons_Pressed_TriggerTheirActions()
     {
         Press("<Keyboard>/c");
         Press("<XRController>{RightHand}/{SecondaryButton}");
@@ -114,7 +114,7 @@ public sealed class AnyOpenXrHeadsetTests
         Assert.That(Marker.IsMoving);
         Assert.That((Marker.transform.position - before).magnitude, Is.LessThan(1e-5f), "it is taken where it is");
 
-        // Turns the hand a quarter to the right and raises it by 10 cm.
+        // Turns the hand by 90° to the right, and raises it by 10 cm.
         MoveHand(new Vector3(0.3f, 1.1f, 0.5f), Quaternion.Euler(0, 90, 0));
         Run(0.1);
         Controls.Set(Grip, false);

@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The scene as imported, with a shorter sweep, and with data from the test instead of a gateway.</summary>
+/// <summary>Tests the scene of the sample, with a shorter sweep, and with data from the test in place of a gateway.</summary>
 public sealed class DisplayCalibrationTests
 {
     PlayedCell _cell;
@@ -35,7 +35,7 @@ public sealed class DisplayCalibrationTests
     public async Task End()
     {
         _cell.Dispose();
-        // A background thread, which no frame waits for, still writes the rows logged so far.
+        // Waits for the background thread that writes the log.
         await _sweep.Closed.Bounded();
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
@@ -43,7 +43,7 @@ public sealed class DisplayCalibrationTests
     void Run(double seconds) => _cell.Run(seconds, _session, () => _cell.Player.World.Gpu.FrameTimings.Clear());
 
     [Test]
-    public async Task Scene_Played_SweepsAndLogsTheShownCodes()
+    public async Task Scene_Played_RunsTheSweepAndLogsTheShownCodes()
     {
         _cell.Player.World.Gpu.ConnectDisplay();
         _cell.Player.World.Gpu.DisplayGpuTime = 0.006f;
@@ -67,7 +67,7 @@ public sealed class DisplayCalibrationTests
 
     static string WordsOf(LoadSweep sweep) => sweep.transform.Find("Words").GetComponent<TextMesh>().text;
 
-    // The photo camera of a HoloLens 2 has a vertical field of view of about 40 degrees; a code of a tenth of it can be read.
+    // The photo camera of a HoloLens 2 has a vertical field of view of about 40°. A code that fills a tenth of it can be read.
     [Test]
     public void Code_FromTheViewer_IsUprightAndLargeEnoughForACamera()
     {
@@ -97,7 +97,7 @@ public sealed class DisplayCalibrationTests
         foreach (var patch in load.GetComponentsInChildren<MeshRenderer>())
         {
             var place = head.InverseTransformPoint(patch.bounds.center);
-            // The narrowest of the supported displays: 43° by 29°.
+            // The smallest field of view of the supported displays is 43° by 29°.
             Assert.That(Math.Abs(place.x) + patch.bounds.extents.x, Is.LessThan(place.z * Math.Tan(21.5 * Math.PI / 180)));
             Assert.That(Math.Abs(place.y) + patch.bounds.extents.y, Is.LessThan(place.z * Math.Tan(14.5 * Math.PI / 180)));
             Assert.That(place.z, Is.GreaterThan(head.InverseTransformPoint(panel.position).z), "behind the panel");

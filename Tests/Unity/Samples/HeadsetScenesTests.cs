@@ -7,7 +7,7 @@ using UnityEngine.InputSystem;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>Cameras and lights of the scenes for see-through headsets: all scenes except those listed here.</summary>
+/// <summary>Tests cameras and lights of the scenes for see-through headsets, which are all scenes except the listed desktop scenes.</summary>
 public sealed class HeadsetScenesTests
 {
     static readonly string[] Desktop =
@@ -22,7 +22,7 @@ public sealed class HeadsetScenesTests
     public void End() => Controls.Clear();
 
     [Test]
-    public void Scenes_ForHeadsets_AreFound()
+    public void HeadsetScenes_InTheRepository_AreFound()
     {
         Assert.That(
             Scenes.Select(Path.GetFileName),
@@ -30,7 +30,7 @@ public sealed class HeadsetScenesTests
     }
 
     [TestCaseSource(nameof(Scenes))]
-    public void Camera_OfTheScene_ClearsToTransparentBlackWithPreciseDepth(string path)
+    public void SceneCamera_HeadsetScene_ClearsToTransparentBlackWithPreciseDepth(string path)
     {
         using var player = Play(path);
 
@@ -42,7 +42,7 @@ public sealed class HeadsetScenesTests
     }
 
     [TestCaseSource(nameof(Scenes))]
-    public void Lights_OfTheScene_CastNoShadows(string path)
+    public void SceneLights_HeadsetScene_CastNoShadows(string path)
     {
         var shadows = Regex.Matches(RepositoryFiles.Read(path), @"m_Shadows:\s+m_Type: (\d)").Select(m => m.Groups[1].Value).ToList();
 
@@ -50,7 +50,7 @@ public sealed class HeadsetScenesTests
     }
 
     [TestCaseSource(nameof(Scenes))]
-    public void Objects_AtTheRoot_DoNotHideTheRoom(string path)
+    public void RootObjects_HeadsetScene_AreNotDrawn(string path)
     {
         using var player = Play(path, out var roots);
 

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The panel of the sample: its place, its questions and its guidance through the pairing.</summary>
+/// <summary>Tests the panel of the sample: its place, its questions, and its guidance through the pairing.</summary>
 public sealed class HoloLensPanelTests
 {
     PlayedHoloLens _sample;
@@ -107,7 +107,7 @@ public sealed class HoloLensPanelTests
     }
 
     [Test]
-    public async Task Panel_OfANewHeadset_GuidesThroughThePairingAndShowsFailures()
+    public async Task Panel_HeadsetNotPaired_GuidesThroughThePairingAndShowsFailures()
     {
         var pin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
         var codes = ShownCodes.Below(_sample.Session);
@@ -120,7 +120,7 @@ public sealed class HoloLensPanelTests
         Show(codes, 1);
         Assert.That(Message, Is.EqualTo("cell 'desk': look at the code that its gateway shows"));
 
-        // Port 1 is closed.
+        // The pairing with this code fails, because its port is closed.
         codes.Texts.Add(new TokenCode(pin, "AAAAAAAAAAAAAAAAAAAAAA").Text);
         await Soon.BecomesAsync(() =>
         {

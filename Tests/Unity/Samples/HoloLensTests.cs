@@ -12,7 +12,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>Buttons, sliders and voice commands of the sample have the stated effects.</summary>
+/// <summary>Tests the effects of the buttons, sliders and voice commands of the sample.</summary>
 public sealed class HoloLensTests
 {
     PlayedHoloLens _sample;
@@ -46,7 +46,7 @@ public sealed class HoloLensTests
     [TestCase("Ghost")]
     [TestCase("Occlusion")]
     [TestCase("Panel")]
-    public void Toggle_Pressed_ActsAndShowsTheState(string name)
+    public void Toggle_Pressed_RunsTheActionAndShowsTheState(string name)
     {
         _sample.ShowTheHand();
         _sample.Run();
@@ -60,7 +60,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Sliders_Moved_NudgeAndFade()
+    public void Sliders_Moved_ChangeNudgeAndOpacity()
     {
         _sample.ShowTheHand();
         _sample.Run();
@@ -81,7 +81,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void LockBase_PressedOrSpoken_LocksWithTheMarkersAgain([Values] bool said)
+    public void LockBase_PressedOrSpoken_LocksTheBaseByTheMarkersAgain([Values] bool said)
     {
         var anchor = _sample.Child<BaseAnchor>("Base Anchor");
         var seen = _sample.Session.gameObject.AddComponent<FakeMarkers>();
@@ -108,7 +108,7 @@ public sealed class HoloLensTests
     [TestCase("overlay ghost")]
     [TestCase("overlay occlusion")]
     [TestCase("overlay panel")]
-    public void Voice_MenuHidden_TriggersTheSameActions(string keyword)
+    public void VoiceCommand_MenuHidden_TriggersTheSameActions(string keyword)
     {
         var name = char.ToUpperInvariant(keyword[8]) + keyword.Substring(9);
         var before = _sample.IsOn(name);
@@ -120,7 +120,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Voice_MoreOrLess_ChangesTheSlidersInSteps()
+    public void VoiceCommand_ForASlider_ChangesItsValueInSteps()
     {
         _sample.Speech.Say("overlay ahead");
         _sample.Speech.Say("overlay ahead");
@@ -136,7 +136,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Interaction_OfAllObjects_SupportsHandPinchAndRay()
+    public void MovableObjects_Interaction_SupportsHandPinchAndRay()
     {
         var grasped = _sample.Roots.SelectMany(r => r.GetComponentsInChildren<ObjectManipulator>(true)).ToList();
 
@@ -150,7 +150,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void Buttons_OfTheSample_HaveLabelsAndDoNotOverlap()
+    public void SampleButtons_All_HaveLabelsAndDoNotOverlap()
     {
         var buttons = _sample.Roots.SelectMany(r => r.GetComponentsInChildren<PressableButton>(true)).ToList();
 

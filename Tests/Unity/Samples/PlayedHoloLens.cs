@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The scene of the HoloLens sample as a user imports it, and the hand that uses it.</summary>
+/// <summary>Runs the scene of the HoloLens sample, and simulates the hand of the wearer.</summary>
 sealed class PlayedHoloLens : IDisposable
 {
     const string ScenePath = "Packages/com.nowpose.mril/Samples~/HoloLens 2 (MRTK3)/HoloLens 2 (MRTK3).unity";

@@ -9,12 +9,12 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>The virtual robot cell built from its components, run at 60 fps in virtual time. Distances are those of the transforms.</summary>
+/// <summary>Runs the sample Virtual Robot Cell at 60 frames per second in virtual time, and measures distances between transforms.</summary>
 sealed class PlayedSample : IDisposable
 {
     int _frames;
 
-    /// <summary>Creates the components; all are inactive until <see cref="Start"/>.</summary>
+    /// <summary>Builds the cell from its components. They are inactive until <see cref="Start"/>.</summary>
     public PlayedSample(string robot = "youbot", bool sessionKnowsTheRobot = true)
     {
         Player = new Player();
@@ -37,7 +37,7 @@ sealed class PlayedSample : IDisposable
         Player.LoadScene(scene);
         Session = Player.Find<MrilSession>();
         Session.HeadsetClock = Clock;
-        // Restarts the session, which has already begun with the clock of this machine.
+        // Restarts the session, which has already started with the clock of this machine.
         Session.Settings = Session.Settings;
         Cell = Session.gameObject;
         Displayed = Cell.transform.Find("Base Anchor/Robot").GetComponent<RobotRig>();
@@ -58,13 +58,13 @@ sealed class PlayedSample : IDisposable
     /// <summary>States of the frames of the last <see cref="Run"/>.</summary>
     public List<PoseState> States { get; } = [];
 
-    /// <summary>Distance of the displayed tool from the true one in the current frames, m.</summary>
+    /// <summary>Distances in metres of the displayed tool from the true tool, in the frames whose pose was current.</summary>
     public List<double> Errors { get; } = [];
 
-    /// <summary>Distance of the ghost's tool from the true one in the same frames, m.</summary>
+    /// <summary>Distances in metres of the ghost's tool from the true tool, in the same frames.</summary>
     public List<double> HoldErrors { get; } = [];
 
-    /// <summary>Loads the scene as a user imports it and activates it.</summary>
+    /// <summary>Loads the scene of the sample, and activates it.</summary>
     public static PlayedSample OfScene() => new("Packages/com.nowpose.mril/Samples~/Virtual Robot Cell/Virtual Robot Cell.unity");
 
     public PlayedSample Start()
@@ -97,7 +97,7 @@ sealed class PlayedSample : IDisposable
 
     public void Dispose() => Player.Dispose();
 
-    // Inactive until all fields are assigned, as in a scene.
+    // The object is inactive until all fields are assigned, because in a scene fields are set before Awake.
     static GameObject Sleeping(string name)
     {
         var made = new GameObject(name);

@@ -15,7 +15,10 @@ namespace Nowpose.Unity.Tests.Samples;
 
 public class VirtualRobotCellTests
 {
-    /// <summary>The value is 0.89 to 0.91 on every machine, because time is virtual and random numbers are seeded.</summary>
+    /// <summary>
+    /// Minimum error reduction. The measured values are 0.89 to 0.91, the same on every machine, because time is virtual and random numbers are
+    /// seeded.
+    /// </summary>
     const double MinReduction = 0.85;
 
     static readonly (string Name, KnobRange Range)[] Knobs =
@@ -31,7 +34,7 @@ public class VirtualRobotCellTests
 
     [TestCase("youbot")]
     [TestCase("ur5")]
-    public void Play_DefaultSettings_GapCloses(string robot)
+    public void Play_DefaultSettings_ErrorIsReduced(string robot)
     {
         using var sample = new PlayedSample(robot).Start().Run(6);
 
@@ -45,7 +48,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Scene_Played_GapCloses()
+    public void Scene_Played_ErrorIsReduced()
     {
         using var sample = PlayedSample.OfScene().Run(6);
 
@@ -59,7 +62,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Scene_Played_WorkpiecesAreWhereTheyAreAndStayInTheGripper()
+    public void Scene_Played_WorkpiecesAreAtTheirTruePosesAndStayInTheGripper()
     {
         using var sample = PlayedSample.OfScene();
         var robot = RobotFiles.Load("youbot");
@@ -74,7 +77,7 @@ public class VirtualRobotCellTests
         for (var frame = 0; frame < 20 * 60; frame++)
         {
             sample.Step();
-            // The work begins with the first frame, at 100 s; the light of a frame appears after 40 ms.
+            // The robot starts to work in the first frame, at 100 s. The display time of a frame is 40 ms after its start.
             var seconds = sample.Session.Frame.Start.SinceEpoch.TotalSeconds + 0.04 - 100;
             for (var i = 0; i < shown.Length; i++)
             {
@@ -112,7 +115,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Play_Twice_Repeats()
+    public void Play_Twice_GivesTheSameResult()
     {
         using var one = new PlayedSample().Start().Run(8);
         var first = one.Displayed.Tool.position;
@@ -122,7 +125,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Play_SessionWithoutARobot_UsesTheControlSystems()
+    public void Play_SessionWithoutRobot_UsesTheRobotOfTheControlSystem()
     {
         using var sample = new PlayedSample(sessionKnowsTheRobot: false).Start().Run(8);
 
@@ -144,7 +147,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void TruthRig_DisplaySlowerThanCalibrated_ShowsTheResultingGap()
+    public void TruthRig_DisplaySlowerThanCalibrated_ShowsTheResultingError()
     {
         using var calibrated = new PlayedSample().Start().Run(6).Run(10);
         using var slower = new PlayedSample();
@@ -160,7 +163,7 @@ public class VirtualRobotCellTests
     });
 
     [TestCaseSource(nameof(Ends))]
-    public void Knob_SetToItsLimitAndBackWhilePlaying_DoesNotThrow(string knob, float value)
+    public void Setting_ChangedToItsLimitAndBackWhilePlaying_DoesNotThrow(string knob, float value)
     {
         using var sample = new PlayedSample().Start().Run(5);
         var field = typeof(SimulatedControlSystem).GetField(knob, BindingFlags.NonPublic | BindingFlags.Instance);
@@ -179,7 +182,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Knobs_AllAtRandom_DoNotThrow([NUnit.Framework.Range(1, 8)] int seed)
+    public void Settings_RandomValues_DoNotThrow([NUnit.Framework.Range(1, 8)] int seed)
     {
         var random = new Random(seed);
         using var sample = new PlayedSample().Start().Run(3);
@@ -196,7 +199,7 @@ public class VirtualRobotCellTests
     [TestCase("_samplingMs", 1000f)]
     [TestCase("_latencyMinMs", 1000f)]
     [TestCase("_loss", 1f)]
-    public void Knob_BeyondThePredictableRange_IsNotShownAsCurrent(string knob, float value)
+    public void Setting_BeyondThePredictableRange_PoseIsNotCurrent(string knob, float value)
     {
         using var sample = new PlayedSample().Start().Run(6);
 
@@ -278,7 +281,8 @@ public class VirtualRobotCellTests
             allocated.Add(GC.GetAllocatedBytesForCurrentThread() - before);
         }
 
-        // Messages are objects, as from a network: joints and three workpieces in every third frame, a clock exchange in every twelfth.
+        // Messages allocate, as they do when they come from a network: joints and three workpieces in every third frame, and a clock exchange in
+        // every twelfth frame.
         Assert.That(allocated.Count(bytes => bytes == 0), Is.GreaterThan(600 / 2));
         Assert.That(allocated.Count(bytes => bytes > 600), Is.LessThan(600 / 10), "B: " + string.Join(" ", allocated.Where(bytes => bytes > 0)));
     }

@@ -60,7 +60,7 @@ public sealed class DisplayTimesTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public void IsBeforeRender_EachComputation_IsTrueOnlyForTheRewrite(bool isRewritten)
+    public void IsBeforeRender_EachComputation_IsTrueOnlyRightBeforeRendering(bool isRewritten)
     {
         var session = _cell.Play(settings: Settings(isRewritten));
         var seen = new List<bool>();
@@ -73,7 +73,7 @@ public sealed class DisplayTimesTests
         Assert.That(session.IsBeforeRender, Is.False);
     }
 
-    // The calibration measured from the pose that a frame is rendered with; the first pose is computed earlier.
+    // L_visu is calibrated from the pose with which a frame is rendered. If a frame is computed twice, this is the second pose.
     [TestCase(false, 47)]
     [TestCase(true, 41)]
     public void DisplayTimeDifference_FrameComputedTwice_UsesTheRenderedPose(bool isRewritten, double differenceMs)

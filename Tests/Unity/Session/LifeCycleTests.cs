@@ -9,19 +9,22 @@ using Random = System.Random;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>Objects are enabled, destroyed or created in any frame, without exceptions, leaks or an old pose that looks current.</summary>
+/// <summary>
+/// Tests that objects can be enabled, destroyed or created in any frame, without exceptions and leaks, and without an old pose that looks
+/// current.
+/// </summary>
 public class LifeCycleTests
 {
     const int Steps = 600;
 
-    // Correct messages after an object was destroyed that another part needs.
+    // Messages that are correct after the destruction of an object that another object needs.
     static readonly string[] Losses = ["has no rig; move", "has no text to copy", "is missing; name an object", "is drawn there; name an object"];
 
     [Test]
-    public Task AnySequence_OfApplicationEvents_LeaksNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
+    public Task ApplicationEvents_RandomSequence_LeakNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: false);
 
     [Test]
-    public Task AnySequence_WithThePrefab_LeaksNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: true);
+    public Task ApplicationEvents_RandomSequenceWithThePrefab_LeakNothing([NUnit.Framework.Range(1, 25)] int seed) => Play(seed, isShipped: true);
 
     static async Task Play(int seed, bool isShipped)
     {
@@ -48,7 +51,7 @@ public class LifeCycleTests
     static bool IsFault(PlayerLogEntry log) =>
         log.Type is LogType.Exception or LogType.Error or LogType.Assert && !Losses.Any(log.Message.Contains);
 
-    /// <summary>One cell with all components, and all events that can happen to it.</summary>
+    /// <summary>A cell with all components, and all events that can happen to it.</summary>
     sealed class Scene
     {
         readonly PlayedCell _cell;
@@ -66,14 +69,14 @@ public class LifeCycleTests
         Ghost _ghost;
         bool _isPaused, _isUnfocused;
 
-        /// <param name="isShipped">Whether the cell is the package's prefab instead of one built by the test.</param>
+        /// <param name="isShipped">Whether the cell is the prefab of the package; if false, the test builds the cell.</param>
         public Scene(PlayedCell cell, Random random, bool isShipped)
         {
             _cell = cell;
             _random = random;
             _isShipped = isShipped;
             var youBot = RobotFiles.LoadText("youbot");
-            // The prefab shows a youBot and refuses any other robot with a message.
+            // The prefab contains a youBot and refuses any other robot, so its second description is a youBot with another text.
             _descriptions = [youBot, isShipped ? youBot + "<!-- edited -->" : RobotFiles.LoadText("ur5")];
             _robots = [RobotDescriptionAsset.Create("one", _descriptions[0]), RobotDescriptionAsset.Create("other", _descriptions[1])];
             _viewer = new GameObject("Viewer", typeof(Camera)) { tag = "MainCamera" };
@@ -108,10 +111,10 @@ public class LifeCycleTests
             ];
         }
 
-        /// <summary>All sessions so far.</summary>
+        /// <summary>All sessions that have been created so far.</summary>
         public HashSet<CompensationSession> Sessions { get; } = [];
 
-        /// <summary>Number of current frames.</summary>
+        /// <summary>Number of frames whose pose was current.</summary>
         public int Currents { get; private set; }
 
         public string Restart()
@@ -124,7 +127,7 @@ public class LifeCycleTests
 
         public string DoAnything()
         {
-            // 150 frames are sometimes enough to synchronise the clock.
+            // Most steps only run frames. 150 frames are long enough to synchronise the clock in some cases.
             if (_random.Next(4) > 0) return Frames(_random.Next(5) == 0 ? 150 : _random.Next(1, 4));
             var (name, action) = _actions[_random.Next(_actions.Length)];
             action();
@@ -181,7 +184,7 @@ public class LifeCycleTests
             Assert.That(_session.GetComponentInChildren<RenderTimeSource>(true), Is.Not.Null);
         }
 
-        // Includes links, fingers, texts and their renderers.
+        // Returns a random object below the cell, which may be a link, a finger or a text.
         GameObject AnyObject()
         {
             if (_root == null) return null;
@@ -189,7 +192,7 @@ public class LifeCycleTests
             return all[_random.Next(all.Length)].gameObject;
         }
 
-        // The engine does not allow removing a rig that a ghost requires.
+        // Returns a random script of the cell. Excludes a rig that a ghost requires, because Unity refuses to remove it.
         MonoBehaviour AnyScript()
         {
             if (_root == null) return null;

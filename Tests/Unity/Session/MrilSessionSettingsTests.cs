@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>The settings of the session component: invalid, missing, corrected and replaced.</summary>
+/// <summary>Tests the settings of the session component: invalid, missing, corrected and replaced.</summary>
 public class MrilSessionSettingsTests
 {
     PlayedCell _cell;
@@ -49,7 +49,7 @@ public class MrilSessionSettingsTests
     }
 
     [Test]
-    public void Settings_CorrectedWhilePaused_ApplyOnceResumed()
+    public void Settings_CorrectedWhilePaused_ApplyAfterThePause()
     {
         var session = _cell.NewSession();
         session.Settings = null;
@@ -66,7 +66,7 @@ public class MrilSessionSettingsTests
     }
 
     [Test]
-    public void Settings_None_NamesTheRemedy()
+    public void Settings_Missing_ProblemNamesTheRemedy()
     {
         var session = _cell.NewSession();
         session.Settings = null;

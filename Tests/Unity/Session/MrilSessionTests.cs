@@ -7,7 +7,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>The session component in frames: its resources, its displayed pose and its events.</summary>
+/// <summary>Tests the session component over several frames: its resources, its displayed pose and its events.</summary>
 public class MrilSessionTests
 {
     PlayedCell _cell;
@@ -19,7 +19,7 @@ public class MrilSessionTests
     public void Stop() => _cell.Dispose();
 
     [Test]
-    public void Enable_Component_OwnsASessionUntilDisabled()
+    public void OnEnable_ValidSettings_OwnsASessionUntilDisabled()
     {
         var session = _cell.NewSession();
         Assert.That(session.Session, Is.Null);
@@ -146,7 +146,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Pause_WithoutFocus_ResumesWithBoth()
+    public void Pause_WithoutFocus_EndsOnlyWhenTheFocusReturns()
     {
         Application.runInBackground = false;
         var session = _cell.Play();
@@ -184,7 +184,7 @@ public class MrilSessionTests
         _cell.Frame(session);
         _cell.Player.Pause(true);
         session.gameObject.SetActive(false);
-        // An inactive object receives no message.
+        // The inactive object does not receive the message about the end of the pause.
         _cell.Player.Pause(false);
 
         session.gameObject.SetActive(true);
@@ -193,7 +193,7 @@ public class MrilSessionTests
     }
 
     [Test]
-    public void Statistics_ReadTwiceInAFrame_AreFilledOnce()
+    public void Statistics_NotReadInAFrame_AreNotComputed()
     {
         var session = _cell.Play();
         // Runs until the clock is logged as synchronised, because that log entry reads the statistics.

@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>The session component and its sockets: a frame never waits for them.</summary>
+/// <summary>Tests the session component with real sockets. No frame may wait for a socket.</summary>
 public class SessionConnectionTests
 {
     PlayedCell _cell;
@@ -88,7 +88,7 @@ public class SessionConnectionTests
     [TestCase("pause")]
     [TestCase("disable")]
     [TestCase("destroy")]
-    public async Task End_Connected_ClosesTheSockets(string how)
+    public async Task SessionEnd_Connected_ClosesTheSockets(string how)
     {
         using var server = new FakeWebSocketServer();
         var session = _cell.NewSession(settings: To(1, server.Port)).With("_connectOnEnable", true);
@@ -144,11 +144,11 @@ public class SessionConnectionTests
         }
         catch (IOException)
         {
-            // The connection was reset instead of closed, so it has ended as well.
+            // The connection was reset and not closed in an orderly way. It has ended in this case, too.
         }
     }
 
-    // Runs frames without pauses; none may take as long as the network would.
+    // Runs frames without pauses until a condition is true. Fails if a frame takes as long as a wait for the network would take.
     async Task SoonAsync(MrilSession session, Func<bool> condition, string what)
     {
         await Soon.BecomesAsync(() =>

@@ -9,7 +9,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>A listener of a session component's event may do anything to the component.</summary>
+/// <summary>Tests that a listener of an event of the session component may change the component in any way.</summary>
 public class SessionListenersTests
 {
     static readonly string[] Events =
@@ -88,14 +88,14 @@ public class SessionListenersTests
             var count = 0;
             Listen(heard, () =>
             {
-                // More than once, but not in every event.
+                // Runs the action twice and not at each event, so that the sequence ends.
                 if (count++ < 2 && _session != null) Actions[action](_session);
                 Note(label);
             });
 
             Causes[cause](_cell, _session);
             Note(label);
-            // Long enough to synchronise again.
+            // After a pause, the time must be long enough to synchronise the clock again.
             for (var i = 0; i < (cause == "resumed" ? 360 : 60); i++)
             {
                 Frame(cause == "late" ? 20 : 10);
@@ -128,7 +128,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void RobotChanged_ListenerSetsSettings_RunsWithThem()
+    public void RobotChanged_ListenerSetsSettings_RunsWithTheseSettings()
     {
         Begin();
         _session.RobotChanged += () => _session.Settings = Others;
@@ -168,7 +168,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Synchronised_ListenerRestarts_OthersAreNotifiedAfterwards()
+    public void Synchronised_ListenerRestartsTheSession_OtherListenersAreNotified()
     {
         _session = _cell.Play();
         var raised = new List<SessionChange>();
@@ -203,7 +203,7 @@ public class SessionListenersTests
         new(PlayedCell.Offline.Connection, VisualisationLatency.FromMilliseconds(visualisationMs),
             range: new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime));
 
-    // Starts with a current pose, and with connections that a leaked session would keep open.
+    // Starts a session with a current pose and with connections. A session that is not disposed would keep its connections open.
     void Begin()
     {
         _session = _cell.Play(settings: With(40));

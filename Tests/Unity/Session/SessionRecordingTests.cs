@@ -25,7 +25,7 @@ public sealed class SessionRecordingTests
     public async Task TearDown()
     {
         _cell.Dispose();
-        // A file that a thread creates later would keep the folder from being deleted.
+        // Waits until all files exist, because a file that a thread creates later would prevent the deletion of the folder.
         await Written(files: _recording?.Problem == null ? _cell.Messages.Count(line => line.Contains("recording the session to", StringComparison.Ordinal)) : 0);
         if (Directory.Exists(_folder)) Directory.Delete(_folder, recursive: true);
     }
@@ -40,7 +40,7 @@ public sealed class SessionRecordingTests
 
     string[] Files => Directory.Exists(_folder) ? [.. Directory.GetFiles(_folder).Order()] : [];
 
-    // Threads that no frame waits for create and close the files.
+    // Waits for the files, because background threads create and close them.
     Task Written(int files = 0) => Soon.BecomesAsync(() => Files.Length >= files && Files.All(IsClosed), "the files are closed");
 
     static bool IsClosed(string file)
@@ -50,7 +50,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public async Task Enabled_WhilePlaying_WritesAReplayableFile()
+    public async Task OnEnable_SessionRunning_WritesAReplayableFile()
     {
         var frames = 0;
         Play();
@@ -101,7 +101,7 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
-    public async Task Pause_OfTheApplication_EndsTheFileAndStartsAnother()
+    public async Task Pause_ApplicationPaused_EndsTheFileAndStartsAnother()
     {
         Play();
         _cell.Run(1, _session);

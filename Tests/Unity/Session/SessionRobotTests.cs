@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>The robot of a session: from its asset or from the description that the gateway sends.</summary>
+/// <summary>Tests the robot of a session, which comes from an asset or from the description that the gateway sends.</summary>
 public class SessionRobotTests
 {
     PlayedCell _cell;

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Session;
 
-/// <summary>When and how often a session raises the event of a shown frame.</summary>
+/// <summary>Tests when and how often a session raises its event Shown.</summary>
 public class ShownFramesTests
 {
     PlayedCell _cell;
@@ -74,7 +74,7 @@ public class ShownFramesTests
 
     [TestCase(true, 2)]
     [TestCase(false, 1)]
-    public void Shown_RewriteBeforeRenderByCode_OverridesTheAsset(bool isRewritten, int times)
+    public void Shown_RewriteBeforeRenderSetByCode_OverridesTheAsset(bool isRewritten, int times)
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", !isRewritten);
         var session = _cell.NewSession().With("_settings", asset);
@@ -94,7 +94,7 @@ public class ShownFramesTests
     {
         var session = _cell.Play();
         var order = new List<string>();
-        // Added later: without an execution order it would run after the session.
+        // The script is added after the session, so it would run after the session if the session had no execution order.
         session.gameObject.AddComponent<FrameProbe>().LateUpdated = () => order.Add("user");
         session.Shown += _ => order.Add("shown");
 

@@ -49,7 +49,7 @@ public class BodyFollowTests
     }
 
     [Test]
-    public void LateUpdate_HeadSways_DoesNotMove()
+    public void LateUpdate_HeadMovesLittle_DoesNotMove()
     {
         AddCamera();
         _cell.Frame(null);
@@ -80,7 +80,7 @@ public class BodyFollowTests
     }
 
     [Test]
-    public void OnEnable_Again_IsInFrontOfTheHeadImmediately()
+    public void OnEnable_EnabledAgain_IsInFrontOfTheHeadImmediately()
     {
         AddCamera();
         _cell.Frame(null);

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Status;
 public sealed class LetterWidthsTests
 {
     [Test]
-    public void Of_EachLetterOfTheFont_IsAtMostSlightlyWider()
+    public void Of_EachLetterOfTheFont_IsNotNarrowerThanTheLetter()
     {
         foreach (var (letter, width) in SeenText.Widths)
         {

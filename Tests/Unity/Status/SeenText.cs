@@ -3,16 +3,16 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>Positions of a text's letters, from the metrics of the engine's built-in font, and their size as seen from a head.</summary>
+/// <summary>Computes the area of a text from the metrics of Unity's built-in font, and the size of its letters as seen from a head.</summary>
 static class SeenText
 {
-    /// <summary>Height of a capital letter of Liberation Sans, and of a line with ascenders and descenders.</summary>
+    /// <summary>Heights of a capital letter and of a line in Liberation Sans, as fractions of the font size.</summary>
     const float CapitalHeight = 1409 / 2048f, LineHeight = (1854 + 434 + 67) / 2048f;
 
-    /// <summary>Half the field of view of a HoloLens 2, which is 43° by 29°.</summary>
+    /// <summary>Half of the field of view of a HoloLens 2, which is 43° by 29°.</summary>
     const float HalfWidthDegrees = 21.5f, HalfHeightDegrees = 14.5f;
 
-    /// <summary>Advance widths by code point, read from the font file.</summary>
+    /// <summary>Advance widths of the characters as fractions of the font size, as read from the font file.</summary>
     public static readonly IReadOnlyDictionary<char, float> Widths = RepositoryFiles
         .Read("Tests/Unity/Status/liberation-sans-widths.csv").Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1)
         .Select(line => line.Split(','))
@@ -20,7 +20,7 @@ static class SeenText
 
     public static float WidthOf(string line) => line.Sum(letter => Widths[letter]);
 
-    /// <summary>The corners of the rectangle that the text fills, in the world.</summary>
+    /// <summary>Returns the corners, in the world, of the rectangle that a text fills.</summary>
     public static Vector3[] Corners(TextMesh text)
     {
         var size = FontSize(text);
@@ -33,7 +33,7 @@ static class SeenText
         Vector3 At(float x, float y) => text.transform.TransformPoint(new Vector3(x, y, 0));
     }
 
-    /// <summary>The smallest angle at the head of a capital letter at the text's corners.</summary>
+    /// <summary>Returns the smallest angle in degrees at which a head sees a capital letter at one of the text's corners.</summary>
     public static float CapitalDegrees(TextMesh text, Transform head)
     {
         var smallest = float.MaxValue;
@@ -51,7 +51,7 @@ static class SeenText
         return seen.z > 0 && Degrees(seen.x, seen.z) <= HalfWidthDegrees && Degrees(seen.y, seen.z) <= HalfHeightDegrees;
     }
 
-    /// <summary>Elevation of a place above the horizon of a head that looks level, in degrees.</summary>
+    /// <summary>Returns the elevation in degrees of a place, as seen from a head that looks horizontally.</summary>
     public static float Elevation(Vector3 place, Transform head)
     {
         var seen = head.InverseTransformPoint(place);

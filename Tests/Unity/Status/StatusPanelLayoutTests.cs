@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>The places and sizes of the panel's texts, background and bar.</summary>
+/// <summary>Tests the places and sizes of the panel's texts, background and bar.</summary>
 public class StatusPanelLayoutTests
 {
     PlayedPanel _played;
@@ -36,7 +36,7 @@ public class StatusPanelLayoutTests
     }
 
     [Test]
-    public void Start_NoGround_CreatesNone()
+    public void Start_NoBackgroundMaterial_CreatesNoBackground()
     {
         _played.Play(0.1);
 
@@ -46,7 +46,7 @@ public class StatusPanelLayoutTests
     [TestCase(1)]
     [TestCase(2)]
     [TestCase(5)]
-    public void LateUpdate_ViewerAtADistance_LettersAreReadable(float metres)
+    public void LateUpdate_ViewerAtADistance_LettersAreLegible(float metres)
     {
         _played.Panel.transform.position = new Vector3(0, 0, metres);
 

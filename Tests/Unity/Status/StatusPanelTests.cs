@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>The values that the panel shows of a running session.</summary>
+/// <summary>Tests the values that the panel shows about a running session.</summary>
 public class StatusPanelTests
 {
     PlayedPanel _played;
@@ -18,7 +18,7 @@ public class StatusPanelTests
     public void End() => _played.Dispose();
 
     [Test]
-    public void LateUpdate_WholeSession_ShowsItsValues()
+    public void LateUpdate_SessionRunning_ShowsItsValues()
     {
         _played.EachFrame = _ => _played.Session.Session?.Rendered(TimeSpan.FromMilliseconds(9.5), RenderTimeSourceKind.DisplayGpuTime);
 
@@ -90,7 +90,7 @@ public class StatusPanelTests
     public void OnDisable_Playing_IsHiddenUntilEnabledAgain()
     {
         _played.Panel.With("_ground", new Material((Shader)null));
-        // Runs until all texts of the start have appeared; the last ones are the coarse clock's error and the reduction.
+        // Runs until all texts have appeared. The last ones are the error of the coarse clock and the error reduction.
         _played.Play(8);
         var shown = Seen();
 
@@ -155,7 +155,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_ManyFrames_UpdatesAFewTimesPerSecond()
+    public void LateUpdate_ManyFrames_UpdatesOnlyAFewTimesPerSecond()
     {
         _played.EachFrame = frame =>
             _played.Session.Session.Rendered(TimeSpan.FromMilliseconds(5 + frame % 97 * 0.1), RenderTimeSourceKind.DisplayGpuTime);
@@ -204,7 +204,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void OnDisable_ShowingNumbers_ClearsThem()
+    public void OnDisable_ShowingNumbers_ClearsTheNumbers()
     {
         _played.Play(5);
 

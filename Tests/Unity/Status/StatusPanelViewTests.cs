@@ -15,7 +15,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Status;
 
-/// <summary>The panels of the scenes as seen by a head that looks level.</summary>
+/// <summary>Tests the panels of the scenes as seen from a head that looks horizontally.</summary>
 [TestFixture("Samples~/HoloLens 2 (MRTK3)/HoloLens 2 (MRTK3).unity")]
 [TestFixture("Samples~/Any OpenXR headset/Any OpenXR headset.unity")]
 [TestFixture("Samples~/Display Calibration/Display Calibration.unity")]
@@ -72,7 +72,7 @@ public sealed class StatusPanelViewTests(string scene)
     }
 
     [Test]
-    public void Panel_EveryState_TextsFitTheirPlaces()
+    public void Panel_EveryState_TextsFitTheirColumns()
     {
         foreach (var (what, texts) in States())
         {
@@ -85,7 +85,7 @@ public sealed class StatusPanelViewTests(string scene)
                 var places = row.OrderBy(cell => cell.transform.position.x).ToList();
                 for (var i = 0; i < places.Count; i++)
                 {
-                    // A gap of one letter's width remains between two columns.
+                    // Between two columns there must be a gap with the width of about one letter.
                     var end = i + 1 < places.Count ? places[i + 1].transform.position.x - 0.4f * sheet.lossyScale.x : Ground.max.x;
                     Assert.That(SeenText.Corners(places[i])[1].x, Is.LessThanOrEqualTo(end), $"{what}: {places[i].name} '{places[i].text}'");
                 }
@@ -106,7 +106,7 @@ public sealed class StatusPanelViewTests(string scene)
         Assert.That(middle, Is.EqualTo(-6).Within(1.5));
     }
 
-    /// <summary>Elevation of the lowest part of the panel: its background, or the background of its bar.</summary>
+    /// <summary>Returns the elevation in degrees of the lowest part of the panel, which is its background or the background of its bar.</summary>
     float Lowest() => _panel.GetComponentsInChildren<MeshRenderer>().Where(r => r.name == "Ground").Min(r => SeenText.Elevation(r.bounds.min, _head));
 
     [Test]
@@ -183,7 +183,7 @@ public sealed class StatusPanelViewTests(string scene)
     }
 
     [Test]
-    public void Base_EveryState_FitsItsColumn()
+    public void BaseRow_EveryState_FitsItsColumn()
     {
         var values = Enum.GetValues<BaseAnchorState>().Select(BaseTexts.ValueOf);
 

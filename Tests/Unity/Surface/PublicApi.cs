@@ -5,8 +5,8 @@ using System.Runtime.CompilerServices;
 namespace Nowpose.Unity.Tests.Surface;
 
 /// <summary>
-/// Lists the surface of an assembly, sorted: one line for each assembly that sees its internal types, each public type, and each public or
-/// protected member.
+/// Lists the public API of an assembly in sorted order: one line for each assembly that may use its internal types, for each public type, and
+/// for each public or protected member.
 /// </summary>
 static class PublicApi
 {
@@ -49,7 +49,7 @@ static class PublicApi
         return bases.Count == 0 ? "" : " : " + string.Join(", ", bases);
     }
 
-    // Returns null for a member that users cannot access.
+    // Returns the line of a member; null if users cannot access the member.
     static string LineOf(MemberInfo member) => member switch
     {
         ConstructorInfo made when IsVisible(made) && !made.IsStatic => $"new({ParametersOf(made)})",

@@ -3,10 +3,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Surface;
 
-/// <summary>The list of the public surface is in the repository, so that a review shows each change of it.</summary>
+/// <summary>Compares the public API of each assembly with a list in the repository, so that a review shows each change of the API.</summary>
 public class PublicApiTests
 {
-    /// <summary>Maximum number of public types, including nested ones, of the assembly without an engine.</summary>
+    /// <summary>Maximum number of public types, including nested types, in Core.</summary>
     const int MaxCoreTypes = 80;
 
     static readonly string[] Assemblies =
@@ -28,5 +28,6 @@ public class PublicApiTests
     }
 
     [Test]
-    public void Core_PublicTypes_AreFew() => Assert.That(Assembly.Load("Nowpose").GetExportedTypes(), Has.Length.LessThanOrEqualTo(MaxCoreTypes));
+    public void Core_NumberOfPublicTypes_IsWithinTheLimit() =>
+        Assert.That(Assembly.Load("Nowpose").GetExportedTypes(), Has.Length.LessThanOrEqualTo(MaxCoreTypes));
 }

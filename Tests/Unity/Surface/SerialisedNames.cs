@@ -8,8 +8,8 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Unity.Tests.Surface;
 
 /// <summary>
-/// Lists what scenes, prefabs and assets of a project store of the package, one line each: GUIDs with their files, components, serialised
-/// fields with their types, values of enums, and the methods that events can call.
+/// Lists the names in the package that scenes, prefabs and assets of a user's project store, one per line: GUIDs with their files, components,
+/// serialised fields with their types, values of enums, and methods that events can call.
 /// </summary>
 static partial class SerialisedNames
 {

@@ -4,7 +4,7 @@ namespace Nowpose.Unity.Tests.Surface;
 
 public class SerialisedNamesTests
 {
-    /// <summary>Lines of <see cref="SerialisedNames"/> that a project may have stored with an earlier version.</summary>
+    /// <summary>Lines of <see cref="SerialisedNames"/> of earlier versions, which a user's project may have stored.</summary>
     static readonly string[] Stored = File.ReadAllLines(Path.Combine(RepositoryFiles.Root, "Tests", "Unity", "Surface", "Serialised.txt"));
 
     [TestCase("script ", 25)]
@@ -12,7 +12,7 @@ public class SerialisedNamesTests
     [TestCase("field ", 100)]
     [TestCase("value ", 10)]
     [TestCase("method ", 40)]
-    public void Stored_ByAnEarlierVersion_Remains(string kind, int atLeast)
+    public void SerialisedNames_StoredByAnEarlierVersion_Remain(string kind, int atLeast)
     {
         var stored = Stored.Where(line => line.StartsWith(kind, StringComparison.Ordinal)).ToList();
 

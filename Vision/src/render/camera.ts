@@ -6,30 +6,30 @@ import { sceneOf } from './scene';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** A picture to render. Lengths in px, light linear with 1 for white. */
+/** A picture to render. Lengths are in px; light is linear, 1 is white. */
 export interface Shot {
   width: number;
   height: number;
-  /** Seed of the scene behind the codes; `sceneLight` is its brightness. */
+  /** Seed of the scene behind the codes. `sceneLight` is its brightness factor. */
   scene: number;
   sceneLight: number;
   codes: DrawnCode[];
-  /** Standard deviation of the lens's blur. */
+  /** Standard deviation of the lens blur. */
   blur: number;
   /** Movement of the camera during the exposure. */
   motion: [number, number];
   /** Round reflections. */
   glares: { x: number; y: number; radius: number; light: number }[];
-  /** Rectangles in front of everything: x, y, width, height. */
+  /** Rectangles in front of all other objects: x, y, width, height. */
   covers: { box: [number, number, number, number]; light: number }[];
-  /** Standard deviation of the sensor's noise, of 255. */
+  /** Standard deviation of the sensor noise; 255 is white. */
   noise: number;
   noiseSeed: number;
 }
 
 const noiseTable = normals(1 << 17, 1);
 const steps = 4095;
-/** Converts linear light to sRGB; the inverse of lightOfByte. */
+/** Converts linear light to sRGB. This is the inverse of `lightOfByte`. */
 const byteOfLight = Float32Array.from({ length: steps + 1 }, (_, i) => {
   const v = i / steps;
   return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
@@ -38,7 +38,7 @@ const byteOfLight = Float32Array.from({ length: steps + 1 }, (_, i) => {
 const scenes = new Map<string, Mat>();
 const scenesKept = 4;
 
-/** Renders the picture that a camera takes of a scene with codes. The same shot gives the same picture. */
+/** Renders the picture that a camera takes of a scene with codes. Equal shots give equal pictures. */
 export function take(shot: Shot): Grey {
   const light = new cv.Mat();
   try {
@@ -96,7 +96,7 @@ function smear(light: Mat, [dx, dy]: [number, number]): void {
   kernel.delete();
 }
 
-/** Converts light to bytes and adds the sensor's noise. */
+/** Converts light to bytes and adds the sensor noise. */
 function developed(light: Float32Array, { noise, noiseSeed, width }: Shot): Uint8Array {
   const bytes = new Uint8ClampedArray(light.length);
   const random = randomOf(noiseSeed);

@@ -6,17 +6,17 @@ type Mat = InstanceType<typeof cv.Mat>;
 /** A code to render. */
 export interface DrawnCode {
   corners: Quad;
-  /** For each cell, the share of the exposure during which it was lit: 0 to 1. */
+  /** Share of the exposure in which each cell is lit, 0 to 1. */
   lit: number[];
-  /** Light of a lit cell, 1 is white. */
+  /** Light of a lit cell; 1 is white. */
   light: number;
-  /** Diameter of round LEDs, as a share of a cell; 0 for full squares. */
+  /** Diameter of round LEDs relative to a cell; 0 for complete squares. */
   dot: number;
   /** Light of the panel behind the cells; null for a hologram, which only adds light to the scene behind it. */
   panel: number | null;
 }
 
-/** Pixels of a cell before the perspective projection. */
+/** Number of pixels per side of a cell before the perspective projection. */
 const pixels = 16;
 
 export function addCode(scene: Mat, code: DrawnCode): void {
@@ -43,7 +43,7 @@ export function addCode(scene: Mat, code: DrawnCode): void {
     warp(cover);
     const kept = new cv.Mat();
     cv.multiply(region, seen, kept, code.panel - 1);
-    // region − region·cover·(1 − panel): the panel reflects only a share of the hall's light.
+    // Computes region − region·cover·(1 − panel): the panel reflects only a part of the light in the hall.
     cv.add(region, kept, region);
     for (const made of [inside, cover, kept]) made.delete();
   }

@@ -1,4 +1,4 @@
-/** Returns a generator of uniform numbers from 0 to 1 that depend only on the seed (mulberry32, T. Ettinger, public domain). */
+/** Creates a generator of uniform random numbers from 0 to 1 that depend only on the seed (mulberry32, T. Ettinger, public domain). */
 export function randomOf(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
@@ -10,7 +10,7 @@ export function randomOf(seed: number): () => number {
   };
 }
 
-/** Returns standard normal numbers, by the Box–Muller method. */
+/** Returns normally distributed random numbers with mean 0 and deviation 1, by the Box–Muller method. */
 export function normals(count: number, seed: number): Float32Array {
   const random = randomOf(seed);
   const values = new Float32Array(count);

@@ -4,7 +4,7 @@ import { randomOf } from './random';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** Renders the scene behind the codes, like a plant hall: patches, edges, boxes, discs and cables, in linear light (32 bit). */
+/** Renders the scene behind the codes in linear light (32 bit). It resembles a plant hall, with patches, edges, boxes, discs and cables. */
 export function sceneOf(seed: number, width: number, height: number): Mat {
   const random = randomOf(seed);
   const between = (a: number, b: number) => a + (b - a) * random();

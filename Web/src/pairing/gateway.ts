@@ -1,6 +1,6 @@
 import { gatewayReasons } from '../messages/gateway';
 
-/** Answer of the gateway, or the reason in one line why there is no answer. */
+/** Answer of the gateway, or the reason in one line why it did not answer. */
 export type Answer<T> = { value: T } | { trouble: string };
 
 export interface ShownCode {

@@ -63,7 +63,7 @@ export class Frames {
     }
   }
 
-  /** Returns the pose of a frame in the world: null if it is unknown at that time, the identity if there is no frame with this name. */
+  /** Returns the pose of a frame in the world: null if it is unknown at that time, the identity if no frame has this name. */
   baseAt(name: string, time: number, linkOf: (name: string) => Matrix4 | null): Matrix4 | null {
     return this.frames.has(name) ? this.worldOf(name, time, linkOf, 0) : new Matrix4();
   }

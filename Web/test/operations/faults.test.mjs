@@ -22,7 +22,7 @@ describe('the operations page with faults', () => {
     gateway.state.events = [event(7, 'error')];
   }
 
-  it('shows OK in title and status line if there is no fault', async () => {
+  it('shows OK in title and status line without faults', async () => {
     const page = await open();
 
     assert.equal(await page.title(), 'Press 3 · cell-pc · Nowpose 0.2.0');

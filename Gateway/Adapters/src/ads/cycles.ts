@@ -1,31 +1,28 @@
 import type { Nanoseconds } from '../times';
 
-/**
- * Maximum number of cycles whose values wait for their time, beyond the cycles of one maximum delay. A PLC sends values and time within
- * that delay.
- */
+/** Number of cycles whose values may wait for their time, in addition to the cycles within two maximum delays. */
 const MORE_WAITING = 16;
 
-/** Maximum number of stored times: those of 10 s, the longest delay, for a task of 5 ms. */
+/** Maximum number of stored times. It covers the longest delay, 10 s, for a task with a cycle of 5 ms. */
 const MAX_TIMES = 2048;
 
-/** The index of a value in the configuration, and the value in the PLC. */
+/** A value read from the PLC, with its index in the configuration. */
 export interface CycleValue {
   index: number;
   value: number;
 }
 
 /**
- * Assigns times to a PLC's values. The time comes from a variable of the same cycle: equal stamps mean the same cycle.
+ * Assigns to each value of a PLC the time that a variable had in the same cycle. Values with equal stamps belong to the same cycle.
  */
 export class Cycles {
   readonly #waiting = new Map<bigint, CycleValue[]>();
   readonly #times = new Map<bigint, Nanoseconds | null>();
 
   /**
-   * @param perDelay Number of cycles sampled within a maximum delay.
-   * @param take Receives the values of a cycle and its time; null if the variable had none.
-   * @param drop Receives the values that never got a time.
+   * @param perDelay Number of cycles that are sampled within one maximum delay.
+   * @param take Receives the values of a cycle and its time; null if the variable had no valid time.
+   * @param drop Receives the values for which no time arrived.
    */
   constructor(
     readonly perDelay: number,
@@ -33,7 +30,7 @@ export class Cycles {
     readonly drop: (values: CycleValue[]) => void,
   ) {}
 
-  /** Adds the part of one cycle in a frame. `time` is undefined if the frame does not contain it.  */
+  /** Adds the values of one cycle from one frame. `time` is undefined if the frame does not contain the time. */
   add(stamp: bigint, values: CycleValue[], time: Nanoseconds | null | undefined): void {
     if (time !== undefined) remember(this.#times, stamp, time, MAX_TIMES);
     const all = [...(this.#waiting.get(stamp) ?? []), ...values];
@@ -48,7 +45,7 @@ export class Cycles {
   }
 }
 
-/** Adds an entry; returns the oldest one if it was removed for it. */
+/** Adds an entry to a map with a maximum size. Returns the oldest entry if it had to be removed. */
 function remember<T>(map: Map<bigint, T>, stamp: bigint, value: T, most: number): T | undefined {
   map.set(stamp, value);
   if (map.size <= most) return undefined;

@@ -3,7 +3,7 @@ import type { Nanoseconds } from '../times';
 
 type Reader = (data: Buffer) => number | bigint;
 
-/** Readers of elementary types by their ADS number (ADST_… of TcAdsDef.h), which is the same for all aliases of a type in a PLC. */
+/** Readers of elementary types by ADS type number (ADST_… in TcAdsDef.h), which is the same for all aliases of a type in a PLC. */
 const READERS: Record<number, { bytes: number; read: Reader }> = {
   2: { bytes: 2, read: data => data.readInt16LE() },
   3: { bytes: 4, read: data => data.readInt32LE() },
@@ -17,16 +17,16 @@ const READERS: Record<number, { bytes: number; read: Reader }> = {
   21: { bytes: 8, read: data => data.readBigUInt64LE() },
 };
 
-/** A BOOL, which is a state but not a position. */
+/** Type number of a BOOL, which can be a signal but not a position. */
 const BIT = 33;
 const STATE: Record<number, { bytes: number; read: Reader }> = { ...READERS, [BIT]: { bytes: 1, read: data => Math.min(data.readUInt8(), 1) } };
 
-/** The type of fixed-size structures that hold a time: two words of 32 bits, the lower one first. */
+/** Type number of structures. A structure that contains a time has two words of 32 bits, the lower word first. */
 const STRUCTURE = 65;
 
 const DOUBLE = 5;
 
-/** A symbol's properties from the PLC's table. */
+/** Properties of a symbol in the PLC's symbol table. */
 export interface Declared {
   type: string;
   adsDataType: number;
@@ -40,10 +40,10 @@ export const isNumber = ({ adsDataType, size, arrayDimension }: Declared): boole
 /** Whether the symbol is a single number or a BOOL. */
 export const isState = ({ adsDataType, size, arrayDimension }: Declared): boolean => arrayDimension === 0 && STATE[adsDataType]?.bytes === size;
 
-/** Gets the number in a symbol's data; 0 or 1 for a BOOL. */
+/** Reads the number in a symbol's data; 0 or 1 for a BOOL. */
 export const numberOf = (declared: Declared, data: Buffer): number => Number(STATE[declared.adsDataType].read(data));
 
-/** Time units of types by name; see `unitOf` for other types. */
+/** Units of time types by type name. For other types, see `unitOf`. */
 const UNIT_OF_TYPE: Record<string, TimeUnit> = {
   T_FILETIME: 'filetime',
   FILETIME: 'filetime',
@@ -54,15 +54,15 @@ const UNIT_OF_TYPE: Record<string, TimeUnit> = {
   DCTIME64: 'dctime',
 };
 
-/** Gets the default unit of a variable: ns for whole numbers, s for an LREAL. */
+/** Gets the default time unit of a variable: the unit of its time type, s for an LREAL, ns for other types. */
 export const unitOf = ({ type, adsDataType }: Declared): TimeUnit =>
   UNIT_OF_TYPE[type.toUpperCase().replace(/^.*\./, '')] ?? (adsDataType === DOUBLE ? 's' : 'ns');
 
-/** Whether the symbol can hold a time: 64 bits. A UDINT or DT has a resolution of a second, which is too coarse. */
+/** Whether the symbol can contain a time, which needs 64 bits. The resolution of a UDINT or DT, one second, is too coarse. */
 export const canHoldTime = ({ adsDataType, size, arrayDimension }: Declared): boolean =>
   arrayDimension === 0 && size === 8 && [DOUBLE, 20, 21, STRUCTURE].includes(adsDataType);
 
-/** @returns Null if the variable holds no valid time. */
+/** Reads the time in a symbol's data; null if it is not a valid time. */
 export function timeOf({ adsDataType }: Declared, unit: TimeUnit, data: Buffer): Nanoseconds | null {
   if (adsDataType === DOUBLE) {
     const value = data.readDoubleLE();

@@ -1,4 +1,4 @@
-/** Address of a PLC: the machine that receives the frames, and the AMS address of the PLC. */
+/** Address of a PLC: host and TCP port of the machine that receives the frames, and AMS Net Id and port of the PLC. */
 export interface AdsEndpoint {
   host: string;
   tcpPort: number;
@@ -8,7 +8,7 @@ export interface AdsEndpoint {
 
 const ROUTER_TCP_PORT = 48898;
 
-/** The form ads://HOST[:TCP PORT]/AMS NET ID:AMS PORT, also used in the schema's pattern. */
+/** Matches ads://HOST[:TCP PORT]/AMS NET ID:AMS PORT. The pattern in the schema is the same. */
 const FORM = /^ads:\/\/([^\s/@:]+)(?::(\d{1,5}))?\/((?:\d{1,3}\.){5}\d{1,3}):(\d{1,5})$/;
 
 /** Parses an address; undefined if the text is invalid. */

@@ -16,23 +16,23 @@ const MAX_EARLY = 64;
 /** The clock that stamps a PLC's values. */
 export interface PlcTime {
   read(): Promise<ClockReading>;
-  /** Reports every stamp that arrives for a handle that does not belong to a joint. */
+  /** Takes the stamp of a notification whose handle does not belong to a configured value. */
   saw(handle: number, stamp: bigint): void;
 }
 
 /**
- * The clock of notification stamps. No ADS request returns its time, but each new notification is sampled, stamped and sent
- * immediately: its first stamp lies between the request and its arrival.
+ * The clock that stamps notifications. No ADS request returns the time of this clock. However, after a subscription, the PLC samples, stamps
+ * and sends the first notification at once, so this stamp lies between the request and the arrival of the notification.
  */
 export class NotificationTime implements PlcTime {
   readonly #waiting = new Map<number, (stamp: bigint) => void>();
-  /** Stamps of handles that are still unknown: a first notification may arrive before the answer to its subscription. */
+  /** Stamps of unknown handles, because the first notification may arrive before the answer that contains its handle. */
   readonly #early = new Map<number, bigint>();
-  /** Former handles. Notifications for them belong to an earlier request, even if a PLC reuses the handle. */
+  /** Handles of earlier requests. A late notification of an earlier request is ignored, even if the PLC uses its handle again. */
   readonly #former: number[] = [];
   #asking = 0;
 
-  /** @param place Address of any symbol that supports notifications, preferably one with these stamps. */
+  /** @param place Address of any symbol that supports notifications, preferably a configured one. */
   constructor(
     readonly client: ReadOnlyClient,
     readonly place: Pick<AdsSymbol, 'indexGroup' | 'indexOffset' | 'size'>,
@@ -77,11 +77,11 @@ export class NotificationTime implements PlcTime {
   }
 }
 
-/** The clock in a variable of the PLC. Its task writes it once per cycle, so its resolution is a cycle. */
+/** The clock in a variable of the PLC. A task writes the variable once per cycle, so the resolution is one cycle. */
 export class VariableTime implements PlcTime {
   #resolution: Nanoseconds | null;
 
-  /** @param resolution The cycle of that task; null to measure it. */
+  /** @param resolution Cycle of the task that writes the variable; null to measure it. */
   constructor(
     readonly client: ReadOnlyClient,
     readonly symbol: AdsSymbol,
@@ -106,7 +106,7 @@ export class VariableTime implements PlcTime {
     return time;
   }
 
-  /** Measures the smallest step between values that are read 1 ms apart, without waiting for each answer. */
+  /** Measures the cycle: the smallest step between values that are read at intervals of 1 ms. Does not wait for each answer. */
   async #step(): Promise<Nanoseconds> {
     const asked: Promise<Nanoseconds>[] = [];
     const never = new AbortController().signal;

@@ -11,10 +11,10 @@ const DOWN_MS = 1000;
 const { ADS_COMMAND: COMMAND, ADS_RESERVED_INDEX_GROUPS: GROUP } = ADS;
 const READING: number[] = [COMMAND.ReadDeviceInfo, COMMAND.Read, COMMAND.ReadState, COMMAND.AddNotification, COMMAND.DeleteNotification];
 
-/** Allowed uses of ReadWrite: the request contains a name, the answer its meaning. */
+/** Allowed index groups of ReadWrite, which write nothing: the request contains a name, and the answer describes it. */
 const LOOKING_UP: number[] = [GROUP.SymbolInfoByNameEx, GROUP.DataDataTypeInfoByNameEx];
 
-/** Members that ads-client does not export to TypeScript. Its version is pinned, and a test detects their removal. */
+/** Members of ads-client without a TypeScript declaration. The version of ads-client is pinned, and a test detects missing members. */
 interface Hidden {
   socket?: { destroyed: boolean; readableEnded: boolean; destroy(): void };
   receiveBuffer: Buffer;
@@ -23,9 +23,9 @@ interface Hidden {
   parseAdsNotification(data: Buffer): unknown;
 }
 
-/** An ADS client without write access. It keeps the stamps unchanged and survives invalid frames. */
+/** An ADS client that cannot write to the PLC, keeps the full resolution of stamps, and closes the connection after an invalid frame. */
 export class ReadOnlyClient extends Client {
-  /** Receives all notifications, frame by frame. */
+  /** Receives the notifications of each frame. */
   onSamples: (samples: StampedSamples[]) => void = () => {};
 
   constructor(endpoint: AdsEndpoint, local: { netId: string; port: number } | null) {
@@ -40,7 +40,7 @@ export class ReadOnlyClient extends Client {
       connectionCheckInterval: CHECK_MS,
       connectionDownDelay: DOWN_MS,
       hideConsoleWarnings: true,
-      // A notification may arrive before the answer to its subscription; its subscription is then not yet known.
+      // Keeps unknown subscriptions, because a notification may arrive before the answer to its subscription.
       deleteUnknownSubscriptions: false,
     });
     const hidden = this.#hidden;
@@ -60,13 +60,13 @@ export class ReadOnlyClient extends Client {
       });
   }
 
-  /** Whether the other end has closed the connection. */
+  /** Whether the PLC has closed the connection. */
   get isHungUp(): boolean {
     const { socket } = this.#hidden;
     return socket === undefined || socket.destroyed || socket.readableEnded;
   }
 
-  /** Every command of ads-client is sent by this method. */
+  /** Refuses commands that write. ads-client sends all its commands with this method. */
   override async sendAdsCommand<T = AdsResponse>(command: AdsCommandToSend): Promise<AmsTcpPacket<T>> {
     const isReading =
       READING.includes(command.adsCommand) || (command.adsCommand === COMMAND.ReadWrite && LOOKING_UP.includes(command.payload!.readUInt32LE(0)));

@@ -11,7 +11,7 @@ const SYMBOL_NOT_FOUND = 1808;
 
 export const isSymbolNotFound = (error: unknown): boolean => codeOf(error) === SYMBOL_NOT_FOUND;
 
-/** Gets the reason why a PLC cannot be read, with the remedy. */
+/** Gets the reason why the PLC cannot be read, with the remedy. */
 export function reasonOf(error: unknown, client: ReadOnlyClient, endpoint: AdsEndpoint, localNetId: string | null): string {
   const { host, tcpPort, netId, port } = endpoint;
   const system = client.metaData.tcSystemState;
@@ -28,7 +28,7 @@ export function reasonOf(error: unknown, client: ReadOnlyClient, endpoint: AdsEn
   return messageOf(error);
 }
 
-/** In ads-client's errors, the cause is the last entry of the trace. */
+/** Gets the message of an error's cause, which is the last entry of the trace in errors of ads-client. */
 const messageOf = (error: unknown): string =>
   (error as { trace?: string[] }).trace?.at(-1) ?? (error instanceof Error ? error.message : String(error));
 

@@ -17,14 +17,14 @@ import { adsMessages, symbolMessages } from '../messages/ads';
 const RUN = 5;
 const GOODBYE_MS = 500;
 
-/** The state that every runtime has, independent of its program. */
+/** Address of the runtime's state, which exists whatever the program is. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
-/** Delay of a value beyond the intervals, and the limit for a value that the PLC does not confirm. */
+/** Delay of a value in addition to the sampling and publishing intervals, and maximum time for which a value may remain unconfirmed. */
 const SLACK_MS = 100;
 const UNCONFIRMED_MS = 1500;
 
-/** A change may be stamped this long before a read shows it, in addition to the time between two samples. */
+/** Maximum time from the stamp of a change until a read request returns the new value, in addition to the sampling interval. */
 const STAMP_LAG_MS = 50;
 
 interface Watched {
@@ -61,7 +61,7 @@ export class AdsSession {
     );
   }
 
-  /** Reads until the connection, the program or the adapter ends. Returns the reason, and whether waiting alone is unlikely to fix it. */
+  /** Reads until the connection, the program or the adapter ends. Returns the reason, and whether waiting is unlikely to help. */
   async run(): Promise<{ reason: string; isRefused: boolean }> {
     const ended = new Promise<string>(resolve => {
       this.#end = resolve;
@@ -70,7 +70,7 @@ export class AdsSession {
     const stop = (): void => this.#end('stopped');
     stopping.addEventListener('abort', stop);
     this.#listen();
-    this.context.output.startAnew();
+    this.context.output.restart();
     try {
       const reason = await Promise.race([ended, this.#setUp().then(() => ended)]);
       return { reason, isRefused: false };
@@ -91,7 +91,7 @@ export class AdsSession {
     client.on('plcSymbolVersionChange', (next, before) => {
       if (before !== undefined && before !== next) this.#end(adsMessages.newProgram);
     });
-    client.on('plcRuntimeStateChange', () => this.#tellState());
+    client.on('plcRuntimeStateChange', () => this.#reportState());
   }
 
   async #setUp(): Promise<void> {
@@ -104,16 +104,16 @@ export class AdsSession {
       time === null
         ? new NotificationTime(this.#client, symbols.find(symbol => symbol !== null) ?? PLC_STATE)
         : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
-    // The PLC counts the cycles from when a notification is added. The time is sampled in every cycle, and the values are added immediately.
+    // Subscribes to the time first. The PLC counts the cycles of a notification from its addition, and the time must be sampled in every cycle.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
     await Promise.all(symbols.map((symbol, index) => (symbol === null ? undefined : this.#watch(symbol, index, sampled))));
     this.#watchSilence(symbols, sampled);
     this.#isReading = true;
-    this.#tellState();
+    this.#reportState();
   }
 
-  /** Gets the symbols; null for one that the PLC does not have. The others are still read. */
+  /** Gets the configured symbols; null for a symbol that the PLC does not have, so that the others can be read. */
   async #findSymbols(): Promise<(AdsSymbol | null)[]> {
     const found = await Promise.allSettled(
       this.settings.values.map((named, index) => this.#find(named, this.#isSignal(index) ? stateNeeded : numberNeeded)),
@@ -160,7 +160,8 @@ export class AdsSession {
             watched.unsubscribe().catch(() => {});
           }
           await this.#watch(symbols[index]!, index, sampled);
-          // The first notification may arrive before its handle is known; a value at rest has no other.
+          // Publishes the value that was read, because the first notification may arrive before its handle is known, and a value at rest
+          // gets no other notification.
           output.publish([{ index, value, stamp: null, isFirst: true }]);
         },
       },
@@ -215,14 +216,14 @@ export class AdsSession {
 
   #put(stamp: Nanoseconds | null, values: CycleValue[]): void {
     const { isOnChange, samplingMs, publishingMs } = this.settings;
-    // Changes older than this were sampled and sent before these values.
+    // Changes with an earlier stamp have already arrived, so values without one were unchanged until then.
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.index)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
     for (const { index } of values) this.context.output.refuse(index, 'plc-stopped', adsMessages.valuesStopped);
   }
 
-  #tellState(): void {
+  #reportState(): void {
     const { adsState, adsStateStr } = this.#client.metaData.plcRuntimeState ?? { adsState: RUN };
     this.#isRunning = adsState === RUN;
     if (!this.#isReading) return;
@@ -258,7 +259,7 @@ export class AdsSession {
     return system !== undefined && system.adsState !== RUN ? adsMessages.stopped(netId, String(system.adsStateStr)) : adsMessages.ended(host);
   }
 
-  // Removes the notifications if the PLC still answers; does not wait for one that does not.
+  // Removes the notifications if the PLC still answers, and waits for at most GOODBYE_MS.
   async #leave(): Promise<void> {
     this.#client.onSamples = () => {};
     const goodbye = this.#client.connection.connected ? this.#client.disconnect() : Promise.resolve();

@@ -7,20 +7,20 @@ import { adsSettingMessages } from '../messages/ads';
 import { configurationMessages } from '../messages/configuration';
 import { summaryMessages } from '../messages/gateway';
 
-/** An AMS port of the range that TwinCAT's router assigns to clients. */
+/** Our AMS port without a local router, from the range that TwinCAT's router assigns to clients. */
 const OWN_PORT = 32905;
 
 const SAMPLING_MS = 10;
 
-/** The settings of kind ads, after the checks by the schema and by its own check. */
+/** The settings of the kind ads, after the checks by the schema and by `check`. */
 export interface AdsSettings {
   endpoint: AdsEndpoint;
-  /** Our address at a target without a router on this machine; null if the router of `endpoint.host` assigns one. */
+  /** Our AMS address, if this machine has no router; null if the router at `endpoint.host` assigns an address. */
   local: { netId: string; port: number } | null;
   samplingMs: number;
   publishingMs: number;
   isOnChange: boolean;
-  /** The variable with t_k; null if the stamps of notifications are used. */
+  /** The variable that contains t_k; null if the stamps of notifications are used. */
   time: (NamedSymbol & { unit: TimeUnit | undefined }) | null;
   values: NamedSymbol[];
 }
@@ -38,7 +38,7 @@ interface PlantSection {
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
 
-/** Checks what the schema cannot check. */
+/** Checks the rules that the schema cannot express. */
 export const check: OwnCheck = (file, configuration) => {
   const plant = sectionOf(configuration);
   if (parseEndpoint(plant.endpoint) === undefined) file.report(['plant', 'endpoint'], adsSettingMessages.endpoint(plant.endpoint));

@@ -1,14 +1,14 @@
 import { pause } from '../backoff';
 
-/** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
+/** Interval of the checks while values arrive (LOOK_MS), and after QUIET_MS without any value. Headsets show a sample for about 300 ms. */
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 90;
 const QUIET_MS = 50;
 
-/** Silence after which a symbol is read, for a PLC that sends no values at rest. */
+/** Time without a value after which a symbol is read, if the PLC sends only changes. */
 const SILENT_MS = 60;
 
-/** A value is late after this time and this multiple of its normal delay. The PLC then no longer sends notifications. */
+/** A value is late after LATE_MS and DELAYS times its maximum delay. The PLC then no longer sends notifications for it. */
 const LATE_MS = 400;
 const DELAYS = 2;
 
@@ -16,30 +16,33 @@ interface SymbolState {
   heardAt: number;
   value: number | null;
   isLost: boolean;
-  /** Time of the first of the consecutive reads that found a value that should have been sent; null if the last one did not. */
+  /** Time of the first of the latest consecutive reads that returned a value without a notification; null if the last read did not. */
   missedSince: number | null;
 }
 
-/** Actions for the results of a read, by the value's index in the configuration. */
+/** Reads a symbol and acts on the result. Symbols are identified by their index in the configuration. */
 export interface ReadActions {
-  /** @throws Error The PLC no longer has the symbol, or does not answer. */
+  /**
+   * Reads the symbol.
+   * @throws Error The PLC no longer has the symbol, or does not answer.
+   */
   read(index: number): Promise<number>;
-  /** Confirms that these symbols had the value of their last notification when they were read. The reads began `agoMs` ms ago. */
+  /** Confirms that these symbols still had the value of their last notification when they were read. The reads began `agoMs` ms ago. */
   confirm(indices: ReadonlySet<number>, agoMs: number): void;
   lose(index: number, error: unknown): void;
-  /** Subscribes again: the symbol exists again with this value, or its notifications are missing. */
+  /** Subscribes to the symbol again, because it exists again with this value, or because its notifications do not arrive. */
   renew(index: number, value: number): Promise<void>;
 }
 
-/** Reads the symbols for which a PLC sends nothing: either the value is at rest, or the symbol no longer exists. */
+/** Reads the symbols for which no notifications arrive, to distinguish a value at rest from a symbol that no longer exists. */
 export class SilentSymbols {
   readonly #symbols: (SymbolState | null)[];
   #newest = -Infinity;
 
   /**
    * @param watched Whether each symbol is subscribed.
-   * @param delayMs Maximum delay of a value.
-   * @param isOnChange Whether values at rest are not sent.
+   * @param delayMs Maximum delay of a value, ms.
+   * @param isOnChange Whether the PLC sends only changes.
    */
   constructor(
     watched: boolean[],

@@ -1,15 +1,15 @@
 import { adsMessages } from '../messages/ads';
 
-/** The values of a device's variables at one time. */
+/** Values of variables that the PLC sampled at the same time. */
 export interface StampedSamples {
-  /** Time in 100 ns since 1601 UTC, as written by the device. */
+  /** Time in units of 100 ns since 1601 UTC, as written by the PLC. */
   stamp: bigint;
   samples: { handle: number; data: Buffer }[];
 }
 
 /**
- * Parses the notifications of an ADS frame. ads-client reduces their stamps to ms; here the 100 ns are kept.
- * @throws RangeError The data are shorter than their length fields.
+ * Parses the notifications in an ADS frame. Keeps the 100 ns resolution of the stamps, which ads-client reduces to 1 ms.
+ * @throws RangeError The data are shorter than their length fields indicate.
  */
 export function parseStream(data: Buffer): StampedSamples[] {
   const stamps: StampedSamples[] = [];

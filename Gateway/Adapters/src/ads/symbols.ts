@@ -6,18 +6,19 @@ import { symbolMessages } from '../messages/ads';
 
 const MAX_TABLE = 8 * 1024 * 1024;
 
-/** A variable in the configuration, with its line. */
+/** A variable named in the configuration, with its line number. */
 export interface NamedSymbol {
   symbol: string;
   line: number;
 }
 
-/** The configuration names a symbol that the PLC does not have, or not in this form. */
+/** The error for a symbol in the configuration that the PLC does not have, or that has an unusable type. */
 export class SymbolError extends Error {}
 
 /**
- * Finds a symbol of the configuration.
- * @throws SymbolError The PLC does not have the symbol, or it is not usable. The message has the line and a suggestion.
+ * Finds a symbol of the configuration in the PLC.
+ * @param objectionTo Gets the reason why a symbol cannot be used; undefined if it can.
+ * @throws SymbolError The PLC does not have the symbol, or the symbol is not usable. The message has the line and a suggestion.
  */
 export async function findSymbol(
   client: ReadOnlyClient,
@@ -37,7 +38,7 @@ export async function findSymbol(
   return found;
 }
 
-/** Gets similar symbols of the PLC; undefined if its table is too long to be read. */
+/** Gets symbols of the PLC with similar names; undefined if the PLC's symbol table is too long. */
 async function near(client: ReadOnlyClient, symbol: string): Promise<string[] | undefined> {
   const { symbolLength } = await client.readPlcUploadInfo();
   if (symbolLength > MAX_TABLE) return undefined;

@@ -4,7 +4,7 @@ import { publish } from './publish';
 import { settingsOf } from './settings';
 import { subscribe } from './subscribe';
 
-/** Transfers a plant's messages between a gateway and a broker, in one direction, until it is stopped. */
+/** Forwards a plant's messages in one direction between a gateway and a broker, until the adapter is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status } = context;
   const settings = settingsOf(configuration);

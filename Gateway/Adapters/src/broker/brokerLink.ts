@@ -3,8 +3,8 @@ import { MqttLink } from '../mqtt/link';
 import type { BrokerSettings } from './settings';
 
 /**
- * The topics below the plant's topic: those with ROS names, with the namespace of a robot before them, the joints that are not live, and the
- * presence of the publishing end. All but the joint states are retained.
+ * MQTT topics below the plant's topic: topics with ROS names, preceded by the robot's namespace; the joints that are not live; and the
+ * presence of the publishing bridge. All except the joint states are retained.
  */
 export const STATES = 'joint_states';
 export const TRAJECTORY = 'joint_trajectory';
@@ -12,10 +12,10 @@ export const DESCRIPTION = 'robot_description';
 export const STATUS = 'joint_status';
 export const ALIVE = 'alive';
 
-/** Gets the topic of a robot; an empty namespace means none. */
+/** Gets the topic of a robot. `robot` is its namespace; empty for none. */
 export const below = (robot: string, topic: string): string => (robot === '' ? topic : `${robot}/${topic}`);
 
-/** Values of ALIVE: bridge and gateway are present, the bridge is present without its gateway, or the bridge is absent. */
+/** Values on ALIVE: bridge and gateway are connected, only the bridge is connected, or the bridge is not connected. */
 export type Presence = 'true' | 'no gateway' | 'false';
 
 export interface BrokerEvents {
@@ -26,7 +26,7 @@ export interface BrokerEvents {
   malformed(topic: string, problem: string): void;
 }
 
-/** The connection of a bridge to the broker. Repeats retained messages after each reconnection. */
+/** The connection of a bridge to the broker. Publishes retained messages again after each reconnection. */
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
@@ -55,7 +55,7 @@ export class BrokerLink {
         heard: (topic, payload) => events.heard(bare(topic), payload),
         malformed: (topic, problem) => events.malformed(bare(topic), problem),
       },
-      // Published by the broker when this end disconnects without a close.
+      // The broker publishes this message when the connection is lost.
       this.#isPublishing ? { will: { topic: this.#at(ALIVE), payload: Buffer.from('false'), qos: 1, retain: true } } : {},
     );
   }
@@ -66,21 +66,21 @@ export class BrokerLink {
   }
 
   /**
-   * Sends joint states or poses at most once (QoS 0), because a repeated message could arrive after a newer one.
-   * If the broker is slow, the oldest messages are dropped.
+   * Publishes joint states or poses with QoS 0 (at most once), because a repeated message could arrive after a newer one.
+   * Drops the oldest messages if the broker is slow.
    */
   publishSamples(topic: string, payload: string): void {
     this.#queue.add({ topic, payload });
     this.#pump();
   }
 
-  /** Publishes a retained message with acknowledgement, which the broker keeps for later subscribers. */
+  /** Publishes a message with acknowledgement (QoS 1). The broker retains it for later subscribers. */
   publishRetained(topic: string, payload: string): void {
     this.#retained.set(topic, payload);
     this.#keep(topic, payload);
   }
 
-  /** Sets whether the gateway of a publishing bridge is connected. */
+  /** Sets whether a publishing bridge is connected to its gateway. */
   set isGatewayOpen(value: boolean) {
     const presence: Presence = value ? 'true' : 'no gateway';
     if (presence === this.#presence) return;

@@ -10,8 +10,8 @@ import { reportsOf } from './reportedJoints';
 import { malformedMessages } from '../messages/broker';
 
 /**
- * Topics of the cell's objects and signals below the plant's topic. A stationary frame and a signal each have a retained topic of their own,
- * so that a later subscriber receives the newest of each.
+ * MQTT topics of objects and signals below the plant's topic. Each stationary frame and each signal has its own retained topic, so that a
+ * later subscriber receives its newest value.
  */
 export const FRAMES = 'tf';
 const STATIONARY = 'tf_static';
@@ -20,14 +20,14 @@ const REPORTS = 'signal_status';
 
 const MAX_NAMES = 256;
 
-/** Gets the last level of a topic for a name: without the separators and wildcards of MQTT. */
+/** Encodes a name as a topic level, without MQTT's separators and wildcards. */
 const level = (name: string): string => encodeURIComponent(name);
 
 interface Transform {
   child_frame_id?: unknown;
 }
 
-/** Publishes the objects and signals of the gateway to the broker. */
+/** Forwards objects and signals from the gateway to the broker. */
 export function publishObjects(gateway: GatewayLink, broker: BrokerLink): void {
   gateway.subscribe(TF, message => broker.publishSamples(FRAMES, JSON.stringify(message)));
   gateway.subscribe(TF_STATIC, ({ transforms }) => {
@@ -42,12 +42,12 @@ export function publishObjects(gateway: GatewayLink, broker: BrokerLink): void {
   gateway.subscribe(SIGNAL_STATUS, message => broker.publishRetained(REPORTS, JSON.stringify(message)));
 }
 
-/** Forwards the objects and signals of the broker to a gateway, which checks their content. */
+/** Forwards objects and signals from the broker to a gateway. The gateway checks their content. */
 export class ReceivedObjects {
   readonly topics = [FRAMES, `${STATIONARY}/+`, `${SIGNAL}/+`, REPORTS];
   readonly #sender: SignalSender;
   readonly #signals = new Set<string>();
-  /** Reasons for the signals that are not current at the plant's gateway. */
+  /** Signals that are not current at the plant's gateway, with the reasons. */
   #reported = new Map<string, string>();
   readonly #stationary = new Set<string>();
 
@@ -69,12 +69,12 @@ export class ReceivedObjects {
     else this.#takeFrames(kind === STATIONARY, message);
   }
 
-  /** Sends what waited for the clock; called several times a second. */
+  /** Sends the signals that waited for the clock. Called several times per second. */
   check(): void {
     this.#sender.check();
   }
 
-  /** Reports that the plant's gateway is present: its signals are current again. */
+  /** Updates the state of all signals, because the plant's gateway is connected again. */
   enter(): void {
     for (const name of this.#signals) this.#judge(name);
   }
@@ -86,7 +86,7 @@ export class ReceivedObjects {
       const [{ child_frame_id: child }] = transforms as [{ child_frame_id: string }];
       if (!this.#stationary.has(child) && this.#stationary.size >= MAX_NAMES) return this.status.count('too-many');
       this.#stationary.add(child);
-      // A zero stamp needs no clock: a stationary frame has the same pose at all times.
+      // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
       const [{ header, ...pose }] = transforms as [{ header: object }];
       const still = { ...header, stamp: { sec: 0, nanosec: 0 } };
       this.gateway.publishKept(TF_STATIC, { transforms: [{ header: still, ...pose }] }, `${TF_STATIC} ${child}`);

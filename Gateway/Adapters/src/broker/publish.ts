@@ -4,7 +4,7 @@ import { BrokerLink, below, DESCRIPTION, STATES, STATUS, TRAJECTORY } from './br
 import { publishObjects } from './objects';
 import type { BrokerSettings } from './settings';
 
-/** Publishes from the gateway of the plant to the broker: the messages for its headsets in the same JSON. */
+/** Publishes the messages of the plant's gateway on the broker, in the same JSON as headsets receive. */
 export async function publish({ configuration, gateway, status, stopping }: AdapterContext, settings: BrokerSettings): Promise<void> {
   const broker = new BrokerLink(settings, configuration.plant.name, [], {
     opened: () => status.enter('connected'),

@@ -9,24 +9,24 @@ const MAX_JOINTS = 256;
 const MAX_NAME = 128;
 const MAX_REASON = 300;
 
-/** STATE SINCE REASON, as written by a gateway; SINCE is its control time in seconds. */
+/** Matches the value STATE SINCE REASON that a gateway writes. SINCE is a control time in seconds. */
 const VALUE = /^(live|rest|stale|refused|fault|missing) (-?\d{1,12}(?:\.\d{1,9})?)(?: (.*))?$/;
 
-/** Start of the reason that a gateway gives for a joint whose rest is uncertain. */
+/** Beginning of the reason for a joint that may not be at rest. */
 // eslint-disable-next-line nowpose/messages -- part of the protocol
 const UNCERTAIN = 'may not be at rest: ';
 
-/** Report of the plant's gateway about one joint that is not live there. */
+/** A report of the plant's gateway about one joint that is not live. */
 interface Report extends Condition {
   joint: string;
 }
 
-/** Gives the joints of this gateway their states at the plant's gateway. */
+/** Transfers the states of joints from the plant's gateway to this gateway. */
 export class ReportedJoints {
   #isThere = false;
-  /** Newest message received while the other gateway was not known to be present. */
+  /** Newest message; null if none has arrived since the other gateway was last reported absent. */
   #newest: Report[] | null = null;
-  /** Joints of the newest message that was applied. */
+  /** Joints in the last message that was applied. */
   #reported = new Set<string>();
 
   /** @param now Unix time in milliseconds. */
@@ -37,7 +37,7 @@ export class ReportedJoints {
     readonly now: () => number = Date.now,
   ) {}
 
-  /** Processes a message of the other gateway's topic /nowpose/joint_status. */
+  /** Processes a message that the other gateway published on /nowpose/joint_status. */
   hear(message: Record<string, unknown>): void {
     const reports = reportsOf(message, this.now());
     if (typeof reports === 'string') return this.status.refuse('malformed', 'joint status', reports);
@@ -52,7 +52,7 @@ export class ReportedJoints {
     if (this.#newest !== null) this.#apply(this.#newest);
   }
 
-  /** Reports that the other gateway is absent, so that its reports may be outdated. */
+  /** Reports that the other gateway is absent. Its reports are no longer used, because they may be outdated. */
   leave(): void {
     this.#isThere = false;
     this.#newest = null;
@@ -67,13 +67,13 @@ export class ReportedJoints {
       this.status.joints.report(report.joint, report);
     }
     for (const joint of this.#reported)
-      // A joint that never sent a value and is no longer reported as missing does not belong to that gateway.
+      // Removes a joint that has never sent a value and is no longer reported: it does not belong to the other gateway.
       if (!now.has(joint) && !this.silence.judge(joint)) this.status.joints.forget(joint);
     this.#reported = now;
   }
 }
 
-/** Gets the reports of a message about joints or signals, or the description of its error. */
+/** Gets the reports in a message about joints or signals; a text if the message is invalid. */
 export function reportsOf(message: Record<string, unknown>, now: number): Report[] | string {
   const { header, status } = message as { header?: { stamp?: unknown }; status?: { values?: unknown }[] };
   const written = ofRosTime(header?.stamp);
@@ -95,11 +95,11 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   if (typeof joint !== 'string' || joint === '' || joint.length > MAX_NAME || typeof value !== 'string') return null;
   const [, word, seconds, text = ''] = VALUE.exec(value) ?? [];
   if (word === undefined) return null;
-  // The transmission time is negligible, so no clock needs to be known here, and clocks of two machines need not agree.
+  // Neglects the transmission time. Thus only differences of times on the same clock are used.
   const since = Math.max(0, now - Math.max(0, toMilliseconds(written) - 1000 * Number(seconds)));
   const reason = text.slice(0, MAX_REASON);
   const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
-  // "stale" describes the arrival at the receiving gateway, which an adapter does not report.
+  // Converts stale to fault, because only a gateway determines the state stale, for samples that do not arrive there.
   const [state, why] = word === 'stale' ? ['fault', brokerMessages.atOtherGateway(reason)] : [word, reason];
   return { joint, state: state as State, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };
 }

@@ -19,16 +19,16 @@ export interface Upstream {
   token: string | null;
 }
 
-/** The settings of kind broker, with the contents of their files. */
+/** The settings of the kind broker, including the contents of files with secrets. */
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';
   broker: BrokerAddress;
   /** Prefix of all topics of this plant at the broker. */
   topic: string;
-  /** Namespaces of the robots; the first is that of the robot without one. */
+  /** Namespaces of the robots. The first entry is empty, for the robot without a namespace. */
   namespaces: string[];
   oldest: Nanoseconds;
-  /** Source of the time; null for none, so that the gateway serves its own. */
+  /** Sync port from which the control time is read; null to leave the gateway with its own clock. */
   clock: Upstream | null;
 }
 
@@ -40,7 +40,7 @@ interface Section extends BrokerSection {
   clock?: { host: string; port?: number; tls?: boolean; pin?: string; token_file?: string };
 }
 
-/** Set by the check of the configuration, which reads the files with secrets. */
+/** Gets the settings that `check` has stored in the configuration. */
 export const settingsOf = (configuration: Configuration): BrokerSettings => configuration.plant.settings as BrokerSettings;
 
 export const broker: Kind = {

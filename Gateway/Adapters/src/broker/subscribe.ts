@@ -10,13 +10,13 @@ import type { BrokerSettings } from './settings';
 import { runUpstreamClock } from './upstreamClock';
 import { brokerMessages, malformedMessages } from '../messages/broker';
 
-/** Interval at which signals that wait for the clock are sent. */
+/** Interval of the attempts to send signals that wait for the clock. */
 const CHECK_MS = 250;
 
 const MAX_MESSAGE = 64 * 1024;
 const MAX_DESCRIPTION = 1024 * 1024;
 
-/** Forwards messages from the broker to a gateway without a plant, and serves it the clock of the plant's gateway. */
+/** Forwards messages from the broker to a gateway without a plant, and offers the clock of the plant's gateway to it. */
 export async function subscribe(
   { configuration, gateway, clock, output, status, log, stopping }: AdapterContext,
   settings: BrokerSettings,
@@ -74,7 +74,7 @@ export async function subscribe(
   clearInterval(checks);
 }
 
-/** Finds a joint by its name in the whole cell, NAMESPACE/NAME for a robot in a namespace. */
+/** Finds a joint by its cell-wide name, which is NAMESPACE/NAME for a robot with a namespace. */
 function named(robots: ReadonlyMap<string, JointNames>, joint: string): OutJoint | undefined {
   const robot = [...robots.keys()].find(name => name !== '' && joint.startsWith(`${name}/`)) ?? '';
   return robots.get(robot)!.find(robot === '' ? joint : joint.slice(robot.length + 1));

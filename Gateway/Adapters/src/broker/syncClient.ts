@@ -9,7 +9,7 @@ import { syncMessages } from '../messages/broker';
 
 const ANSWER_MS = 2000;
 
-/** One connection to the sync port of another gateway, for one exchange at a time. */
+/** A connection to the sync port of another gateway. Makes one exchange at a time. */
 export class SyncClient {
   #received = Buffer.alloc(0);
   #waiting: ((frame: Buffer) => void) | null = null;
@@ -24,7 +24,10 @@ export class SyncClient {
     void closed.then(reason => this.#fail?.(new Error(reason)));
   }
 
-  /** @throws Error The server is not reachable, has another key, or refuses the token; the message says which. */
+  /**
+   * Connects, and sends the token if there is one.
+   * @throws Error The server is not reachable, has another key, or refuses the token. The message names the reason.
+   */
   static async open(upstream: Upstream): Promise<SyncClient> {
     const socket = await connected(upstream);
     socket.setNoDelay(true);
@@ -43,7 +46,10 @@ export class SyncClient {
     this.socket.destroy();
   }
 
-  /** @throws Error No valid reply within 2 s. The connection is then unusable and is closed. */
+  /**
+   * Makes one exchange.
+   * @throws Error No valid reply arrived within 2 s. The connection is closed.
+   */
   async read(): Promise<ClockReading> {
     const sequence = (this.#sequence = (this.#sequence + 1) >>> 0);
     const t1 = monotonicTime();
@@ -81,7 +87,7 @@ export class SyncClient {
     });
   }
 
-  // The server never sends unrequested data: without a pending request, the bytes violate the protocol.
+  // Closes the connection if the server sends data without a request, or more than one frame, because this violates the protocol.
   #hear(bytes: Buffer): void {
     this.#received = Buffer.concat([this.#received, bytes]);
     if (this.#waiting === null || this.#received.length > FRAME) return this.close();

@@ -1,7 +1,7 @@
 import type { ClockReading } from '../clock/plantClock';
 import type { Nanoseconds } from '../times';
 
-/** Length of a frame of the clock sync protocol, bytes. */
+/** Length of a frame in the clock sync protocol, in bytes. */
 export const FRAME = 48;
 
 const MAGIC = 0x434e5953;
@@ -30,7 +30,7 @@ function frame(kind: number, sequence: number, t1: Nanoseconds): Buffer {
 
 export const request = (sequence: number, t1: Nanoseconds): Buffer => frame(REQUEST, sequence, t1);
 
-/** Creates the first frame, for a server with tokens. */
+/** Creates the first frame for a server that requires a token, including the token. */
 export function tokenRequest(token: string): Buffer {
   const text = Buffer.from(token, 'utf8');
   const length = Buffer.alloc(2);
@@ -41,10 +41,10 @@ export function tokenRequest(token: string): Buffer {
 const isOfKind = (bytes: Buffer, kind: number): boolean =>
   bytes.readUInt32LE(0) === MAGIC && bytes.readUInt8(4) === VERSION && bytes.readUInt8(5) === kind;
 
-/** Whether a token was accepted; undefined if the bytes are not an answer to a token. */
+/** Whether the server accepted the token; undefined if the frame is not the answer to a token. */
 export const isAccepted = (bytes: Buffer): boolean | undefined => (isOfKind(bytes, TOKEN_REPLY) ? (bytes.readUInt16LE(6) & 1) !== 0 : undefined);
 
-/** Parses a reply; undefined if the bytes are not a reply. */
+/** Parses a reply to a time request; undefined if the frame is not such a reply. */
 export function parseReply(bytes: Buffer): Reply | undefined {
   if (!isOfKind(bytes, REPLY)) return undefined;
   const bound = bytes.readUInt32LE(12);
@@ -55,10 +55,10 @@ export function parseReply(bytes: Buffer): Reply | undefined {
     reading: {
       received: bytes.readBigInt64LE(24),
       sent: bytes.readBigInt64LE(32),
-      // Zero means unknown; it is then determined from the times.
+      // Zero means unknown. The resolution is then determined from the times.
       resolution: BigInt(bytes.readUInt32LE(40)) || undefined,
       errorBound: BigInt(bound) * 1000n,
-      // The maximum value of the field means that the bound is unknown.
+      // The maximum value of the bound means that it is unknown, so the clock is not synchronised.
       synchronised: (flags & 1) === 0 && bound !== MAX_BOUND,
     },
   };

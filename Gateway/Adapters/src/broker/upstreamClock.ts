@@ -6,8 +6,9 @@ import { SyncClient } from './syncClient';
 import { syncMessages } from '../messages/broker';
 
 /**
- * The clock of the plant's gateway. Each reading is a sync exchange with it, which includes its error bound and its state. The network
- * delay in between is part of the requesting gateway's round-trip time.
+ * Offers the clock of the plant's gateway to the gateway of this adapter, until the signal is aborted. Each reading is a sync exchange with
+ * the plant's gateway, which also returns the error bound and the state of the clock. The network delay of this exchange is part of the
+ * round-trip time that the requesting gateway measures.
  */
 export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal): Promise<void> {
   const backoff = new Backoff();
@@ -20,7 +21,7 @@ export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, lo
   }
 }
 
-/** Uses one connection until it ends; returns the reason. */
+/** Uses one connection until it ends. Returns the reason of the end. */
 async function follow(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal, opened: () => void): Promise<string> {
   let client: SyncClient;
   try {

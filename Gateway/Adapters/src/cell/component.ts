@@ -7,12 +7,12 @@ interface Reading {
 
 /**
  * One number of a pose, with its two newest values. Servers sample variables one by one, so the components of a pose may have different
- * stamps; then the newer ones are interpolated to the stamp of the oldest.
+ * stamps. Components with newer stamps are then interpolated to the stamp of the oldest component.
  */
 export class ComponentTrack {
   #newest: Reading | null = null;
   #previous: Reading | null = null;
-  /** A first value whose time is unknown, which is valid while nothing newer has arrived. */
+  /** A first value with an unknown time. It is valid until a newer value arrives. */
   #resting: number | null = null;
 
   get value(): number | null {
@@ -24,7 +24,7 @@ export class ComponentTrack {
     [this.#previous, this.#newest] = [this.#newest, { value, stamp }];
   }
 
-  /** Takes a value that was there before the connection. */
+  /** Sets the value that the component had before the connection. */
   rest(value: number): void {
     this.#resting = value;
   }
@@ -34,8 +34,8 @@ export class ComponentTrack {
   }
 
   /**
-   * Gets the time up to which the component is known while others are known up to `time`: a component that changed recently is expected
-   * to change again.
+   * Gets the time up to which the component is known, given that another component is known up to `time`. A component at rest is also known
+   * up to `time`. A component that changed recently is known up to its newest stamp only, because it is expected to change again.
    * @param patience Maximum interval between the values of a moving component.
    */
   knownUntil(time: Nanoseconds, patience: Nanoseconds): Nanoseconds {
@@ -44,14 +44,14 @@ export class ComponentTrack {
     return isMoving ? this.#newest.stamp : time;
   }
 
-  /** Gets the value of a number that changes in steps; null if there is none. */
+  /** Gets the value at a time without interpolation, for a number that changes in steps; null if there is no value. */
   stepAt(time: Nanoseconds): number | null {
     return this.#previous !== null && this.#newest!.stamp > time ? this.#previous.value : this.value;
   }
 
   /**
-   * Gets the value at a time; null if there is none.
-   * @param jump A larger difference of two values, as of an angle that passes a full turn, is not interpolated.
+   * Gets the interpolated value at a time; null if there is no value.
+   * @param jump Maximum difference of two values that is interpolated. A larger difference is a jump, for example of an angle at a full turn.
    */
   at(time: Nanoseconds, jump: number): number | null {
     const [from, to] = [this.#previous, this.#newest];

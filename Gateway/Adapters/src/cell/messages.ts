@@ -5,10 +5,10 @@ export const TF = '/tf';
 export const TF_STATIC = '/tf_static';
 export const SIGNALS = '/signals';
 
-/** Maximum number of transforms in a message, which keeps it below 64 KiB with names of 128 characters of up to 3 bytes. */
+/** Maximum number of transforms in a message. With names of 128 characters of 3 bytes, such a message is shorter than 64 KiB. */
 export const MAX_TRANSFORMS = 48;
 
-/** A pose of a frame in its parent: position in m, rotation as a unit quaternion. */
+/** The pose of a frame in its parent frame: position in m, rotation as a unit quaternion. */
 export interface Pose {
   frame: string;
   parent: string;

@@ -12,29 +12,31 @@ import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages'
 import { IDENTITY, ofAngles, ofVector, type Quaternion, unit } from './rotation';
 import { refusalMessages } from '../messages/values';
 
-/** Minimum silence of a frame at rest, and interval of its repeated poses. Headsets predict for about 300 ms. */
+/** Minimum time without changes after which a pose is repeated, and the interval of repetitions. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
 const REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
-/** Silence of a frame at rest, as a multiple of the time between its changes, and the longest such time of a moving frame. */
+/** Time without changes after which a pose is repeated, as a multiple of the time between changes, and the maximum of that time. */
 const SILENT_INTERVALS = 2n;
 const MAX_INTERVAL: Nanoseconds = 500n * NS_PER_MS;
 
 export interface PoseOptions {
-  /** Maximum difference of stamps that count as simultaneous. */
+  /** Maximum difference of stamps that belong to the same sample. */
   tolerance: Nanoseconds;
   oldest: Nanoseconds;
-  /** Time without data after which a frame without configuration has a fault, ms; absent or null if it is at rest. */
+  /**
+   * Time without data in ms after which a frame without its own setting has a fault; absent or null if a silent frame counts as at rest.
+   */
   faultAfterMs?: number | null;
 }
 
 /** Maximum interval between the values of a moving component, as a multiple of the source's sampling interval. */
 const PATIENCE_INTERVALS = 5;
 
-/** Largest change of a component of a quaternion or a rotation vector between two samples. A larger one is a change of all signs. */
+/** Maximum change of a quaternion or rotation vector component between two samples. A larger change is a change of all signs. */
 const MAX_STEP = 1;
 
-/** For a number that is never interpolated. */
+/** Marks a number that must not be interpolated. */
 const STEP = 0;
 
 interface Publisher {
@@ -51,30 +53,30 @@ interface StampedPose {
 interface Track {
   index: number;
   frame: Frame;
-  /** The read values of its pose. */
+  /** Indices of the values from which the pose is computed. */
   values: number[];
   /** Stamp of the newest pose; null before the first. */
   newest: Nanoseconds | null;
   /** Stamp of the newest change; null before the first. */
   changed: Nanoseconds | null;
-  /** Times between the last three changes: a pause is not the interval of a motion. */
+  /** The two times between the last three changes. The shorter one is used, because the other may be a pause. */
   intervals: Nanoseconds[];
   isRepeated: boolean;
 }
 
-/** Creates the poses of frames from a plant's values. A pose needs a valid value of each of its components. */
+/** Computes the poses of frames from a plant's values, and publishes them. A pose needs a valid value for each of its components. */
 export class PoseOutput {
   readonly #tracks: Track[];
   readonly #rule: StampRule;
-  /** By the index of the value; without a number before the first valid one and after an invalid one. */
+  /** Components by index of the value. A component is empty before the first valid value and after an invalid one. */
   readonly #components: ComponentTrack[];
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: Silence;
 
   /**
-   * @param labels Descriptions of all values that are read.
-   * @param counter Monotonic time in ms; this machine's by default.
+   * @param labels Descriptions of all values that are read, for messages.
+   * @param counter Monotonic clock in ms; by default, the clock of this machine.
    */
   constructor(
     frames: Frame[],
@@ -96,7 +98,7 @@ export class PoseOutput {
     this.#publishStationary(frames.filter(isStationary));
   }
 
-  /** Publishes the poses of values that arrived together; for each value, the oldest comes first. */
+  /** Publishes the poses that result from values that arrived together. Several values with the same index are sorted, the oldest first. */
   publish(values: PlantValue[]): void {
     const { now, isSettled } = this.clock;
     const invalid = new Map<number, PlantValue & { refusal: Refusal }>();
@@ -120,10 +122,10 @@ export class PoseOutput {
   }
 
   /**
-   * Repeats the poses at rest, for a plant that sends only changes.
-   * @param time Control time up to which every change has been published here.
+   * Repeats the poses of frames at rest, for a plant that sends only changes.
+   * @param time Control time up to which all changes have been passed to `publish`.
    * @param silence Maximum interval between the samples of a moving frame.
-   * @param except Values for which a newer one is already known, or that are not known to be unchanged.
+   * @param except Values that have changed since, or that may have changed.
    */
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number>): void {
     const { now, isSettled } = this.clock;
@@ -140,25 +142,25 @@ export class PoseOutput {
     this.#send(poses);
   }
 
-  /** Sets the state of frames that were silent for too long. */
+  /** Updates the state of frames that have been silent for too long. */
   checkSilence(): void {
     this.silence.check();
   }
 
-  /** Reports why the frames of a value that has arrived are not published yet. */
+  /** Reports the reason why the frames of a value are not published yet although the value has arrived. */
   explain(value: number, reason: string): void {
     for (const { frame } of this.#tracksOf(value)) this.status.frames.explain(frame.frame, reason);
   }
 
-  /** Starts a new connection: objects at rest may have moved in between. */
-  startAnew(): void {
+  /** Prepares for a new connection. Objects at rest may have moved since the previous one. */
+  restart(): void {
     for (const component of this.#components) component.forget();
     for (const track of this.#tracks) [track.newest, track.isRepeated] = [null, false];
   }
 
   /**
-   * Reports that the source no longer has this value.
-   * @param counted The word for counting; absent if it is already counted.
+   * Reports that the plant no longer has this value.
+   * @param counted Name of the counter to increment; absent if the event is already counted.
    */
   lose(value: number, reason: string, counted?: string): void {
     if (counted !== undefined) this.status.count(counted);
@@ -169,7 +171,7 @@ export class PoseOutput {
     }
   }
 
-  /** Counts a value that is invalid. Its frames have no pose until the next valid one. */
+  /** Counts an invalid value. Its frames have no pose until the next valid value. */
   refuse(value: number, { reason, text }: Refusal): void {
     this.#components[value].forget();
     for (const { frame } of this.#tracksOf(value)) this.status.refuse(reason, frame.frame, `${this.labels[value]}: ${text}`, this.status.frames);
@@ -179,20 +181,23 @@ export class PoseOutput {
     return this.#tracks.filter(({ values }) => values.includes(value));
   }
 
-  /** Gets the number of a value to be published with its stamp, or its refusal; undefined for a first value that may be old. */
+  /** Gets the number to publish with the stamp of a value, or the refusal of the value; undefined for a first value that may be old. */
   #numberOf({ index, value, stamp, isFirst, refusal }: PlantValue, now: Nanoseconds | null): number | Refusal | undefined {
     const number = refusal ?? numberIn(value);
     if (typeof number !== 'number') return number;
     const isOld = stamp === null || (now !== null && stamp < now - this.options.oldest);
     if (isFirst === true && isOld) {
-      // Published when it is known to be at rest.
+      // Keeps the value. It is published when it is known to be at rest.
       this.#components[index].rest(number);
       return undefined;
     }
     return stamp === null ? { reason: 'stamp-missing', text: refusalMessages.noStamp } : number;
   }
 
-  /** Gets the newest known pose of a frame up to this time as a list; an empty one if it is incomplete, refused or published already. */
+  /**
+   * Gets the newest known pose of a frame up to this time as a list of one element; an empty list if the pose is incomplete, refused or already
+   * published.
+   */
   #poseUpTo(track: Track, time: Nanoseconds, now: Nanoseconds | null): StampedPose[] {
     const { frame } = track.frame;
     const patience = ofMilliseconds(1000 * PATIENCE_INTERVALS * this.samplingS);
@@ -224,7 +229,7 @@ export class PoseOutput {
   }
 
   #publishStationary(frames: Frame[]): void {
-    // A zero stamp needs no clock: a stationary frame has the same pose at all times.
+    // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
     const transforms = frames.map(frame => transform(0n, poseOf(frame, () => null) as Pose));
     if (transforms.length > 0) this.gateway.publishKept(TF_STATIC, { transforms });
   }
@@ -241,8 +246,8 @@ function silenceOf({ intervals, isRepeated }: Track, silence: Nanoseconds): Nano
 }
 
 /**
- * Gets the pose of a frame; null if a number is missing, and a refusal if the numbers are not a valid parent and rotation.
- * @param numberOf Gets the number of a value; a larger difference of two numbers than `jump` must not be interpolated.
+ * Computes the pose of a frame; null if a number is missing, and a refusal if the numbers do not form a valid parent and rotation.
+ * @param numberOf Gets the number of a value. Two numbers that differ by more than `jump` must not be interpolated.
  */
 function poseOf(
   { frame, parents, selector, position, scale, rotation }: Frame,

@@ -8,24 +8,24 @@ import { type Refusal, StampRule } from '../samples/stampRule';
 import type { Nanoseconds } from '../times';
 import { SignalSender } from './signalSender';
 
-/** The value of a signal may have changed at any time in the past. */
+/** Maximum age of a stamp: unlimited, because a signal may have changed at any time in the past. */
 const ANY_AGE: Nanoseconds = 1n << 80n;
 
 interface Publisher {
   publish(topic: string, msg: object): void;
 }
 
-/** Creates the signals from a plant's values. A signal is published when it changes, with the stamp of the change. */
+/** Publishes the signals from a plant's values. A signal is published when its value changes, with the stamp of the change. */
 export class SignalOutput {
   #rule: StampRule;
   readonly sender: SignalSender;
-  /** Signals whose newest value was valid, so that it can be confirmed. */
+  /** Signals whose newest value is valid. Only these can be confirmed. */
   readonly #valid = new Set<number>();
   readonly silence: Silence;
 
   /**
-   * @param offset Index of the value of the first signal; the others follow.
-   * @param counter Monotonic time in ms; this machine's by default.
+   * @param offset Index of the value of the first signal. The values of the other signals follow.
+   * @param counter Monotonic clock in ms; by default, the clock of this machine.
    */
   constructor(
     readonly signals: Signal[],
@@ -41,37 +41,37 @@ export class SignalOutput {
     for (const { signal } of signals) status.signals.expect(signal);
   }
 
-  /** Starts a new connection: values and the zero of the control clock may have changed in between. */
-  startAnew(): void {
+  /** Prepares for a new connection. Values and the origin of the control clock may have changed since the previous one. */
+  restart(): void {
     this.#rule = new StampRule(this.signals.length, ANY_AGE);
     this.#valid.clear();
     this.sender.forget();
   }
 
-  /** Publishes the changes among values that arrived together; for each signal, the oldest comes first. */
+  /** Publishes the changes among values that arrived together. Several values of one signal are sorted, the oldest first. */
   publish(values: PlantValue[]): void {
     for (const value of values) this.#take(value);
   }
 
-  /** Confirms that the signals have their last value, except for those of some values. */
+  /** Confirms that all signals still have their last value, except for the signals of some values. */
   hold(except: ReadonlySet<number>): void {
     for (const i of this.#valid) if (!except.has(i + this.offset)) this.silence.heard(this.signals[i].signal);
   }
 
-  /** Sets the state of signals that were silent for too long, and publishes what waits for the clock. */
+  /** Updates the state of signals that have been silent for too long, and publishes signals that waited for the clock. */
   check(): void {
-    // A source that cannot confirm a signal is silent until it changes.
+    // Checks the silence only if the source confirms unchanged values. Another source is silent until a signal changes.
     if (this.silence.unconfirmedMs !== null) this.silence.check();
     this.sender.check();
   }
 
-  /** Reports that the source no longer has this value. */
+  /** Reports that the plant no longer has this value. */
   lose(value: number, reason: string): void {
     this.#valid.delete(value - this.offset);
     this.status.signals.fault(this.#nameOf(value), reason);
   }
 
-  /** Counts a value that is invalid. The signal keeps its last valid value, and its state shows that the newest value is invalid. */
+  /** Counts an invalid value. The signal keeps its last valid value, and its state shows that the newest value is invalid. */
   refuse(value: number, { reason, text }: Refusal): void {
     this.#valid.delete(value - this.offset);
     this.status.refuse(reason, this.#nameOf(value), text, this.status.signals);
@@ -92,7 +92,7 @@ export class SignalOutput {
     const { now } = this.clock;
     const name = this.signals[i].signal;
     if (this.sender.valueOf(name) !== number) {
-      // The stamp of a first value may be missing; at this time, the signal certainly has the value.
+      // Uses the current time for a first value without a stamp, because the signal certainly has the value at this time.
       const at = stamp === null && isFirst === true ? now : stamp;
       const trouble = this.#rule.judge(i, at, now);
       if (trouble !== null) return this.refuse(index, trouble);

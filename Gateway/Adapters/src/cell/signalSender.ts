@@ -3,8 +3,8 @@ import type { Nanoseconds } from '../times';
 import { SIGNALS, signals } from './messages';
 
 /**
- * A gateway drops stamps until it has measured this clock, which takes up to 20 s after each connection. So the signals are repeated for this
- * time, at this interval.
+ * After each connection, a gateway drops signals until it has measured the clock of their stamps, which takes up to 20 s. Therefore all signals
+ * are repeated for REPEATED_MS, at the interval REPEAT_EVERY_MS.
  */
 const REPEATED_MS = 30_000;
 const REPEAT_EVERY_MS = 1000;
@@ -14,7 +14,7 @@ interface Change {
   stamp: Nanoseconds;
 }
 
-/** Sends each change of a signal once, as soon as the clock of its stamp is known, and all signals again to a new connection. */
+/** Sends each change of a signal as soon as the clock of its stamp is known, and repeats all signals after a new connection. */
 export class SignalSender {
   readonly #newest = new Map<string, Change>();
   /** Signals with a change that is not sent yet. */
@@ -24,7 +24,7 @@ export class SignalSender {
 
   /**
    * @param sent Called after each message.
-   * @param counter Monotonic time in ms.
+   * @param counter Monotonic clock in ms.
    */
   constructor(
     readonly clock: Pick<PlantClock, 'isSettled'>,
@@ -43,19 +43,19 @@ export class SignalSender {
     this.#send();
   }
 
-  /** Discards all values, so that the next ones are sent again. */
+  /** Discards all values, so that the next value of each signal is sent even if it is equal. */
   forget(): void {
     this.#newest.clear();
     this.#pending.clear();
   }
 
-  /** Reports a new connection to the gateway, which has no values of these signals. */
+  /** Reports a new connection to the gateway, on which all signals must be sent again. */
   connected(): void {
     this.#repeatedUntil = this.counter() + REPEATED_MS;
     this.#repeat();
   }
 
-  /** Sends what waits for the clock or for its repetition; called several times a second. */
+  /** Sends changes that waited for the clock, and repetitions that are due. Called several times per second. */
   check(): void {
     const now = this.counter();
     if (now < this.#repeatedUntil && now - this.#repeated >= REPEAT_EVERY_MS) this.#repeat();
@@ -68,7 +68,7 @@ export class SignalSender {
     this.#send();
   }
 
-  /** Sends the pending changes, those of one stamp in one message. */
+  /** Sends the pending changes. Changes with equal stamps are sent in one message. */
   #send(): void {
     if (this.#pending.size === 0 || !this.clock.isSettled) return;
     const changes = [...this.#pending].map(name => ({ name, ...this.#newest.get(name)! }));

@@ -6,29 +6,32 @@ const GET_TIME = '/rosapi/get_time';
 const EVERY_MS = 1000;
 const RETRY_MS = 200;
 
-/** Maximum rate difference between the control clock and this machine's counter; headsets use the same limit. */
+/** Maximum skew between the control clock and this machine's counter. Headsets use the same limit. */
 const MAX_SKEW_PPM = 700n;
 
 /**
- * The gateway's control clock, read from the gateway. Each reading bounds the difference to this machine's counter by the times of its request
- * and its answer; the bounds of several readings are intersected.
+ * The gateway's control clock, read from the gateway. The times of request and answer bound the offset of the control clock to this machine's
+ * counter. The bounds of several readings are intersected.
  */
 export class GatewayClock {
-  /** Bounds of control time minus counter, and the counter at the newest reading. */
+  /** Lower and upper bound of control time minus counter, and the counter at the newest reading. */
   #bounds: { low: Nanoseconds; high: Nanoseconds; at: Nanoseconds } | null = null;
 
-  /** @param counter Monotonic time of this machine, ns. */
+  /** @param counter Monotonic clock of this machine, ns. */
   constructor(
     readonly gateway: Pick<GatewayLink, 'call'>,
     readonly counter: () => Nanoseconds,
   ) {}
 
-  /** The control time now; null before the first reading. */
+  /** The current control time; null before the first reading. */
   get now(): Nanoseconds | null {
     return this.#bounds === null ? null : this.counter() + (this.#bounds.low + this.#bounds.high) / 2n;
   }
 
-  /** Reads the clock once a second until it is stopped. */
+  /**
+   * Reads the clock once per second until the signal is aborted.
+   * @param first Called after each successful reading.
+   */
   async run(stop: AbortSignal, first: () => void): Promise<void> {
     while (!stop.aborted) {
       const isRead = await this.#read();
@@ -38,7 +41,8 @@ export class GatewayClock {
   }
 
   /**
-   * Takes a reading. If it contradicts the earlier ones, the control clock has stepped, or another clock is the control clock now.
+   * Adds a reading. If it contradicts the earlier readings, these are discarded, because the control clock has stepped or another clock has become
+   * the control clock.
    * @param asked Counter before the request.
    * @param heard Counter after the answer.
    */
@@ -61,7 +65,7 @@ export class GatewayClock {
       this.observe(now, asked, this.counter());
       return true;
     } catch {
-      // The gateway is away, which its link reports.
+      // The gateway is disconnected. Its link reports this.
       return false;
     }
   }

@@ -5,21 +5,21 @@ import { GatewayClock } from './gatewayClock';
 import { Resolution } from './resolution';
 import { clockMessages } from '../messages/gateway';
 
-/** A reading of the control clock between two messages of the gateway. */
+/** A reading of the plant's clock, made between the request and the response. */
 export interface ClockReading {
-  /** t2 and t3 on the control clock; equal if one read returns one time. */
+  /** Times t2 and t3 on the plant's clock. They are equal if the plant returns a single time. */
   received: Nanoseconds;
   sent: Nanoseconds;
-  /** Resolution; if absent, it is determined from the times. */
+  /** Resolution of the clock. If absent, it is determined from the times. */
   resolution?: Nanoseconds;
-  /** Error bound of a clock that is itself an estimate. */
+  /** Error bound, for a clock that is itself an estimate. */
   errorBound?: Nanoseconds;
   synchronised?: boolean;
 }
 
 export type ReadClock = () => Promise<ClockReading>;
 
-/** The plant answers, but its time does not advance. Identified by name, because each kind's bundle has its own class. */
+/** The error for a plant that answers but whose time does not advance. Recognised by its name, because each bundle has its own class. */
 export class ClockStopped extends Error {
   override readonly name = 'ClockStopped';
 
@@ -30,21 +30,21 @@ export class ClockStopped extends Error {
 
 export const isClockStopped = (error: unknown): boolean => (error as Error | undefined)?.name === 'ClockStopped';
 
-/** Limits of a resolution measurement. With enough changes of the time, a whole standstill lies between two of them. */
+/** Minimum and maximum number of readings, and minimum number of changes of the time. Between two changes lies a complete standstill. */
 const MIN_READINGS = 16;
 const MAX_READINGS = 64;
 const CHANGES = 2;
 const BETWEEN_READINGS_MS = 3;
 
-/** A gateway does not synchronise with a coarser clock: with steps of 30 ms it takes two or three minutes, with 50 ms it never does. */
+/** Resolution with which a gateway no longer synchronises. With steps of 30 ms, it needs two to three minutes. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
 
-/** Interval of the measurements. A gateway reads the time too rarely to detect whether the clock stands still between updates. */
+/** Interval of the resolution measurements, which are needed because a gateway reads the time too rarely to detect standstills. */
 const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
 
 /**
- * The control clock, which the gateway reads under the plant's name while the plant is connected. It is offered after the first successful
- * reading, because an offered clock may become C1 of all headsets, and they could not synchronise with a clock that has no reading.
+ * The plant's clock, which the gateway reads as a service with the plant's name. It is offered only after the first successful reading, because an
+ * offered clock may become C1, and headsets cannot synchronise with a clock that cannot be read.
  */
 export class PlantClock {
   #read: ReadClock | null = null;
@@ -56,13 +56,13 @@ export class PlantClock {
   readonly #gatewayClock: GatewayClock;
   /** Aborted when the plant's clock is offered. */
   readonly #offered = new AbortController();
-  /** Resolves when the gateway's clock is known; null if it is not needed. */
+  /** Resolves when the gateway's clock is known; null if the gateway's clock is not needed. */
   #without: Promise<void> | null = null;
 
   /**
    * @param fixedResolution The configured resolution; null to measure it.
-   * @param counter Monotonic time of this machine, ns.
-   * @param coarse Receives the resolution of the clock if it is too coarse for an accurate synchronisation, and null when it no longer is.
+   * @param counter Monotonic clock of this machine, ns.
+   * @param coarse Called after each reading with the resolution if it is too coarse for the synchronisation, and with null otherwise.
    */
   constructor(
     readonly gateway: Pick<GatewayLink, 'offer' | 'call'>,
@@ -74,12 +74,12 @@ export class PlantClock {
     this.#gatewayClock = new GatewayClock(gateway, counter);
   }
 
-  /** Whether the clock of the stamps is known. Before that, the gateway would interpret them as stamps of its own clock. */
+  /** Whether samples can be sent. Before the clock is offered, the gateway would interpret the stamps as times of its own clock. */
   get isSettled(): boolean {
     return this.#offered.signal.aborted || this.#without !== null;
   }
 
-  /** The approximate control time now, from the newest readings; null if there is none. */
+  /** The approximate current time on the clock of the stamps, from the newest readings; null without a reading. */
   get now(): Nanoseconds | null {
     if (this.#ahead !== null) return this.counter() + this.#ahead;
     return this.#offered.signal.aborted ? null : this.#gatewayClock.now;
@@ -96,8 +96,8 @@ export class PlantClock {
   }
 
   /**
-   * Reports that the plant is connected. Resolves when the resolution of its clock is known, because a wrong resolution would cause an error
-   * of half of it. Resolves with false if the plant has disconnected by then.
+   * Reports that the plant is connected. Resolves when the resolution of its clock is known, because a wrong resolution causes an offset error of
+   * half the difference. Resolves with false if the plant has disconnected in the meantime.
    */
   async attach(read: ReadClock, stop: AbortSignal): Promise<boolean> {
     this.#detached = new AbortController();
@@ -112,8 +112,8 @@ export class PlantClock {
   }
 
   /**
-   * Reports that the plant has no clock at present. Until it has one, its stamps are on the gateway's clock, which is read from the gateway.
-   * Resolves when that clock is known, or at the stop.
+   * Reports that the plant has no clock at present, so that its values are stamped with the gateway's clock. Resolves when the gateway's clock is
+   * known, or when the signal is aborted.
    */
   doWithout(stop: AbortSignal): Promise<void> {
     this.#without ??= new Promise(resolve => {
@@ -130,6 +130,7 @@ export class PlantClock {
   }
 
   /**
+   * Reads the clock, and starts a resolution measurement if one is due.
    * @throws ClockStopped The clock has shown the same time for more than a second.
    * @throws Error The plant is disconnected, or does not answer.
    */
@@ -138,7 +139,7 @@ export class PlantClock {
     const read = this.#read;
     const reading = await this.#observed(read);
     if (this.#resolution.isStopped) throw new ClockStopped();
-    // An error of this measurement is reported by the next reading.
+    // Ignores an error of the measurement, because the next reading reports it.
     if (this.#isToBeMeasured)
       this.#measuring ??= this.#measure(read, this.#detached.signal)
         .catch(() => {})

@@ -4,15 +4,15 @@ const STEPS: Nanoseconds[] = [1_000_000_000n, 100_000_000n, 10_000_000n, 1_000_0
 const ENOUGH = 8;
 const REMEMBERED = 32;
 
-/** A clock that shows one time for longer is stopped, not coarse, for example in a paused simulation. */
+/** Maximum duration of a standstill. A clock that shows the same time for longer has stopped, for example in a paused simulation. */
 const STOPPED: Nanoseconds = NS_PER_S;
 
-/** A standstill counts for one to two of these periods. */
+/** A standstill is taken into account for one to two of these periods. */
 const PERIOD: Nanoseconds = 30n * NS_PER_S;
 
 /**
- * The resolution of a clock from its times: the largest power of ten that divides all of them or, for a clock that stands still
- * between two updates, the length of its recent standstills.
+ * Determines the resolution of a clock from its times: the largest power of ten, in ns, that divides all times, or the length of the recent
+ * standstills if the clock stands still between two updates.
  */
 export class Resolution {
   readonly #seen: Nanoseconds[] = [];
@@ -26,7 +26,7 @@ export class Resolution {
   #stoodBefore: Nanoseconds = 0n;
   #since: Nanoseconds | null = null;
 
-  /** Whether there are eight different times. By chance, all of them would be whole ms once in 10³² cases. */
+  /** Whether eight different times are known. For a resolution of 100 ns, all eight are whole milliseconds with a probability of 10⁻³². */
   get isKnown(): boolean {
     return this.#distinct >= ENOUGH;
   }
@@ -44,14 +44,15 @@ export class Resolution {
   }
 
   /**
-   * @param asked Time of this machine's counter before the reading.
-   * @param heard Time of the same counter after the reading.
+   * Adds a reading.
+   * @param asked Time on this machine's counter before the reading.
+   * @param heard Time on the same counter after the reading.
    */
   observe(time: Nanoseconds, asked: Nanoseconds, heard: Nanoseconds): void {
     const askedBefore = this.#asked;
     this.#asked = asked;
     if (time === this.#last?.time) {
-      // Both readings were taken between these two times.
+      // The clock has stood still at least from the end of the first reading of this time to the start of the newest one.
       this.#standing = asked - this.#last.heard;
       return;
     }
@@ -65,7 +66,10 @@ export class Resolution {
     if (this.#seen.length > REMEMBERED) this.#seen.shift();
   }
 
-  /** @param asked Time before the newest reading with the same value. */
+  /**
+   * Records the end of a standstill.
+   * @param asked Counter before the last reading during the standstill.
+   */
   #endStandstill(time: Nanoseconds, heard: Nanoseconds, asked: Nanoseconds): void {
     this.#since ??= heard;
     if (heard - this.#since > PERIOD) {
@@ -78,8 +82,8 @@ export class Resolution {
   }
 
   /**
-   * The observed standstill is shorter than the real one. If the clock is read often enough, its step shows the real length. A length that
-   * is too small would be used without tolerance. A stopped clock shows nothing about its resolution.
+   * Gets the length of the standstill that ends now. The observed length is shorter than the actual one. If the clock is read often enough, the step
+   * of its time shows the actual length, up to the longest possible one. Returns 0 for a stopped clock, which does not show its resolution.
    */
   #lengthOfStandstill(time: Nanoseconds, heard: Nanoseconds, asked: Nanoseconds): Nanoseconds {
     if (this.#standing <= 0n || this.#last === null || this.isStopped) return 0n;

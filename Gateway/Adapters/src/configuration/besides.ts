@@ -1,4 +1,4 @@
 import { dirname, isAbsolute, join } from 'node:path';
 
-/** Resolves a path in a file relative to the file's folder. */
+/** Resolves a path that is relative to the folder of a file. */
 export const besides = (file: string, path: string): string => (isAbsolute(path) ? path : join(dirname(file), path));

@@ -19,43 +19,43 @@ export interface GatewayAddress {
   pin: string | null;
 }
 
-/** A joint and the conversion of its value to rad or m. Its address in the control system is specific to the kind. */
+/** A joint and the conversion of its value to rad or m. The form of its address depends on the kind of plant. */
 export interface Joint extends Address, NamedJoint {
   scale: number;
   offset: number;
-  /** Whether the position is a length in m; an angle in rad otherwise. */
+  /** Whether the position is a length in m; otherwise it is an angle in rad. */
   isLinear?: boolean;
   /** Maximum deceleration, rad/s² or m/s²; absent if unknown. */
   maxDeceleration?: number;
-  /** Time without data after which a joint has a fault, ms; absent or null if a silent joint is at rest. */
+  /** Time without data after which the joint has a fault, ms; absent or null if a silent joint counts as at rest. */
   faultAfterMs?: number | null;
   [own: string]: unknown;
 }
 
-/** Default meaning of silence for kinds whose sources send each joint periodically, even at rest. */
+/** Default meaning of silence for the kinds of plant that send each joint periodically, even at rest. */
 const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, rtde: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
 
 export interface Configuration {
   file: string;
   gateway: GatewayAddress;
-  /** Its name, its kind and the entries of that kind, as specified in the schema. */
+  /** Name and kind of the plant, and the entries of this kind, as specified in the schema. */
   plant: { kind: string; name: string; silence: SilenceEntry; [own: string]: unknown };
   joints: Joint[];
   frames: Frame[];
   signals: Signal[];
-  /** Whether the file has frames or signals. */
+  /** Whether the file configures frames or signals. */
   hasObjects: boolean;
   /** The numbers to read, in the order of joints, frames and signals. */
   values: Value[];
   /** The text of the URDF of the robot without a namespace; null if the adapter does not publish it. */
   robot: string | null;
-  /** The texts of the URDFs of the robots in namespaces. */
+  /** The texts of the URDFs of the robots with a namespace, by namespace. */
   robots: Record<string, string>;
   /** Texts that must not appear in the log. */
   secrets: string[];
-  /** Whether the gateway starts the adapter, which then receives the gateway's address from it. */
+  /** Whether the gateway has started the adapter. The gateway then passes its address in the environment. */
   isSupervised: boolean;
-  /** Gets "FILE, line L: path.to.entry", for errors that are detected only at the plant. */
+  /** Gets the text "FILE, line L: path.to.entry", for errors that are detected only after the connection to the plant. */
   where(path: Path): string;
   /** Gets the line of an entry, counted from 1. */
   lineOf(path: Path): number;
@@ -71,13 +71,13 @@ interface Sections {
   robots?: Record<string, string>;
 }
 
-/** Checks the entries of a kind of plant, after the check against the schema. */
+/** Checks the entries of one kind of plant, after the check against the schema. */
 export type OwnCheck = (file: YamlFile, configuration: Configuration, environment: NodeJS.ProcessEnv) => void;
 
 /**
- * Reads and checks a whole configuration.
- * @param environment Variables of a gateway that starts the adapter take precedence over the file.
- * @throws ConfigurationError Contains every invalid entry.
+ * Reads and checks a configuration.
+ * @param environment Environment variables, which take precedence over the file if a gateway has set them.
+ * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries.
  */
 export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, ownChecks: Record<string, OwnCheck>): Configuration {
   const file = new YamlFile(path);
@@ -114,7 +114,7 @@ export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, 
   return configuration;
 }
 
-// The kind must be known before anything else can be checked.
+// Gets the kind of plant, which must be known before the other entries can be checked.
 function kindOf(file: YamlFile): string {
   const root = file.value as { plant?: { kind?: unknown } } | null;
   const isSection = typeof root === 'object' && typeof root?.plant === 'object' && root.plant !== null;
@@ -134,14 +134,14 @@ function kindOf(file: YamlFile): string {
   return kind as string;
 }
 
-/** Reports top-level entries that no kind has, except one that was already reported. */
+/** Reports top-level entries that exist for no kind of plant, except the entry that was already reported. */
 function reportUnknown(file: YamlFile, root: object | null, reported: string | undefined): void {
   const known = [...new Set(knownEntries([]))];
   for (const key of Object.keys(root ?? {}))
     if (key !== reported && !known.includes(key)) file.report([key], configurationMessages.unknownEntry(undefined, known));
 }
 
-/** Gets the unknown entry that is probably a misspelling of a missing one. */
+/** Gets the unknown entry that is probably a misspelling of a missing entry. */
 const misspelt = (missing: string, section: unknown, known: string[]): string | undefined =>
   typeof section === 'object'
     ? nearest(
@@ -188,12 +188,12 @@ function robotsOf(file: YamlFile, { robots = {} }: Sections): Record<string, str
   return Object.fromEntries(found.filter(([, urdf]) => urdf !== null));
 }
 
-/** Gets the names of what is read, as text for a summary. */
+/** Gets the names of the joints, frames and signals that are read, as text for a summary. */
 export function readNames({ joints, frames, signals }: Configuration, none: string): string {
   const kinds = { joints: joints.map(j => j.joint), frames: frames.map(f => f.frame), signals: signals.map(s => s.signal) };
   const parts = Object.entries(kinds).flatMap(([kind, names]) => (names.length === 0 ? [] : [`${kind} ${names.join(', ')}`]));
   return parts.length === 0 ? none : parts.join('; ');
 }
 
-/** Whether an address is a loopback address; with a scheme or a host alone. */
+/** Whether an address, with or without a scheme, is a loopback address. */
 export const isLoopback = (address: string): boolean => /^(\w+:\/\/)?(127\.\d+\.\d+\.\d+|\[?::1\]?|localhost)([:/]|$)/.test(address);

@@ -3,30 +3,30 @@ import { ADDRESS, type Address, addressIn, type Value } from './values';
 import type { Path, YamlFile } from './yamlFile';
 import { configurationMessages, frameMessages } from '../messages/configuration';
 
-/** The anchored frame of the cell, the root of all frames. */
+/** Name of the anchored frame of the cell, the root of all frames. */
 export const WORLD = 'world';
 
-/** A component of a pose: a constant, or the index of the read value. */
+/** A component of a pose: a constant, or the index of a value that is read. */
 export type Component = { constant: number } | { value: number };
 
-/** The rotation of a frame: a unit quaternion x, y, z, w, a rotation vector in rad, or three angles about the axes named by `order`. */
+/** The rotation of a frame: a unit quaternion x, y, z, w; a rotation vector in rad; or three angles about the axes in `order`. */
 export type RotationSource =
   { kind: 'quaternion' | 'vector'; parts: Component[] } | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
 
-/** An object of the cell, whose pose in its parent is read from the control system or constant. */
+/** An object of the cell. Its pose in its parent frame is constant or read from the control system. */
 export interface Frame {
   frame: string;
-  /** The possible parents. A single one is the parent at all times. */
+  /** The possible parents. A single element is the parent at all times. */
   parents: string[];
-  /** The number that selects the parent, counted from 0; null for a single one. */
+  /** The number that selects the parent, counted from 0; null if there is a single parent. */
   selector: Component | null;
   /** x, y, z. */
   position: Component[];
-  /** Conversion of the position to m. */
+  /** Factor that converts the position to m. */
   scale: number;
-  /** Null for the orientation of the parent. */
+  /** The rotation in the parent; null if the frame has the parent's orientation. */
   rotation: RotationSource | null;
-  /** Time without data after which the frame has a fault, ms; null if a silent frame is at rest. */
+  /** Time without data after which the frame has a fault, ms; null if a silent frame counts as at rest. */
   faultAfterMs: number | null;
 }
 
@@ -34,11 +34,11 @@ type NumberEntry = number | Address;
 
 export interface FrameEntry {
   frame: string;
-  /** A field with the whole pose: x, y, z in m, then the rotation vector. Stands for position and vector. */
+  /** A field with the whole pose: x, y, z in m, then the rotation vector. It replaces `position` and `vector`. */
   field?: string;
   parent?: string | (Address & { of: string[] });
   position: { unit: string; x: NumberEntry; y: NumberEntry; z: NumberEntry };
-  /** The rotation's axis times its angle in rad. */
+  /** The rotation vector: the axis times the angle in rad. */
   vector?: { x: NumberEntry; y: NumberEntry; z: NumberEntry };
   quaternion?: { x: NumberEntry; y: NumberEntry; z: NumberEntry; w: NumberEntry };
   angles?: { order: string; axes: 'fixed' | 'moving'; unit: string; values: NumberEntry[] };
@@ -48,11 +48,11 @@ export interface FrameEntry {
 const LENGTHS: Record<string, number> = { m: 1, mm: 0.001 };
 const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
 
-/** Whether nothing of the frame's pose is read, so that the frame does not move in its parent. */
+/** Whether all components of the frame's pose are constant, so that the frame does not move in its parent. */
 export const isStationary = ({ selector, position, rotation }: Frame): boolean =>
   selector === null && [...position, ...(rotation?.parts ?? [])].every(part => 'constant' in part);
 
-/** Gets the frames of a configuration, and adds the values that they read. */
+/** Gets the frames of a configuration, and adds the values to be read for them to `values`. */
 export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], silence: SilenceEntry, values: Value[]): Frame[] {
   const seen = new Map<string, number>();
   const frames = entries.map(ofField).map((entry, i): Frame => {
@@ -110,7 +110,7 @@ function rotationOf(
   };
 }
 
-/** Adds a value to be read, and reports an address of another kind of plant. */
+/** Adds a value to be read. Reports an address that has the form of another kind of plant. */
 function read(file: YamlFile, kind: string, { label, path, address }: Value, values: Value[]): Component {
   const allowed = ADDRESS[kind];
   for (const key of Object.keys(address))
@@ -120,7 +120,7 @@ function read(file: YamlFile, kind: string, { label, path, address }: Value, val
   return { value: values.length - 1 };
 }
 
-/** Reports a frame that is its own ancestor, once for each of its cycle's frames. Parents that change are checked by the gateway. */
+/** Reports a frame that is its own ancestor. Each frame of a cycle is reported. The gateway checks frames whose parent changes. */
 function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent, ...others] }: Frame, i: number): void {
   const chain = [frame];
   for (let next: string | undefined = parent; next !== undefined && chain.length <= frames.length;) {

@@ -1,4 +1,4 @@
-/** Gets the number of letters to insert, remove, replace or swap with their neighbour. */
+/** Gets the edit distance: the minimum number of letters to insert, remove, replace or swap with their neighbour. */
 function distance(a: string, b: string): number {
   const rows: number[][] = [[...Array(b.length + 1).keys()]];
   for (let i = 1; i <= a.length; i++) {
@@ -13,7 +13,7 @@ function distance(a: string, b: string): number {
   return rows[a.length][b.length];
 }
 
-/** Gets the known names that were probably meant, best first; empty if all are too different. */
+/** Gets the known names that a misspelt name probably means, the best first; empty if all are too different. */
 export function nearest(name: string, known: Iterable<string>, count = 1): string[] {
   const meant = name.toLowerCase();
   return [...known]
@@ -24,6 +24,6 @@ export function nearest(name: string, known: Iterable<string>, count = 1): strin
     .map(entry => entry.candidate);
 }
 
-// "token" matches "token_file" although half of the letters are missing.
+// Gives a common beginning a small distance, so that "token" matches "token_file".
 const judged = (meant: string, candidate: string): number =>
   candidate.startsWith(meant) || meant.startsWith(candidate) ? 1 : distance(meant, candidate);

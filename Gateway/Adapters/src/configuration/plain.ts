@@ -2,12 +2,12 @@ import { isLoopback } from './configuration';
 import type { Path, YamlFile } from './yamlFile';
 import { configurationMessages } from '../messages/configuration';
 
-/** Reports a pin for an address with ws://, where it would not be checked. */
+/** Reports a pin for a ws:// address, because it would not be checked. */
 export function requireTls(file: YamlFile, section: Path, address: string): void {
   if (address.startsWith('ws:')) file.report([...section, 'pin'], configurationMessages.pinWithoutTls);
 }
 
-/** Reports an endpoint without TLS on another machine, unless the configuration allows it explicitly. */
+/** Reports an endpoint on another machine without TLS, unless the configuration has plain: true. */
 export function requirePlain(file: YamlFile, { endpoint, plain }: { endpoint: string; plain?: boolean }): void {
   const scheme = endpoint.slice(0, endpoint.indexOf(':'));
   if (['wss', 'mqtts'].includes(scheme) || isLoopback(endpoint) || plain === true) return;

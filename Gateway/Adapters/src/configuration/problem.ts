@@ -4,7 +4,7 @@ export interface Problem {
   text: string;
 }
 
-/** Contains every invalid entry of a file; nothing was started. */
+/** The error for an invalid configuration. It contains all invalid entries of the file. */
 export class ConfigurationError extends Error {
   constructor(
     readonly file: string,
@@ -17,10 +17,10 @@ export class ConfigurationError extends Error {
 
 const MAX_VALUE = 80;
 
-/** The text before the host of an address may be a password, even if the rest is invalid. */
+/** Matches the text before the host of an address, which may be a password even in an invalid address. */
 const LOGIN = /(:\/+|\/\/).*@/s;
 
-/** Formats a value as in the file, without a password. */
+/** Formats a value as written in the file, but replaces a password by ***. */
 export function shown(value: unknown): string {
   if (typeof value === 'number' && !Number.isFinite(value)) return Number.isNaN(value) ? '.nan' : value > 0 ? '.inf' : '-.inf';
   const text = (JSON.stringify(value, (_, v) => (typeof v === 'bigint' ? `${v}` : v)) ?? String(value)).replace(LOGIN, '$1***@');

@@ -12,24 +12,24 @@ import { robotMessages } from '../messages/configuration';
 
 const DESCRIPTION_BYTES = 1024 * 1024;
 
-/** Robots available by name, as in the gateway. */
+/** URDFs of the robots that are available by name. The gateway has the same. */
 const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot };
 
-/** A joint's name as the configuration has it, and its name in the robot description of its robot. */
+/** A joint's name in the configuration, and its name in the robot description. */
 export interface NamedJoint {
   joint: string;
-  /** Namespace of its robot; empty for none. */
+  /** Namespace of the joint's robot; empty for none. */
   robot: string;
   name: string;
 }
 
-/** Separates the namespace of a robot from a joint's name NAMESPACE/JOINT. */
+/** Splits a joint's name NAMESPACE/JOINT into namespace and joint. */
 export function namedIn(joint: string, namespaces: readonly string[]): NamedJoint {
   const robot = namespaces.find(namespace => joint.startsWith(`${namespace}/`)) ?? '';
   return { joint, robot, name: robot === '' ? joint : joint.slice(robot.length + 1) };
 }
 
-/** Gets the text of the URDF in an entry; null, with a report, if it cannot be read or is invalid. */
+/** Gets the text of the URDF that an entry names. Reports a URDF that cannot be read or is invalid, and returns null. */
 export function robotOf(file: YamlFile, at: Path, robot: string): string | null {
   if (Object.hasOwn(INCLUDED, robot)) return INCLUDED[robot];
   const path = besides(file.path, robot);
@@ -46,7 +46,7 @@ export function robotOf(file: YamlFile, at: Path, robot: string): string | null 
   }
 }
 
-/** Reports joints that the robot of this namespace does not have, because they would never move. */
+/** Reports configured joints that the robot of this namespace does not have, because headsets cannot show them. */
 export function requireJoints(file: YamlFile, joints: NamedJoint[], robot: string, urdf: string): void {
   const known = jointsIn(urdf);
   joints.forEach(({ joint, robot: own, name }, i) => {

@@ -8,17 +8,17 @@ import { configurationMessages } from '../messages/configuration';
 
 type Described = { $ref?: string; description?: string; enum?: unknown[]; properties?: Record<string, Described>; required?: string[] };
 
-/** The kinds that the schema describes. */
+/** The kinds of plant that the schema describes. */
 export const KINDS = schema.properties.plant.properties.kind.enum;
 
-/** Gets the names of all entries that a kind of plant may have at the top level, or in the section at this path. */
+/** Gets the names of all entries that any kind of plant may have at the top level, or in the section at this path. */
 export const knownEntries = (path: string[]): string[] =>
   KINDS.flatMap(kind => {
     const top = (schema.$defs as Record<string, Described>)[kind];
     return Object.keys(path.reduce((section, step) => section.properties![step], top).properties!);
   });
 
-/** Reports each entry that violates the schema of a kind of plant. Adds missing entries that have a default. */
+/** Reports each entry that violates the schema of a kind of plant. Sets missing entries to their defaults. */
 export function checkAgainstSchema(file: YamlFile, kind: string): void {
   const check = (checks as Record<string, ValidateFunction>)[kind]!;
   if (check(file.value)) return;
@@ -31,7 +31,7 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
   }
 }
 
-// A choice between forms has a description of the allowed ones.
+// Whether the schema describes the allowed forms of an entry, so that the error of a choice can be reported as a whole.
 const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (error.parentSchema as Described)?.description !== undefined;
 
 function inWords(error: ErrorObject, root: unknown): { path: Path; text: string } {
@@ -62,14 +62,14 @@ function inWords(error: ErrorObject, root: unknown): { path: Path; text: string 
   }
 }
 
-/** Gets the definition of a property, following a reference. */
+/** Gets the definition of a property. Follows a reference to another definition. */
 const named = (property?: Described): Described | undefined =>
   property?.$ref === undefined ? property : (schema.$defs as Record<string, Described>)[property.$ref.replace('#/$defs/', '')];
 
 const because = (property?: Described): string =>
   property?.enum ? `; allowed: ${property.enum.join(', ')}` : property?.description ? `; add ${property.description}` : '';
 
-// Ajv's JSON pointers do not distinguish an index from a numeric key.
+// Converts a JSON pointer of Ajv to a path. Looks at the value, because a pointer does not distinguish an index from a numeric key.
 function pathOf(pointer: string, root: unknown): Path {
   let value = root;
   return pointer

@@ -5,7 +5,7 @@ import { fileMessages } from '../messages/configuration';
 
 const MAX_LENGTH = 512;
 
-/** Gets the single line of a file; null, with a report, if it cannot be read or every user may read it. */
+/** Gets the secret in a file, a single line. Reports a file that cannot be read or that every user may read, and returns null. */
 export function secretIn(file: YamlFile, entry: Path, value: string): string | null {
   const text = secretText(file, entry, value, true)?.trim();
   if (text === undefined) return null;
@@ -14,7 +14,7 @@ export function secretIn(file: YamlFile, entry: Path, value: string): string | n
   return null;
 }
 
-/** Gets the text of a configured file; null, with a report, if it cannot be read or is a secret that every user may read. */
+/** Gets the text of a configured file. Reports a file that cannot be read, or a secret that every user may read, and returns null. */
 export function secretText(file: YamlFile, entry: Path, value: string, isSecret: boolean): string | null {
   const path = besides(file.path, value);
   try {

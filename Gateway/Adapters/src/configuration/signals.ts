@@ -2,13 +2,13 @@ import { type Address, addressIn, type Value } from './values';
 import type { YamlFile } from './yamlFile';
 import { configurationMessages } from '../messages/configuration';
 
-/** A state of an actuator or a sensor: a number, or a Boolean as 0 or 1. */
+/** A configured signal: the state of an actuator or a sensor as a number, or as a Boolean, which is 0 or 1. */
 export interface Signal extends Address {
   signal: string;
   [own: string]: unknown;
 }
 
-/** Checks the names of the signals, and adds the values that they read. */
+/** Checks the names of the signals, and adds the values to be read for them to `values`. */
 export function signalsOf(file: YamlFile, entries: Signal[], values: Value[]): Signal[] {
   const seen = new Map<string, number>();
   entries.forEach(({ signal, ...entry }, i) => {

@@ -3,13 +3,13 @@ import { secretIn } from './secret';
 import type { YamlFile } from './yamlFile';
 import { configurationMessages } from '../messages/configuration';
 
-/** The user for the login at a control system or a broker. */
+/** User name and password for the login at a control system or a broker. */
 export interface User {
   name: string;
   password: string;
 }
 
-/** Gets the user of the section plant.user; null without a name. The password comes from a file or the environment and is not logged. */
+/** Gets the user in the section plant.user; null without a name. The password comes from a file or the environment, and is not logged. */
 export function userIn(
   file: YamlFile,
   user: { name?: string; password_file?: string } | undefined,

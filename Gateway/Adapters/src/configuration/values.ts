@@ -1,17 +1,17 @@
 import type { Path } from './yamlFile';
 
-/** A number that is read from the control system. Its address there is specific to the kind. */
+/** A number that is read from the control system. The form of its address depends on the kind of plant. */
 export interface Value {
-  /** Description for messages, such as the name of a joint, or a frame with its component. */
+  /** Description for messages, such as the name of a joint, or of a frame and its component. */
   label: string;
-  /** Its entry in the configuration. */
+  /** Path of its entry in the configuration. */
   path: Path;
   address: Address;
 }
 
 /**
- * The address of a variable: a node and its index for OPC UA, a symbol for ADS, a field with its index and bit for RTDE, a topic and a field of its
- * messages for MQTT, and with the type of the messages for ROS.
+ * The address of a variable: node and index for OPC UA; symbol for ADS; field, index and bit for RTDE; topic and field for MQTT; topic, type and
+ * field for ROS.
  */
 export interface Address {
   node?: string;
@@ -23,7 +23,7 @@ export interface Address {
   type?: string;
 }
 
-/** The entries of an address by the kind of plant, the required one first. */
+/** The entries of an address for each kind of plant. The first entry is required. */
 export const ADDRESS: Record<string, (keyof Address)[]> = {
   opcua: ['node', 'index'],
   ads: ['symbol'],

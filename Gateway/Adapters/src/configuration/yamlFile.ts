@@ -5,7 +5,7 @@ import { fileMessages } from '../messages/configuration';
 
 export type Path = readonly (string | number)[];
 
-/** Replaces characters that would break a line or are invisible by their code. */
+/** Replaces invisible characters and line breaks by their codes. */
 const visible = (key: string): string =>
   key.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, character => `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`);
 
@@ -13,23 +13,26 @@ const visible = (key: string): string =>
 export const pathText = (path: Path): string =>
   path.map((step, i) => (typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + visible(step))).join('');
 
-/** A YAML file with the line of each of its entries. */
+/** A parsed YAML file that knows the line of each entry, and collects the errors in its entries. */
 export class YamlFile {
   readonly value: unknown;
   readonly problems: Problem[] = [];
   readonly #lines = new LineCounter();
   readonly #document: Document;
 
-  /** @throws ConfigurationError The file cannot be read, or is not valid YAML. No further checks are possible. */
+  /**
+   * Reads and parses the file.
+   * @throws ConfigurationError The file cannot be read, or is not valid YAML.
+   */
   constructor(readonly path: string) {
     this.#document = parseDocument(read(path), { lineCounter: this.#lines, prettyErrors: false, uniqueKeys: true, logLevel: 'error' });
-    // Later errors are often consequences of the first, and have wrong lines.
+    // Reports only the first error, because later errors are often its consequences and have wrong lines.
     const [error] = [...this.#document.errors].sort((a, b) => a.pos[0] - b.pos[0]);
     if (error !== undefined)
       throw new ConfigurationError(path, [{ line: this.#lines.linePos(error.pos[0]).line, text: inWords(error.code, error.message) }]);
     try {
       this.value = this.#document.toJS({ maxAliasCount: 100 });
-      // Throws for a circular structure.
+      // JSON.stringify throws for a circular structure, which aliases can create.
       JSON.stringify(this.value);
     } catch (error) {
       const text = error instanceof TypeError ? fileMessages.circular : (error as Error).message;
@@ -37,7 +40,7 @@ export class YamlFile {
     }
   }
 
-  /** Adds an error of an entry. The error of a missing entry has the line of its parent. */
+  /** Adds an error in an entry. The error of a missing entry gets the line of its parent. */
   report(path: Path, text: string): void {
     this.problems.push({ line: this.lineOf(path), text: path.length > 0 ? `${pathText(path)}: ${text}` : text });
   }
@@ -47,7 +50,7 @@ export class YamlFile {
     if (this.problems.length > 0) throw new ConfigurationError(this.path, this.problems);
   }
 
-  /** Gets the line of an entry, counted from 1: that of its key, or of the nearest existing parent. */
+  /** Gets the line of an entry's key, counted from 1; for a missing entry, the line of its nearest existing parent. */
   lineOf(path: Path): number {
     let node: unknown = this.#document.contents;
     let offset = isNode(node) ? (node.range?.[0] ?? 0) : 0;

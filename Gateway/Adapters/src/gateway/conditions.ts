@@ -1,31 +1,31 @@
 import type { Log } from '../log';
 import { stateMessages } from '../messages/values';
 
-/** What a value belongs to; the prefix of its key in the diagnostics. */
+/** The kind of object to which a value belongs. It is also the prefix of the object's key in the diagnostics. */
 export type ConditionKind = 'joint' | 'frame' | 'signal';
 
 /**
- * live: samples arrive. rest: silent and assumed to be at rest. refused: values arrive but are invalid. fault: the data have stopped.
- * missing: no valid value since the start.
+ * The state of a joint, frame or signal. live: samples arrive. rest: no samples arrive, and the joint is assumed at rest. refused: values arrive but
+ * are invalid. fault: the data have stopped. missing: no valid value has arrived since the start.
  */
 export type State = 'live' | 'rest' | 'refused' | 'fault' | 'missing';
 
 export interface Condition {
   state: State;
-  /** Unix time of this machine in milliseconds. */
+  /** Start of the state, as Unix time of this machine in milliseconds. */
   since: number;
-  /** One sentence; empty while live. */
+  /** The reason for the state as one sentence; empty while live. */
   reason: string;
-  /** The reason why rest is uncertain; empty for none. */
+  /** The reason why a joint in the state rest may not be at rest; empty for none. */
   uncertainty: string;
 }
 
-/** Smaller differences between start times are caused by the transmission of the message. */
+/** Two reports with start times that differ by less than this describe the same state. The transmission time causes the difference. */
 const SAME_SINCE_MS = 2000;
 
 const isGood = ({ state }: Condition): boolean => state === 'live' || state === 'rest';
 
-/** State of each joint, frame or signal with its reason. Logs the start and the end of each fault once. */
+/** The states of all joints, frames or signals, with their reasons. Logs the start and the end of each fault once. */
 export class Conditions {
   readonly #known = new Map<string, Condition>();
 
@@ -40,7 +40,7 @@ export class Conditions {
     readonly now: () => number = Date.now,
   ) {}
 
-  /** Expects a name, which is missing until its first usable value. */
+  /** Adds an expected name. Its state is missing until its first valid value. */
   expect(name: string): void {
     if (!this.#known.has(name)) this.#known.set(name, { state: 'missing', since: this.now(), reason: stateMessages.noValueYet, uncertainty: '' });
   }
@@ -57,12 +57,12 @@ export class Conditions {
     return this.#known.get(name)?.reason;
   }
 
-  /** The first one that is neither live nor at rest; null when there is none. */
+  /** The first entry that is neither live nor at rest; null if there is none. */
   get trouble(): [string, Condition] | null {
     return [...this.#known].find(([, condition]) => !isGood(condition)) ?? null;
   }
 
-  /** The first one whose rest is uncertain, with the reason; null if there is none. */
+  /** The first name in the state rest that may not be at rest, with the reason; null if there is none. */
   get uncertainty(): [string, string] | null {
     const found = [...this.#known].find(([, { uncertainty }]) => uncertainty !== '');
     return found === undefined ? null : [found[0], found[1].uncertainty];
@@ -75,9 +75,10 @@ export class Conditions {
   }
 
   /**
+   * Sets the state rest.
    * @param since Time of the last sample.
-   * @param basis What is known about the silence, and its meaning.
-   * @param uncertainty The reason why the rest is uncertain; empty for none.
+   * @param basis The reason for the assumption of rest.
+   * @param uncertainty The reason why the joint may not be at rest; empty for none.
    */
   rest(name: string, since: number, basis: string, uncertainty = ''): void {
     const known = this.#known.get(name);
@@ -95,18 +96,18 @@ export class Conditions {
     this.#trouble(name, 'missing', reason, this.now(), true);
   }
 
-  /** Sets the reason of one that is neither live nor at rest: its value has arrived, but is not used yet. */
+  /** Sets the reason of a name that is neither live nor at rest, whose value has arrived but is not used yet. */
   explain(name: string, reason: string): void {
     const known = this.#known.get(name);
     if (known !== undefined && !isGood(known)) this.#trouble(name, known.state, reason, known.since, true);
   }
 
-  /** The caller logs the refusal. */
+  /** Sets the state refused. The caller logs the refusal. */
   refused(name: string, reason: string): void {
     this.#trouble(name, 'refused', reason, this.now(), false);
   }
 
-  /** Applies the report of the gateway that has the source. */
+  /** Applies the report of the gateway to which the source is connected. */
   report(name: string, { state, since, reason: text, uncertainty }: Condition): void {
     const known = this.#known.get(name);
     const reason = this.log.clean(text);
@@ -125,12 +126,12 @@ export class Conditions {
     this.changed();
   }
 
-  /** Reports the end of the connection to the source: good states become faults. */
+  /** Reports the end of the connection to the source. The states live and rest become fault. */
   disconnected(reason: string): void {
     for (const [name, condition] of this.#known) if (isGood(condition)) this.#enter(name, 'fault', reason, this.now());
   }
 
-  /** Gets the diagnostics of each name; faulty ones come first, in case the receiver keeps only a part. */
+  /** Gets the diagnostics of all names. Faults come first, because a receiver may keep only a part. */
   values(): Record<string, string> {
     const sorted = [...this.#known].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
     return Object.fromEntries(
@@ -144,7 +145,7 @@ export class Conditions {
   #trouble(name: string, state: State, text: string, since: number, isLogged: boolean): void {
     const reason = this.log.clean(text);
     const { state: before, reason: previous } = this.#known.get(name) ?? {};
-    // Without any valid value, the state stays missing; the reason describes the invalid value.
+    // Keeps the state missing until the first valid value. The reason describes the invalid value.
     const entered = before === 'missing' ? 'missing' : state;
     if (before === entered && previous === reason) return;
     this.#enter(name, entered, reason, since);

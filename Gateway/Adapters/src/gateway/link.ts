@@ -16,30 +16,30 @@ const STEADY_MS = 2000;
 const CALL_MS = 1500;
 const MAX_MESSAGE = 2 * 1024 * 1024;
 
-/** An offer without a request for this long was refused, perhaps because our previous connection still held it. It is then repeated. */
+/** Time without a request after which the offer of a service is repeated, because the gateway may have refused it. */
 const OFFER_MS = 5000;
 
 /** Maximum number of stored status texts. */
 const MAX_STATUSES = 32;
 
-/** Status text of a gateway that does not know the stamping clock, for example because it is still measuring the clock. */
+/** Matches the status text of a gateway that does not know the clock of the stamps, for example because it is still measuring this clock. */
 const UNSYNCHRONISED = /\(Unsynchronised\)$/;
 const MEASURING_MS = 20_000;
 
-/** Answers a service call. Its exceptions are returned to the caller as the reason. */
+/** Answers a service call. The message of an exception is returned to the caller as the reason. */
 export type Service = () => Promise<object>;
 
-/** Callbacks for connection and disconnection of the link. */
+/** Callbacks of a link. */
 export interface LinkEvents {
   opened?(): void;
-  /** Called after each failed attempt, too. */
+  /** Called after a disconnection, and after each failed connection attempt. */
   away?(reason: string): void;
   /** A message on this topic caused an exception in its listener. */
   malformed?(topic: string, problem: string): void;
 }
 
 /**
- * The connection to a gateway, or to a robot, by the rosbridge protocol. Reconnects by itself, and then repeats topics, subscriptions,
+ * The connection to a gateway or a robot with the rosbridge protocol. After a disconnection, it reconnects and repeats advertisements, subscriptions,
  * services and kept messages.
  */
 export class GatewayLink {
@@ -53,10 +53,10 @@ export class GatewayLink {
   readonly #watchers: LinkEvents[];
   #socket: WebSocket | null = null;
   #called = 0;
-  /** Time at which the gateway began to measure our clocks. */
+  /** Time at which the gateway began to measure the offered clocks. */
   #measured = 0;
 
-  /** @param name Name of the other end, for the log. */
+  /** @param name Name of the gateway or robot, for the log. */
   constructor(
     readonly address: GatewayAddress,
     readonly log: Log,
@@ -70,7 +70,7 @@ export class GatewayLink {
     return this.#socket?.readyState === WebSocket.OPEN;
   }
 
-  /** Number of messages dropped because the gateway was away or slow. */
+  /** Number of messages dropped because the gateway was disconnected or slow. */
   get dropped(): number {
     return this.#queue.dropped;
   }
@@ -82,8 +82,8 @@ export class GatewayLink {
   }
 
   /**
-   * Publishes now and after each reconnection.
-   * @param key A later message with the same key replaces this one.
+   * Publishes a message now and after each reconnection.
+   * @param key Identifies the message. A later message with the same key replaces it.
    */
   publishKept(topic: string, msg: object, key = topic): void {
     this.#advertise(topic);
@@ -102,12 +102,12 @@ export class GatewayLink {
     if (this.#services.delete(service)) this.#send(JSON.stringify({ op: 'unadvertise_service', service }));
   }
 
-  /** Adds callbacks to those of the constructor. */
+  /** Adds callbacks. */
   watch(events: LinkEvents): void {
     this.#watchers.push(events);
   }
 
-  /** Subscribes to a topic of the other end. A topic may have several listeners. */
+  /** Subscribes to a topic. A topic may have several listeners. */
   subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = typeOf(topic)!): void {
     const known = this.#subscriptions.get(topic);
     this.#subscriptions.set(topic, { type, listeners: [...(known?.listeners ?? []), listen] });
@@ -115,8 +115,8 @@ export class GatewayLink {
   }
 
   /**
-   * Calls a service of the other end.
-   * @throws Error The other end is disconnected, does not answer in time, or refuses.
+   * Calls a service of the gateway or robot.
+   * @throws Error The link is disconnected, the service does not answer in time, or it refuses the call.
    */
   async call(service: string): Promise<Record<string, unknown>> {
     if (!this.isOpen) throw new Error(gatewayMessages.notConnected(this.name));
@@ -135,7 +135,7 @@ export class GatewayLink {
     return answer.values as Record<string, unknown>;
   }
 
-  /** Connects and reconnects until it is stopped. */
+  /** Connects, and reconnects after each disconnection, until the signal is aborted. */
   async run(stop: AbortSignal): Promise<void> {
     const backoff = new Backoff();
     while (!stop.aborted) {
@@ -144,13 +144,13 @@ export class GatewayLink {
       if (stop.aborted) break;
       this.log.change(this.name, `${this.name} ${this.address.url} away: ${this.log.clean(reason)}`);
       for (const { away } of this.#watchers) away?.(reason);
-      // A gateway that accepts and then closes the connection must not be contacted five times a second.
+      // Keeps the longer delay for a gateway that accepts connections and closes them at once.
       if (performance.now() - opened > STEADY_MS) backoff.reset();
       await pause(backoff.next(), stop);
     }
   }
 
-  // Resolves when the connection has ended, with the reason.
+  // Opens a connection. Resolves with the reason when the connection has ended.
   #connect(stop: AbortSignal): Promise<string> {
     const { url, token, pin } = this.address;
     const socket = new WebSocket(url, {
@@ -203,7 +203,7 @@ export class GatewayLink {
   #open(socket: WebSocket): void {
     this.#socket = socket;
     this.#measured = performance.now();
-    // A status of the previous connection is reported again on the new one.
+    // Logs a status text again if the gateway sends it on the new connection, too.
     this.#statuses.clear();
     this.log.forget(`${this.name} says`);
     this.log.change(this.name, `${this.name} ${this.address.url} connected`);
@@ -228,12 +228,12 @@ export class GatewayLink {
         void this.#answer(text(message.service), message.id);
         break;
       case 'status':
-        if (message.level === 'error') this.#tell(text(message.msg));
+        if (message.level === 'error') this.#logStatus(text(message.msg));
         break;
     }
   }
 
-  // Invalid messages of the other end must not end the process.
+  // Passes a message to the listeners. Catches exceptions, because an invalid message must not end the process.
   #pass({ topic, msg }: Record<string, unknown>): void {
     try {
       for (const listen of this.#subscriptions.get(text(topic))?.listeners ?? []) listen(msg as Record<string, unknown>);
@@ -242,8 +242,8 @@ export class GatewayLink {
     }
   }
 
-  // Repeated status texts are logged once.
-  #tell(status: string): void {
+  // Logs a status text of the gateway, once for equal texts.
+  #logStatus(status: string): void {
     if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
       return this.log.change(`${this.name} measures`, 'measuring', gatewayMessages.measuring(this.name));
     if (this.#statuses.has(status)) return;
@@ -279,7 +279,7 @@ export class GatewayLink {
     this.#send(advertisement(topic));
   }
 
-  // Messages about the connection itself are meaningless after its end.
+  // Sends a message about the connection itself. Without a connection, it is not needed.
   #send(text: string): void {
     if (this.isOpen) this.#socket!.send(text);
   }
@@ -292,5 +292,5 @@ export class GatewayLink {
 const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: typeOf(topic) });
 const subscription = (topic: string, type: string): string => JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
 
-/** String does not accept every JSON value. */
+/** Converts any JSON value to a text. String() fails for some objects. */
 const text = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? ''));

@@ -6,14 +6,14 @@ export const JOINT_TRAJECTORY = '/joint_trajectory';
 export const ROBOT_DESCRIPTION = '/robot_description';
 export const DIAGNOSTICS = '/nowpose/diagnostics';
 
-/** The topics of joints and signals that are not live, as determined by a gateway. */
+/** The topics on which a gateway lists the joints and signals that are not live. */
 export const JOINT_STATUS = '/nowpose/joint_status';
 export const SIGNAL_STATUS = '/nowpose/signal_status';
 
-/** The topic of a gateway's version. */
+/** The topic on which a gateway publishes its version. */
 export const VERSION_TOPIC = '/nowpose/version';
 
-/** Gets the topic of a robot in a namespace; an empty namespace means none. */
+/** Gets the topic of a robot. `robot` is its namespace; empty for none. */
 export const topicOf = (robot: string, topic: string): string => (robot === '' ? topic : `/${robot}${topic}`);
 
 /** Gets the type of a topic of the gateway, with or without the namespace of a robot. */
@@ -32,7 +32,7 @@ const TYPES: Record<string, string> = {
   [SIGNAL_STATUS]: 'diagnostic_msgs/msg/DiagnosticArray',
 };
 
-/** Creates a message with positions at one control time, and velocities of all of them or of none. */
+/** Creates a joint state message for one control time. `velocities` is empty or has one element per joint. */
 export const jointState = (stamp: Nanoseconds, names: string[], positions: number[], velocities: number[] = []): object => ({
   header: { stamp: toRosTime(stamp), frame_id: '' },
   name: names,
@@ -43,13 +43,16 @@ export const jointState = (stamp: Nanoseconds, names: string[], positions: numbe
 
 export const description = (urdf: string): object => ({ data: urdf });
 
-/** @param level As in DiagnosticStatus: 0 ok, 1 warning, 2 error. */
+/**
+ * Creates a diagnostics message.
+ * @param level Level of the DiagnosticStatus: 0 ok, 1 warning, 2 error.
+ */
 export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, values: Record<string, string>): object => ({
   header: { stamp: toRosTime(machineTime()), frame_id: '' },
   status: [{ level, name, message, hardware_id: name, values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
 
-/** Returns the object in a text of JSON; null if it is not one. */
+/** Parses a JSON object; null if the text is not a JSON object. */
 export function parsed(text: string): Record<string, unknown> | null {
   try {
     const message = JSON.parse(text) as unknown;

@@ -4,19 +4,19 @@ import type { Duplex } from 'node:stream';
 import { connect, type ConnectionOptions, type TLSSocket } from 'node:tls';
 import { gatewayMessages } from '../messages/gateway';
 
-/** Gets the SHA-256 of a certificate's public key, in the form of RFC 7469. */
+/** Gets the pin of a public key: its SHA-256 in the form of RFC 7469. */
 export const pinOf = (publicKeyInfo: Buffer): string => `sha256/${createHash('sha256').update(publicKeyInfo).digest('base64')}`;
 
 /**
- * Connects only to the server with the pinned key. Any other server receives only the TLS handshake.
- * @remarks Only the key is checked, not name, issuer and dates.
+ * Connects only to a server with the pinned key. Another server receives nothing beyond the TLS handshake.
+ * @remarks Checks the key only, not the name, issuer and dates of the certificate.
  */
 export class PinnedAgent extends Agent {
   constructor(readonly pin: string) {
     super({ keepAlive: false, maxCachedSessions: 0 });
   }
 
-  // Node passes the socket to the request only in the callback.
+  // Returns undefined and passes the socket to the callback, so that the request starts only after the check.
   createConnection(options: ConnectionOptions, ready: (error: Error | null, socket?: Duplex) => void): undefined {
     const socket = connect({ ...options, rejectUnauthorized: false, minVersion: 'TLSv1.2' });
     const fail = (error: Error): void => ready(error);
@@ -32,7 +32,7 @@ export class PinnedAgent extends Agent {
   }
 }
 
-/** Gets the reason why the other end does not have the pinned key; null if it has. */
+/** Gets the reason why a server is refused that does not have the pinned key; null if it has the key. */
 export function pinProblem(socket: TLSSocket, pin: string): string | null {
   const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
   if (found === undefined) return gatewayMessages.noCertificate;

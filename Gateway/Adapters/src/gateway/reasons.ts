@@ -1,6 +1,6 @@
 import { gatewayMessages } from '../messages/gateway';
 
-/** Returns why a connection failed, with what to do. */
+/** Gets the reason why a connection failed, with the remedy. */
 export function inWords(error: Error): string {
   const code = (error as NodeJS.ErrnoException).code;
   if (code === 'ECONNREFUSED') return gatewayMessages.refuses;

@@ -1,7 +1,7 @@
 const CAPACITY = 64;
 const MAX_IN_FLIGHT = 64 * 1024;
 
-/** Queue of messages to a gateway that is away or slow. When full, the oldest are dropped and counted. */
+/** Queue of messages to a gateway that may be disconnected or slow. When full, it drops and counts the oldest message. */
 export class SendQueue<T = string> {
   readonly #waiting: T[] = [];
   #dropped = 0;
@@ -20,7 +20,10 @@ export class SendQueue<T = string> {
     this.#waiting.length = 0;
   }
 
-  /** Sends while the socket accepts messages immediately. Messages in this queue can still be dropped; those in the socket cannot. */
+  /**
+   * Sends messages while the socket's buffer has room. The other messages stay in this queue, where they can still be dropped.
+   * @param again Called after each sent message.
+   */
   pump(socket: { readonly bufferedAmount: number; send(data: T, done: () => void): void }, again: () => void): void {
     while (this.#waiting.length > 0 && socket.bufferedAmount < MAX_IN_FLIGHT) socket.send(this.#waiting.shift()!, again);
   }

@@ -2,12 +2,12 @@ import { Log } from '../log';
 import { type Condition, Conditions } from './conditions';
 import { stateMessages } from '../messages/values';
 
-/** State of the connection to the plant. "waiting" is the time between two attempts. */
+/** State of the connection to the plant. "waiting" is the state between two connection attempts. */
 export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
 
 const MAX_REASONS = 32;
 
-/** Status of the plant and its values: counted here, reported once a second, logged once per change. */
+/** The status of the plant and its values. Counts values and refusals, and logs each change once. The gateway receives it once per second. */
 export class AdapterStatus {
   #state: PlantState = 'connecting';
   #reason = '';
@@ -15,7 +15,7 @@ export class AdapterStatus {
   #reconnects = 0;
   readonly #refused = new Map<string, number>();
   readonly #details: Record<string, string> = {};
-  /** The reason for the last failed connection since the last success or the start; empty before the first failure. */
+  /** The reason for the newest connection failure; empty if the last attempt succeeded or none has failed. */
   #failure = '';
   /** A notice for the user while positions arrive; null for none. */
   #notice: string | null = null;
@@ -45,10 +45,13 @@ export class AdapterStatus {
     return this.#reconnects;
   }
 
-  /** @param reason The reason and the remedy; empty without an error. */
+  /**
+   * Sets the state of the connection to the plant.
+   * @param reason The reason and the remedy; empty without an error.
+   */
   enter(state: PlantState, reason = ''): void {
     const clean = this.log.clean(reason);
-    // Attempts are not logged, only their results.
+    // Does not log attempts, only their results.
     if (state !== 'connecting') this.log.change('plant', clean === '' ? state : `${state}: ${clean}`);
     if (state === 'waiting' || state === 'refused') {
       this.#failure = clean === '' ? stateMessages.disconnected : clean;
@@ -63,8 +66,8 @@ export class AdapterStatus {
   }
 
   /**
-   * Level of a DiagnosticStatus: 0 when the plant is connected and each joint, frame and signal is live or at rest; 1 while connecting, with a notice, or with
-   * an uncertain rest; 2 otherwise.
+   * Level of the DiagnosticStatus. 0: the plant is connected, and each joint, frame and signal is live or at rest. 1: the first connection is being
+   * made, there is a notice, or a joint or frame may not be at rest. 2: otherwise.
    */
   get level(): 0 | 1 | 2 {
     if (this.#state === 'connecting' && this.#failure === '') return 1;
@@ -72,7 +75,7 @@ export class AdapterStatus {
     return this.#uncertainty === null && this.#notice === null ? 0 : 1;
   }
 
-  /** The plant's state or, while it is connected, the first faulty joint, frame or signal. */
+  /** Text about the plant's state or, while the plant is connected, about the first joint, frame or signal with a fault. */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
@@ -88,12 +91,12 @@ export class AdapterStatus {
     return [this.joints, this.frames, this.signals];
   }
 
-  /** The first faulty joint, frame or signal; null when there is none. */
+  /** The first joint, frame or signal that is neither live nor at rest; null if there is none. */
   get #trouble(): [string, Condition] | null {
     return this.joints.trouble ?? this.frames.trouble ?? this.signals.trouble;
   }
 
-  /** The first joint or frame whose rest is uncertain, with the reason; null if there is none. */
+  /** The first joint or frame that may not be at rest, with the reason; null if there is none. */
   get #uncertainty(): [string, string] | null {
     return this.joints.uncertainty ?? this.frames.uncertainty;
   }
@@ -126,9 +129,10 @@ export class AdapterStatus {
 
   /**
    * Reports a value that is not forwarded.
-   * @param reason One of a fixed set of words; counted as refused/REASON.
-   * @param what For the log: the joint, its value and the allowed range.
-   * @param of The kind of the subject.
+   * @param reason One of a fixed set of words. The refusal is counted as refused/REASON.
+   * @param subject Name of the joint, frame or signal.
+   * @param what Text for the log, with the value and the allowed range.
+   * @param of The states of which `subject` is an entry.
    */
   refuse(reason: string, subject: string, what: string, of: Conditions = this.joints): void {
     this.count(reason);
@@ -136,7 +140,7 @@ export class AdapterStatus {
     this.log.change(`value of ${subject}`, reason, `${subject} refused (${reason}): ${what}`);
   }
 
-  /** Counts a refused value, or a value that was lost before it arrived, by its reason. */
+  /** Counts a refused value, or a value that was lost before it arrived, by reason. */
   count(reason: string): void {
     const known = this.#refused.has(reason) || this.#refused.size < MAX_REASONS ? reason : 'other';
     this.#refused.set(known, (this.#refused.get(known) ?? 0) + 1);

@@ -2,7 +2,7 @@ import { wrongValue } from './configuration';
 
 const NET_ID = 'the parts of an AMS Net Id are 0 to 255';
 
-/** Errors of a configuration of kind ads. */
+/** Errors in a configuration of the kind ads. */
 export const adsSettingMessages = {
   endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, ports 1 to 65535`),
   netId: (value: unknown) => wrongValue(value, NET_ID),
@@ -22,7 +22,7 @@ export const adsMessages = {
     `no PLC runtime at AMS port ${port} of ${netId}; the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
   unknownNetId: (host: string, netId: string) =>
     `${host} does not know the AMS Net Id ${netId}; check it, and that ${host} is that machine or has a route to it`,
-  /** @param localNetId Our address; null if the router of the host assigns one. */
+  /** @param localNetId AMS Net Id of this machine; null if the router at the host assigns an address. */
   noAnswer: (host: string, localNetId: string | null) =>
     `${host} accepts the connection but does not answer${
       localNetId === null
@@ -48,7 +48,7 @@ export const adsMessages = {
 
 /** Reasons why a symbol is not usable. */
 export const symbolMessages = {
-  /** @param similar Similar symbols; empty for none, undefined if the PLC's table is too long to be read. */
+  /** @param similar Symbols with similar names; empty for none; undefined if the PLC's symbol table is too long to be read. */
   unknown: (place: string, symbol: string, similar: string[] | undefined) =>
     `${place}: the PLC has no symbol ${symbol}${
       similar === undefined ? '' : similar.length === 0 ? '; look up its symbols in the PLC program' : `; similar symbols are ${similar.join(', ')}`

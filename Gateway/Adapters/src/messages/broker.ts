@@ -1,4 +1,4 @@
-/** Errors of a configuration of kind broker, and its summary. */
+/** Errors in a configuration of the kind broker, and the parts of its summary. */
 export const brokerSettingMessages = {
   publishing: (gateway: string, endpoint: string, topic: string) => `${gateway} to broker ${endpoint}, topics ${topic}/…`,
   subscribing: (endpoint: string, topic: string, gateway: string, place: string) =>
@@ -8,7 +8,7 @@ export const brokerSettingMessages = {
   tokenInClear: 'a token is sent only over TLS or within this machine; add the pin of the gateway that has the plant, or tls: true',
 };
 
-/** Texts about a broker, its messages and the gateway beyond it. */
+/** Texts about the connection to a broker, and about the gateway on its other side. */
 export const brokerMessages = {
   notSecure: 'this broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the plant',
   closed: 'the broker closed the connection',
@@ -22,7 +22,7 @@ export const brokerMessages = {
   atOtherGateway: (reason: string) => `at the gateway that has the plant: ${reason}`,
 };
 
-/** Errors of a configuration of kind mqtt, and reasons for values of topics. */
+/** Errors in a configuration of the kind mqtt, and reasons for the refusal of values. */
 export const mqttMessages = {
   nothingRead: 'no topic is read; add joints, frames or signals',
   arrivalTime: 'the time of the arrival',

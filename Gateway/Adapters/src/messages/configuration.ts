@@ -1,19 +1,19 @@
 import { shown } from '../configuration/problem';
 
-/** Formats the error of a value: the value as in the file, then what is allowed or what to do. */
+/** Formats an error in a value: the value as written in the file, then the allowed values or the remedy. */
 export const wrongValue = (value: unknown, remedy: string): string => `value ${shown(value)}; ${remedy}`;
 
-/** Errors of entries that plants of several kinds have. */
+/** Errors in entries that exist for several kinds of plant. */
 export const configurationMessages = {
   address: (value: unknown) => wrongValue(value, 'allowed: a scheme with ://, a host and, after a colon, a port from 1 to 65535'),
   noKind: (allowed: string[]) => `missing; add the section plant with its kind, allowed: ${allowed.join(', ')}`,
   misspelt: (meant: string) => `not known here; did you mean ${meant}?`,
-  /** @param guess The probable meaning; undefined if there is none. */
+  /** @param guess The entry that was probably meant; undefined if there is none. */
   unknownEntry: (guess: string | undefined, allowed: readonly string[]) => `not known here; ${question(guess)}allowed: ${allowed.join(', ')}`,
   notAllowed: (value: unknown, guess: string | undefined, allowed: readonly string[]) =>
     wrongValue(value, `${question(guess)}allowed: ${allowed.join(', ')}`),
   tokenInClear: (value: unknown) => wrongValue(value, "a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin"),
-  /** @param kind Kind of the named thing, such as joint. */
+  /** @param kind Kind of the object that has the name, such as joint. */
   nameTwice: (value: unknown, line: number | undefined, kind: string) =>
     wrongValue(value, `line ${line} already has this ${kind}; name each ${kind} once`),
   valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; name each ${kind} once`,
@@ -30,12 +30,12 @@ export const configurationMessages = {
   noPassword: 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD',
 };
 
-/** Errors of frames. */
+/** Errors in the configuration of frames. */
 export const frameMessages = {
   world: (name: string) => wrongValue(name, 'this is the anchored frame of the cell, which has no parent'),
   quaternionAndAngles: 'the quaternion already determines the rotation; remove one of the two',
   noAddress: (entry: string) => `missing; add the ${entry} of the variable with this number`,
-  /** @param chain The frame, its parent, and so on up to the frame again. */
+  /** @param chain Names of the frames in the cycle: the frame, its parent, and so on, with the frame again at the end. */
   cycle: (value: unknown, chain: string[], world: string) =>
     wrongValue(
       value,
@@ -44,7 +44,7 @@ export const frameMessages = {
     ),
 };
 
-/** Errors of robots and their descriptions. */
+/** Errors in the configuration of robots and in their descriptions. */
 export const robotMessages = {
   tooLarge: (value: unknown) => wrongValue(value, 'the file is larger than 1 MiB; put its meshes into separate files'),
   notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; name a URDF file'),
@@ -54,7 +54,7 @@ export const robotMessages = {
     wrongValue(value, `the robot has no such joint${guess === undefined ? '' : `, did you mean ${guess}?`}`),
 };
 
-/** Errors of files that a configuration names, and of the configuration's own file. */
+/** Errors in the files that a configuration names, and in the file of the configuration. */
 export const fileMessages = {
   notReadable: (value: unknown, code: string | undefined) => wrongValue(value, `the file cannot be read (${code}); name an existing file`),
   notOneLine: (value: unknown, most: number) => wrongValue(value, `the file must contain exactly one line of 1 to ${most} characters`),

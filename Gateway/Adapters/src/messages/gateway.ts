@@ -1,4 +1,4 @@
-/** Texts about the connection to a gateway, and about the clocks and versions at its two ends. */
+/** Texts about the connection to a gateway, and about the versions of gateway and adapter. */
 export const gatewayMessages = {
   notConnected: (name: string) => `${name} is not connected`,
   notAnswered: (service: string, seconds: number) => `${service} was not answered within ${seconds} s`,

@@ -1,6 +1,6 @@
 import { wrongValue } from './configuration';
 
-/** Errors of a configuration of kind opcua. */
+/** Errors in a configuration of the kind opcua. */
 export const opcuaSettingMessages = {
   namespace: (value: unknown) => wrongValue(value, 'a namespace (ns) must be a number from 0 to 65535'),
   numericId: (value: unknown) => wrongValue(value, 'a numeric id (i) must be from 0 to 4294967295'),

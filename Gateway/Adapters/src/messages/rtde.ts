@@ -1,6 +1,6 @@
 import { wrongValue } from './configuration';
 
-/** Errors of a configuration of kind rtde. */
+/** Errors in a configuration of the kind rtde. */
 export const rtdeSettingMessages = {
   notCalibrated: (value: unknown, arms: string[]) => wrongValue(value, `calibration needs one of ${arms.join(', ')}`),
   recipeTooLong: (size: number, most: number) => `their fields need a recipe of ${size} bytes; a controller accepts ${most}; remove signals`,
@@ -73,7 +73,7 @@ export const robotStateMessages = {
   noPower: (mode: string) => `the arm has no power (robot mode ${mode}), so its joint angles are not measured; switch it on at the teach pendant`,
 };
 
-/** Safety modes in which no program moves the arm, with the remedy. The other modes are normal, or reduced in speed. */
+/** Safety modes in which a program cannot move the arm, with the remedy. In the other modes, the speed is normal or reduced. */
 export const safetyStops: Record<number, string> = {
   3: 'protective stop; find its cause, and release it on the teach pendant',
   4: 'recovery mode; move the arm back within its safety limits with Freedrive or the Move tab of the teach pendant',

@@ -17,13 +17,13 @@ export const refusalMessages = {
   quaternion: (length: number) => `the quaternion has the length ${length.toFixed(3)}; allowed: 0.99 to 1.01`,
 };
 
-/** States of joints, frames and signals, and their reasons. */
+/** Texts about the states of joints, frames and signals, and their reasons. */
 export const stateMessages = {
   noValueYet: 'no value has arrived since the start',
   disconnected: 'the plant is not connected',
   /**
-   * @param knowledge What is known about the silence, and its meaning.
-   * @param uncertainty The reason why the rest is uncertain; empty for none.
+   * @param knowledge The reason for the assumption of rest.
+   * @param uncertainty The reason why the joint may not be at rest; empty for none.
    */
   assumedAtRest: (knowledge: string, kind: string, uncertainty: string) =>
     `${knowledge}; the ${kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
@@ -36,13 +36,13 @@ export const stateMessages = {
 
 const CURE = 'set silence: { fault_after_s: N } if the source sends its values repeatedly, even at rest';
 
-/** Reasons for a silent joint, and why its rest is uncertain. */
+/** Texts about a joint without new values: the reason for its state, and the reason why it may not be at rest. */
 export const silenceMessages = {
   confirmed: 'its source confirms the last value',
   noValue: 'no value arrives',
   /**
-   * @param evidence What is known about a silent joint.
-   * @param maxMs Time after which its silence is a fault; null if it means rest.
+   * @param evidence Fact about the joint without new values.
+   * @param maxMs Time after which missing values are a fault, ms; null if they mean rest.
    */
   basis: (evidence: string, maxMs: number | null) =>
     `${evidence}; ${maxMs === null ? 'silence means rest' : `silence is a fault after ${maxMs / 1000} s`}`,

@@ -9,7 +9,10 @@ import { settingsOf, type TimeField } from './settings';
 import { stampIn } from './stamps';
 import { mqttMessages } from '../messages/broker';
 
-/** Longest interval of messages whose values are interpolated if the components of a pose are on different topics, s; a fifth of it is set. */
+/**
+ * Assumed sampling interval in s. Components of a pose on different topics are interpolated if their messages follow within five times this
+ * interval.
+ */
 const SAMPLING_S = 0.1;
 
 /** Reads the topics of a broker until it is stopped. */
@@ -17,7 +20,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const { configuration, clock, output, status, stopping } = context;
   const { broker, time } = settingsOf(configuration);
   reportAddress(broker, context);
-  // Nothing can be asked for its value.
+  // Unchanged values are not confirmed, because MQTT has no request for the current value of a topic.
   output.unconfirmedMs = null;
   output.samplingS = SAMPLING_S;
   status.enter('connecting');
@@ -25,7 +28,7 @@ export async function run(context: AdapterContext): Promise<void> {
   const values = new TopicValues(configuration.values);
   const link = new MqttLink(broker, configuration.plant.name, values.topics, {
     opened: () => {
-      output.startAnew();
+      output.restart();
       status.enter('connected');
     },
     away: reason => {
@@ -45,19 +48,22 @@ export async function run(context: AdapterContext): Promise<void> {
   await link.run(stopping);
 }
 
-/** @param arrival Control time of the arrival; null if the value may be older. */
+/**
+ * Gets the values in a message.
+ * @param arrival Control time of the arrival; null if the message may be older.
+ */
 function valuesIn(values: TopicValues, topic: string, payload: Buffer, arrival: Nanoseconds | null, time: TimeField | null): PlantValue[] {
   const refused = (refusal: Refusal): PlantValue[] => values.indicesOf(topic).map(index => ({ index, value: null, stamp: null, refusal }));
   const message = parsed(payload);
   if (message === undefined) return refused({ reason: 'malformed', text: mqttMessages.notJson(topic) });
-  // A number or a Boolean has no fields.
+  // A message that is a number or a Boolean has no field with a time, so the time of its arrival is used.
   if (time === null || typeof message !== 'object') return values.in(topic, message, arrival);
   const stamp = stampIn(fieldIn(message, time.field.split('.')), time.unit);
   if (stamp !== null) return values.in(topic, message, stamp);
   return refused({ reason: 'stamp-missing', text: mqttMessages.noTime(topic, time.unit, time.field) });
 }
 
-/** Gets the value of a JSON text; undefined if it is not one. */
+/** Parses a JSON text; undefined if the payload is not valid JSON. */
 function parsed(payload: Buffer): unknown {
   try {
     return JSON.parse(payload.toString());

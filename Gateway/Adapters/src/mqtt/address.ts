@@ -8,17 +8,17 @@ import type { YamlFile } from '../configuration/yamlFile';
 import { brokerMessages } from '../messages/broker';
 import { configurationMessages } from '../messages/configuration';
 
-/** The address of a broker and the access to it, with the contents of the files. */
+/** The address of a broker and the data for the login, including the contents of files. */
 export interface BrokerAddress {
   endpoint: string;
   /** Whether the connection to another machine is neither encrypted nor authenticated. */
   isPlain: boolean;
-  /** The certificate that issued the broker's; null for those that this machine trusts. */
+  /** Certificate of the authority that issued the broker's certificate; null for the authorities that this machine trusts. */
   authority: string | null;
   user: User | null;
 }
 
-/** The entries of the plant section for the address. */
+/** The entries of the plant section about the broker. */
 export interface BrokerSection {
   endpoint: string;
   plain?: boolean;
@@ -26,7 +26,7 @@ export interface BrokerSection {
   user?: { name: string; password_file?: string };
 }
 
-/** Checks the address of a broker, and reads the files for the access to it. */
+/** Checks the address of a broker, and reads the files for the login. */
 export function brokerOf(file: YamlFile, section: BrokerSection, configuration: Configuration, environment: NodeJS.ProcessEnv): BrokerAddress {
   const { endpoint, plain, user, authority_file: authority } = section;
   const isOpen = endpoint.startsWith('mqtt:');
@@ -41,7 +41,7 @@ export function brokerOf(file: YamlFile, section: BrokerSection, configuration: 
   };
 }
 
-/** Shows the address in the diagnostics, and warns of a connection that is not protected. */
+/** Adds the address to the diagnostics, and warns of a connection that is neither encrypted nor authenticated. */
 export function reportAddress({ endpoint, isPlain }: BrokerAddress, { status, log }: Pick<AdapterContext, 'status' | 'log'>): void {
   status.detail('endpoint', endpoint);
   status.detail('security', endpoint.startsWith('mqtts:') ? 'tls' : 'none');

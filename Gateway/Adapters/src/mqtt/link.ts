@@ -9,29 +9,32 @@ const CONNECT_MS = 5000;
 const STEADY_MS = 2000;
 const GOODBYE_MS = 500;
 
-/** Maximum packet size: a description of 1 MiB with a margin. */
+/** Maximum packet size in bytes: a robot description of 1 MiB with a margin. */
 const MAX_PACKET = 1024 * 1024 + 64 * 1024;
 
 export interface MqttEvents {
-  /** Called after each connection, when the subscriptions have been sent. */
+  /** Called after each connection, after the subscriptions have been sent. */
   opened(): void;
-  /** Called before this end disconnects. */
+  /** Called before this client disconnects. */
   leaving?(): void;
-  /** Called after each failed attempt, too. */
+  /** Called after a disconnection, and after each failed connection attempt. */
   away(reason: string): void;
-  /** The broker does not allow the subscription of a topic. */
+  /** Called if the broker refuses the subscription to a topic. */
   refused(topic: string, reason: string): void;
-  /** @param isRetained Whether the broker had the message before the subscription. */
+  /**
+   * Called for each message.
+   * @param isRetained Whether the message is a retained one, which the broker had before the subscription.
+   */
   heard(topic: string, payload: Buffer, isRetained: boolean): void;
-  /** A message on this topic caused an exception in `heard`. */
+  /** Called if a message on this topic caused an exception in `heard`. */
   malformed(topic: string, problem: string): void;
 }
 
-/** A connection to an MQTT 5 broker. Reconnects by itself, and then subscribes again. */
+/** A connection to an MQTT 5 broker. After a disconnection, it reconnects and subscribes again. */
 export class MqttLink {
   #client: MqttClient | null = null;
 
-  /** @param name Name of the plant, a part of the client's identifier. */
+  /** @param name Name of the plant, used in the client identifier. */
   constructor(
     readonly broker: BrokerAddress,
     readonly name: string,
@@ -40,12 +43,12 @@ export class MqttLink {
     readonly options: IClientOptions = {},
   ) {}
 
-  /** The client while it is connected; null otherwise. */
+  /** The client; null while it is not connected. */
   get client(): MqttClient | null {
     return this.#client?.connected ? this.#client : null;
   }
 
-  /** Connects and reconnects until it is stopped. */
+  /** Connects, and reconnects after each disconnection, until the signal is aborted. */
   async run(stop: AbortSignal): Promise<void> {
     const backoff = new Backoff();
     while (!stop.aborted) {
@@ -73,7 +76,7 @@ export class MqttLink {
       client.on('error', error => {
         reason = inWords(error, this.broker.endpoint);
       });
-      // The close event would report the end again, when the next client may already exist.
+      // Handles only the first close event, because at a later one, the next client may already exist.
       client.once('close', () => {
         stop.removeEventListener('abort', leave);
         this.#client = null;
@@ -83,7 +86,7 @@ export class MqttLink {
     });
   }
 
-  // An invalid message from any publisher must not end the process.
+  // Passes on a message. Catches exceptions, because an invalid message must not end the process.
   #hear(topic: string, payload: Buffer, isRetained: boolean): void {
     try {
       this.events.heard(topic, payload, isRetained);
@@ -114,7 +117,7 @@ export class MqttLink {
     this.#client = client;
     for (const topic of this.topics)
       client.subscribe(topic, { qos: 1 }, error => {
-        // The end of the connection is an error of the subscription, too.
+        // Ignores the error that the end of the connection causes.
         if (error && client.connected) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
       });
     this.events.opened();

@@ -4,16 +4,16 @@ import { type BrokerAddress, brokerOf, type BrokerSection } from './address';
 import type { MqttTimeUnit } from './stamps';
 import { mqttMessages } from '../messages/broker';
 
-/** The field of each message with its time, and the unit of that field. */
+/** The field in each message that contains the time, and its unit. */
 export interface TimeField {
   field: string;
   unit: MqttTimeUnit;
 }
 
-/** The settings of kind mqtt, with the contents of their files. */
+/** The settings of the kind mqtt, including the contents of files. */
 export interface MqttSettings {
   broker: BrokerAddress;
-  /** Null for the time of the arrival. */
+  /** The field with t_k; null if t_k is the time of arrival. */
   time: TimeField | null;
 }
 
@@ -21,7 +21,7 @@ interface Section extends BrokerSection {
   time?: TimeField;
 }
 
-/** Set by the check of the configuration, which reads the files with secrets. */
+/** Gets the settings that `check` has stored in the configuration. */
 export const settingsOf = (configuration: Configuration): MqttSettings => configuration.plant.settings as MqttSettings;
 
 export const mqtt: Kind = {

@@ -1,16 +1,16 @@
 import { ofCount, ofFraction, type TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 
-/** Units of a time in a message: those of a number, or text of ISO 8601. */
+/** Formats of a time in a message: a number in a unit, or a text in ISO 8601 (iso). */
 export type MqttTimeUnit = TimeUnit | 'iso';
 
-/** A date with a time and a zone. Without a zone, the time would depend on the place. */
+/** Matches an ISO 8601 date with time and zone. The zone is required, because without one, the time would depend on the location. */
 const ISO = /^(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d)(?:[.,](\d{1,9})\d*)?(Z|[+-]\d\d:\d\d)$/;
 
-/** A whole number that is written as text, because a JSON number has 53 bits. */
+/** Matches a whole number written as text. Senders use text because a JSON number has a precision of only 53 bits. */
 const COUNT = /^\d{1,20}$/;
 
-/** Gets the time in a field of a message; null if it is none. */
+/** Gets the time in a field of a message; null if the value is not a time in this unit. */
 export function stampIn(value: unknown, unit: MqttTimeUnit): Nanoseconds | null {
   if (unit === 'iso') return typeof value === 'string' ? ofIso(value) : null;
   if (typeof value === 'string') return COUNT.test(value) ? ofCount(BigInt(value), unit) : null;

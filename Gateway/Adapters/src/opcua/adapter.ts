@@ -16,16 +16,16 @@ import { Refused, refusalOf } from './troubles';
 import { Watch } from './watch';
 import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
 
-/** Delay of a server beyond its granted intervals. */
+/** Delay of a value in addition to the sampling and publishing intervals that the server grants. */
 const SLACK_MS = 100;
 
-/** A change may be stamped this long before a read of the node shows it, in addition to the server's sampling interval. */
+/** Maximum time from the stamp of a change until a read request returns the new value, in addition to the sampling interval. */
 const STAMP_LAG_MS = 50;
 
-/** A value at rest is confirmed several times a second. Without a confirmation for this long, it has a fault. */
+/** Time without a confirmation after which a value at rest has a fault. Values at rest are confirmed several times per second. */
 const UNCONFIRMED_MS = 1500;
 
-/** Reads an OPC UA server, with reconnections, until it is stopped. */
+/** Reads an OPC UA server, and reconnects after failures, until the adapter is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { status, log, stopping } = context;
   const settings = settingsOf(context.configuration);
@@ -51,7 +51,7 @@ export async function run(context: AdapterContext): Promise<void> {
   }
 }
 
-/** Gets this application's certificate as soon as its folder is accessible; null if the adapter is stopped first. */
+/** Gets the certificate of this application. Waits until its folder is accessible; returns null if the adapter is stopped first. */
 async function certificateOf({ status, stopping }: AdapterContext, { security }: OpcUaSettings, trust: TrustList): Promise<OwnCertificate | null> {
   const backoff = new Backoff();
   while (!stopping.aborted) {
@@ -66,7 +66,7 @@ async function certificateOf({ status, stopping }: AdapterContext, { security }:
   return null;
 }
 
-/** Uses one connection until it ends, and reports the reason of the end in the status. Returns whether values arrived. */
+/** Uses one connection until it ends, and reports the reason of the end in the status. Returns whether the connection was established. */
 async function attempt(
   context: AdapterContext,
   settings: OpcUaSettings,
@@ -85,7 +85,7 @@ async function attempt(
     const nodes = await idsOf(session, context, reader);
     const watch = new Watch();
     await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
-    reader.startAnew();
+    reader.restart();
     const silent = new SilentNodes(
       session,
       reader,
@@ -127,7 +127,7 @@ async function attempt(
   return isConnected;
 }
 
-/** Converts the nodes to the current namespace indices of this server. */
+/** Converts node ids with namespace URIs to the current namespace indices of the server. */
 async function idsOf(session: ReadOnlySession, context: AdapterContext, { nodes }: NotificationReader): Promise<string[]> {
   if (!nodes.some(isByUri)) return nodes;
   const { value } = await session.read(NAMESPACES);
@@ -144,7 +144,10 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
   return configuration.where(value === undefined ? ['plant', 'time', 'node'] : [...value.path, 'node']);
 }
 
-/** Reports the values of unknown nodes as missing and continues with the others. Fails if no value or no time variable is left. */
+/**
+ * Reports the values of nodes that the server does not have, so that the other nodes can be read.
+ * @throws Refused The server does not have the time variable, or none of the values.
+ */
 function refuseUnknown(context: AdapterContext, { nodes, valueNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
   const wrong = refusals.flatMap((refusal, node) =>
     refusal === null ? [] : [{ node, text: nodeMessages.unknown(whereIs(context, nodes[node]), nodes[node], refusal) }],

@@ -8,18 +8,18 @@ import { ofDate, timeIn } from './stamps';
 import { clockMessages } from '../messages/gateway';
 import { nodeMessages, opcuaMessages } from '../messages/opcua';
 
-/** Server_ServerStatus_CurrentTime, which every OPC UA server has. */
+/** Node id of Server_ServerStatus_CurrentTime, which every OPC UA server has. */
 const CURRENT_TIME = 'ns=0;i=2258';
 
-/** A clock that stands still for longer than this is less accurate than the time of the answers. */
+/** Duration of a standstill from which CurrentTime is less accurate than the time in the server's answers. */
 const STANDS: Nanoseconds = 16n * NS_PER_MS;
 
-/** Maximum difference at which CurrentTime and the time of the answers count as one clock. Some servers write CurrentTime once a second. */
+/** Maximum difference for which CurrentTime and the time in the answers are the same clock. Some servers update CurrentTime once per second. */
 const SAME_CLOCK: Nanoseconds = 3000n * NS_PER_MS;
 
 /**
- * Reads the clock of the stamps: the server's own, or the variable with t_k.
- * @param variable Its id at this server; null for the server's own clock.
+ * Gets a function that reads the clock of the stamps, which is the server's clock or the time variable.
+ * @param variable Node id of the time variable; null for the server's clock.
  */
 export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings, variable: string | null, log: Log): Promise<ReadClock> {
   const node = variable ?? CURRENT_TIME;
@@ -40,7 +40,7 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
   };
 }
 
-/** Whether the server's CurrentTime stands still between updates, while its answers have the time of the same clock. */
+/** Whether the server's CurrentTime stands still between updates, and its answers contain the time of the same clock. */
 async function stands(session: ReadOnlySession, read: ReadClock): Promise<boolean> {
   const began = monotonicTime();
   const { sent: first } = await read();
@@ -49,11 +49,11 @@ async function stands(session: ReadOnlySession, read: ReadClock): Promise<boolea
   while (time === first && monotonicTime() - began < 4n * STANDS) {
     const asked = monotonicTime();
     ({ sent: time } = await read());
-    // A slow answer with a different time does not show a standstill.
+    // Counts only answers with the same time. A slow answer with a different time does not show a standstill.
     if (time === first) stood = asked - began;
   }
   const answered = sentAt(session);
-  // The first reading may be just before an update, so an early change is checked once more.
+  // Checks once more after an early change, because the first reading may have been just before an update.
   if (stood < STANDS && !(await stoodNext(read, time))) return false;
   if (answered === null) return false;
   const apart = answered - time;

@@ -81,7 +81,7 @@ export const opcua: Kind = {
   },
 };
 
-// The schema's pattern does not limit the size of numbers.
+// Checks the numbers in a node id, whose size the pattern in the schema does not limit.
 function requireNode(file: YamlFile, entry: Path, node: string): void {
   const [, namespace = 0, id = 0] = /^(?:ns=(\d+);|nsu=[^;]+;)?(?:i=(\d+)$)?/.exec(node)!;
   if (Number(namespace) > 65535) file.report(entry, opcuaSettingMessages.namespace(node));

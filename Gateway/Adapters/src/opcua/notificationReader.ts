@@ -13,18 +13,18 @@ import { nodeMessages } from '../messages/opcua';
 
 const GROUP_MS = 0.5;
 
-/** Converts notifications to values. */
+/** Converts notifications of the server to plant values. */
 export class NotificationReader {
-  /** Each node once, the time variable last. */
+  /** All nodes to read, each once. The time variable is the last one. */
   readonly nodes: string[];
-  /** Nodes of values: all but the time variable. */
+  /** All nodes except the time variable. */
   readonly valueNodes: string[];
   readonly #addresses: NodeAddress[];
   readonly #readers: number[][];
   readonly #time: TimeVariable | null;
   /** Nodes for which this connection has received a value. */
   readonly #received = new Set<number>();
-  /** The newest time of the previous notifications. */
+  /** The newest time in the notifications so far. */
   #known: Nanoseconds | null = null;
   #silence: Nanoseconds = 0n;
 
@@ -42,13 +42,13 @@ export class NotificationReader {
   }
 
   /** Resets the state for a new connection. */
-  startAnew(): void {
+  restart(): void {
     this.#received.clear();
     this.#known = null;
-    this.context.output.startAnew();
+    this.context.output.restart();
   }
 
-  /** Sets the sampling interval of the server, which is the minimum interval of a changing value. */
+  /** Sets the sampling interval of the server, which is the minimum interval between two changes of a value. */
   set samplingMs(ms: number) {
     this.#silence = ofMilliseconds(3 * ms);
     this.context.output.samplingS = ms / 1000;
@@ -56,26 +56,26 @@ export class NotificationReader {
 
   read(values: NodeValue[]): void {
     const timeNode = this.#readers.length;
-    // Reads the times first, because in a notification the values of a cycle may precede its time.
+    // Reads the times first, because the values of a cycle may precede its time in a notification.
     const times = values.filter(v => v.node === timeNode).map(({ value }) => this.#learn(value));
     const found = values.filter(v => v.node < timeNode).flatMap(({ node, value }) => this.#valuesOf(node, value));
-    // Uses the times of the previous notification: its last changes would be in this one.
+    // Confirms unchanged values up to the time of the previous notification. Earlier changes would be in this notification.
     if (this.#known !== null) this.hold(this.#known, new Set(values.filter(v => v.node < timeNode).flatMap(v => this.#readers[v.node])));
     this.context.output.publish(found);
     this.#note(this.#time === null ? found.filter(({ refusal }) => refusal === undefined).map(({ stamp }) => stamp) : times);
   }
 
-  /** Confirms unchanged values at a time of the control system up to which all changes are known. */
+  /** Confirms unchanged values at a control time up to which all changes are known. */
   hold(time: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     this.context.output.hold(time, this.#silence, except);
   }
 
-  /** Confirms that these nodes, and no others, had their last value at a time of the control system. */
+  /** Confirms that these nodes, and no others, still had their last value at a control time. */
   holdNodes(time: Nanoseconds, nodes: ReadonlySet<number>): void {
     this.hold(time, new Set(this.#readers.flatMap((values, node) => (nodes.has(node) ? [] : values))));
   }
 
-  /** Reports that the server does not have this node, or no longer has it. */
+  /** Reports that the server does not have this node. */
   lose(node: number, reason: string): void {
     for (const value of this.#readers[node]) this.context.output.lose(value, reason);
   }
@@ -85,12 +85,12 @@ export class NotificationReader {
     for (const value of this.#readers[node]) this.context.output.refuse(value, reason, text);
   }
 
-  /** Sets the function that returns when the source of a node stopped writing it. */
+  /** Sets the function that returns whether and when the source of a node has stopped writing it. */
   set stopOf(stopOf: (node: number) => SourceStop | null) {
     this.context.output.sourceStopOf = value => stopOf(this.#readers.findIndex(values => values.includes(value)));
   }
 
-  /** Whether the data of a joint of this node ended in mid-motion. */
+  /** Whether the data of a joint that is read from this node have ended during a motion. */
   hasEnded(node: number): boolean {
     return this.#readers[node].some(value => this.context.output.hasEnded(value));
   }
@@ -106,7 +106,7 @@ export class NotificationReader {
       if (time !== null && now !== null && time <= now && (this.#known === null || time > this.#known || this.#known > now)) this.#known = time;
   }
 
-  /** Gets the time in the variable and stores it; null if it is invalid. */
+  /** Gets the time in the time variable and stores it; null if the time is invalid. */
   #learn(value: DataValue): Nanoseconds | null {
     const { status } = this.context;
     const { node, unit } = this.settings.time!;
@@ -144,7 +144,7 @@ export class NotificationReader {
     return { reason: 'time-unmatched', text: nodeMessages.noTimeOfCycle(node, String(ms)) };
   }
 
-  /** Whether a value has a stamp. One without a stamp could be of any age. */
+  /** Whether a value has a stamp. The age of a value without a stamp is unknown. */
   #hasStamp(value: DataValue): boolean {
     return (this.#time === null ? this.#stampOf(value) : labelOf(value)) !== null;
   }

@@ -18,7 +18,7 @@ import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
 import { opcuaMessages } from '../messages/opcua';
 
-/** Initial number of nodes per read request; halved if a server accepts fewer. */
+/** Initial maximum number of nodes per read request. It is halved if a server does not accept it. */
 const NODES_PER_READ = 64;
 
 const TIMEOUT_MS = 5000;
@@ -27,7 +27,7 @@ const SESSION_MS = 30_000;
 const KEEP_ALIVE_MS = 1000;
 const LIFETIME_MS = 15_000;
 
-/** All requests that are sent to a control system. None of them can write a variable or call a method. */
+/** All requests that the adapter may send to a server. None of them can write a variable or call a method. */
 const ALLOWED = new Set([
   'OpenSecureChannelRequest',
   'CloseSecureChannelRequest',
@@ -43,14 +43,14 @@ const ALLOWED = new Set([
   'PublishRequest',
 ]);
 
-/** A value of the node with this index in the monitored list. */
+/** A value of a node. `node` is the index in the list of monitored nodes. */
 export interface NodeValue {
   node: number;
   value: DataValue;
 }
 
 export interface Monitoring {
-  /** For each node, the server's reason for not monitoring it; null if it does. */
+  /** For each node, the reason why the server does not monitor it; null if it does. */
   refusals: (string | null)[];
   samplingMs: number;
   publishingMs: number;
@@ -58,25 +58,25 @@ export interface Monitoring {
   keepAliveMs: number;
 }
 
-/** Throws for a request that is not read-only, before it is encoded, so that it is never sent. */
+/** Throws for a request that is not read-only. Called before a request is encoded, so that such a request is never sent. */
 export function readsOnly(request: { schema: { name: string } }): void {
   if (!ALLOWED.has(request.schema.name)) throw new Error(opcuaMessages.notAllowed(request.schema.name));
 }
 
-/** A read-only session with an OPC UA server. It ends once; create another one for another connection. */
+/** A read-only session with an OPC UA server. For a new connection, create a new session. */
 export class ReadOnlySession {
-  /** Resolves with the reason when the connection has ended on either side. */
+  /** Resolves with the reason when either side has ended the connection. */
   readonly ended: Promise<string>;
   readonly #client: OPCUAClient;
   #session: ClientSession | null = null;
   #subscription: ClientSubscription | null = null;
-  /** Monitored item of each node, and the node of each client handle. */
+  /** The monitored item of each node. `#places` maps client handles to nodes. */
   #items: ClientMonitoredItem[] = [];
   #places = new Map<number, number>();
   #canTriggerByStamp = true;
   #nodesPerRead = NODES_PER_READ;
   #heard: (values: NodeValue[]) => void = () => {};
-  /** Notifications that arrived before their monitored items are known; null when all are known. */
+  /** Notifications that arrived before their monitored items were known; null when all items are known. */
   #early: unknown[] | null = [];
   #end: (reason: string) => void = () => {};
   #answeredAt: Date | null = null;
@@ -96,7 +96,7 @@ export class ReadOnlySession {
       clientName: 'Nowpose',
       securityMode: isOpen ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt,
       securityPolicy: isOpen ? SecurityPolicy.None : SecurityPolicy[settings.security.policy],
-      // Servers often report a host name that differs from the one by which they are reached.
+      // Not checked, because servers often report a host name that differs from the one in the configuration.
       endpointMustExist: false,
       connectionStrategy: { maxRetry: 0 },
       requestedSessionTimeout: SESSION_MS,
@@ -114,14 +114,17 @@ export class ReadOnlySession {
     this.#client.on('close', error => this.#end(error ? error.message : opcuaMessages.closed));
   }
 
-  /** @throws Error The server is not reachable, is not trusted, or refuses us. */
+  /**
+   * Connects and creates a session.
+   * @throws Error The server is not reachable or not trusted, or it refuses this adapter.
+   */
   async open(user: UserIdentityInfo): Promise<void> {
     await this.#client.connect(this.settings.endpoint);
     this.#session = await this.#client.createSession(user);
     this.#session.on('session_closed', () => this.#end(opcuaMessages.sessionClosed));
   }
 
-  /** Time of the server's clock when it sent the newest answer to a read; null before the first. */
+  /** Time on the server's clock at which it sent its newest answer to a read request; null before the first answer. */
   get answeredAt(): Date | null {
     return this.#answeredAt;
   }
@@ -155,8 +158,8 @@ export class ReadOnlySession {
   }
 
   /**
-   * Replaces the monitored item of a node, which may have been recreated.
-   * @returns The reason why the server does not monitor it; null if it does.
+   * Replaces the monitored item of a node, because the server may have created the node again.
+   * @returns The reason why the server does not monitor the node; null if it does.
    */
   async monitorAgain(node: number, id: string): Promise<string | null> {
     const old = this.#items[node];
@@ -176,8 +179,8 @@ export class ReadOnlySession {
 
   /**
    * Monitors nodes.
-   * @param heard Receives the values of one notification, for each node the oldest first.
-   * @param alive Called for any message of the server; isQuiet if it reported no changes.
+   * @param heard Receives the values of one notification. Several values of one node are sorted, the oldest first.
+   * @param alive Called for each message of the server. `isQuiet` is true for a message without changes.
    */
   async monitor(nodes: string[], heard: (values: NodeValue[]) => void, alive: (isQuiet: boolean) => void): Promise<Monitoring> {
     const { samplingMs, publishingMs } = this.settings;
@@ -223,7 +226,7 @@ export class ReadOnlySession {
 
   async close(): Promise<void> {
     this.#end('closed');
-    // Does not wait for a server that hangs, or for a connection that is being made.
+    // Limits the wait, because the server may not respond, or the connection may still be in progress.
     await Promise.race([this.#closed(), new Promise(resolve => setTimeout(resolve, CLOSING_MS).unref())]);
   }
 
@@ -232,11 +235,12 @@ export class ReadOnlySession {
       await this.#session?.close(true);
       await this.#client.disconnect();
     } catch {
-      // A broken connection need not be closed.
+      // The connection is already broken.
     }
   }
 
-  // With a filter on time stamps, a robot at rest is reported, too; not every server supports this.
+  // Monitors the nodes with a filter on time stamps, so that the server also sends values at rest. Does without the filter if the server does not
+  // support it.
   async #monitored(subscription: ClientSubscription, nodes: string[]): Promise<ClientMonitoredItem[]> {
     if (nodes.length === 0) return [];
     const byStamp = await this.#group(subscription, nodes, BY_STAMP());
@@ -249,7 +253,7 @@ export class ReadOnlySession {
 
   #group(subscription: ClientSubscription, nodes: string[], filter: DataChangeFilter | null): Promise<ClientMonitoredItemGroup> {
     const { samplingMs } = this.settings;
-    // The server's revised interval may be longer than the requested one.
+    // Uses the publishing interval granted by the server, which may be longer than the requested one.
     const queueSize = 2 + Math.ceil((4 * subscription.publishingInterval) / samplingMs);
     return subscription.monitorItems(
       nodes.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),

@@ -1,16 +1,16 @@
 import type { SourceStop } from '../samples/jointOutput';
 import type { Nanoseconds } from '../times';
 
-/** Number of renewals of a node at rest after which it is known that its source writes it periodically. */
+/** Number of renewals of a node at rest from which its source counts as writing it periodically. */
 const MIN_RENEWALS = 3;
 
 /**
- * Time without a change of any node, in ms, after which renewals show that the source also writes at rest. Some sources write all values when one
- * changes, and nothing when all rest.
+ * Time in ms without a change of any node after which a renewal shows that the source also writes at rest. Some sources write all values when one
+ * value changes, and none while all values are at rest.
  */
 const QUIET_MS = 1000;
 
-/** A source has stopped writing a node after this time, in ms, and this multiple of the longest observed interval. */
+/** A source has stopped writing a node after STOPPED_MS and INTERVALS times the longest observed interval without a renewal. */
 const STOPPED_MS = 1200;
 const INTERVALS = 3;
 
@@ -20,21 +20,21 @@ interface Node {
   /** Time at which this stamp was first seen. */
   changedAt: number;
   renewals: number;
-  /** Whether it was renewed since its value changed. */
+  /** Whether the node was renewed after its last change. */
   isRenewed: boolean;
   longestMs: number;
 }
 
 /**
- * Source timestamps of nodes whose value does not change. Many sources write their values periodically, even at rest: a notification or a
- * read then has the same value with a newer source timestamp. If such a source stops writing, its data have ended.
- * @remarks A server that stamps each read renews all nodes forever. Renewals therefore do not prove that the source works.
+ * Watches the source timestamps of nodes whose values do not change. Many sources write their values periodically, even at rest. A notification or a
+ * read then returns the same value with a newer source timestamp, which is called a renewal. If such a source stops writing, its data have ended.
+ * @remarks Renewals do not prove that the source works, because some servers stamp each read request and thus renew all nodes.
  */
 export class Renewals {
   readonly #nodes: Node[];
   #lastChange = -Infinity;
 
-  /** @param now Monotonic time in ms. */
+  /** @param now Monotonic clock in ms. */
   constructor(
     nodes: number,
     readonly now: () => number,
@@ -49,8 +49,8 @@ export class Renewals {
   }
 
   /**
-   * Reports the source timestamp of a value that did not change. Returns whether the source has written it again.
-   * @param isInFault Whether the source is known to have stopped. Otherwise even a long interval counts as normal.
+   * Reports the source timestamp of an unchanged value. Returns whether the source has written the value again.
+   * @param isInFault Whether the source is known to have stopped, so that the interval until this value is not a normal one.
    */
   unchanged(node: number, stamp: Nanoseconds | null, isInFault = false): boolean {
     const known = this.#nodes[node];
@@ -64,7 +64,10 @@ export class Renewals {
     return !isFirst;
   }
 
-  /** Returns when a source that wrote the node periodically at rest stopped writing it; null if it still writes, or if this is unknown. */
+  /**
+   * Gets when the source stopped writing a node: at rest, or after a change. Returns null if the source still writes, or if this is unknown
+   * because the source did not write the node periodically at rest.
+   */
   stopOf(node: number): SourceStop | null {
     const { changedAt, renewals, isRenewed, longestMs } = this.#nodes[node];
     if (renewals < MIN_RENEWALS || this.now() - changedAt <= Math.max(STOPPED_MS, INTERVALS * longestMs)) return null;

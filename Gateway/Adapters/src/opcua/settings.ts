@@ -7,13 +7,13 @@ export type TimestampKind = 'source' | 'server' | 'variable';
 export interface SecuritySettings {
   mode: 'sign_and_encrypt' | 'none';
   policy: 'Basic256Sha256' | 'Aes128_Sha256_RsaOaep' | 'Aes256_Sha256_RsaPss';
-  /** The folder of own, trusted and rejected certificates. */
+  /** Path of the folder with the own, trusted and rejected certificates. */
   folder: string;
   thumbprint: string | null;
   serverCertificate: string | null;
 }
 
-/** The plant section of kind opcua, with its defaults. */
+/** The settings of the kind opcua, with defaults and the contents of files. */
 export interface OpcUaSettings {
   endpoint: string;
   security: SecuritySettings;
@@ -25,5 +25,5 @@ export interface OpcUaSettings {
   publishingMs: number;
 }
 
-/** Set by the check of the configuration, which reads the files with secrets. */
+/** Gets the settings that `check` has stored in the configuration. */
 export const settingsOf = (configuration: Configuration): OpcUaSettings => configuration.plant.settings as OpcUaSettings;

@@ -12,25 +12,25 @@ import { nodeMessages } from '../messages/opcua';
 const SILENT_MS = 60;
 
 /**
- * If reads differ from the last notification for this time and for this multiple of the normal delay, the server has stopped sending
- * notifications.
+ * The server no longer sends notifications of a node if reads have differed from the last notification for DIFFERENT_MS and for DELAYS times the
+ * maximum delay.
  */
 const DIFFERENT_MS = 400;
 const DELAYS = 2;
 
 interface NodeState {
   heardAt: number;
-  /** The newest notification; null before the first. */
+  /** The value of the newest notification; null before the first one. */
   value: DataValue | null;
   /** Whether the server does not have the node, or does not monitor it. */
   isGone: boolean;
-  /** Whether a read found its value unusable although the server had sent no notification of it. */
+  /** Whether a read returned an unusable value of which the server had sent no notification. */
   isBad: boolean;
-  /** Time of the first of the consecutive reads that differ from the last notification; null if the last one does not differ. */
+  /** Time of the first of the latest consecutive reads that differ from the last notification; null if the last read does not differ. */
   differsSince: number | null;
 }
 
-/** Reads the nodes for which a server sends nothing: their value is at rest or, often, the node was deleted. */
+/** Reads the nodes for which no notifications arrive, to distinguish a value at rest from a deleted node. */
 export class SilentNodes {
   /** Maximum delay of a change, ms. */
   delayMs = 0;
@@ -38,8 +38,8 @@ export class SilentNodes {
   readonly #renewals: Renewals;
 
   /**
-   * @param ids The nodes of the values at this server.
-   * @param nameOf Gets the configuration entry of a node.
+   * @param ids Node ids of the values at this server.
+   * @param nameOf Gets the place of a node in the configuration, for messages.
    */
   constructor(
     readonly session: Pick<ReadOnlySession, 'readAll' | 'monitorAgain'>,
@@ -52,7 +52,7 @@ export class SilentNodes {
     this.#renewals = new Renewals(ids.length, now);
   }
 
-  /** Gets when the source stopped writing the node; null if it has not, or if it is unknown. */
+  /** Gets when the source stopped writing a node; null if it has not stopped, or if this is unknown. */
   stopOf(node: number): SourceStop | null {
     return this.#renewals.stopOf(node);
   }
@@ -72,7 +72,7 @@ export class SilentNodes {
     this.reader.lose(node, reason);
   }
 
-  /** Reads each silent node. Returns those that still have the value of their last notification. */
+  /** Reads each node without recent notifications. Returns the nodes that still have the value of their last notification. */
   async read(): Promise<Set<number>> {
     const began = this.now();
     const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => (isGone || began - heardAt >= SILENT_MS ? [node] : []));
@@ -99,7 +99,7 @@ export class SilentNodes {
     state.differsSince = isSame ? null : (state.differsSince ?? now);
     const hasEnded = this.reader.hasEnded(node);
     const isWrittenAgain = isSame && this.#renewals.unchanged(node, sourceStamp(value), hasEnded) && hasEnded;
-    // A new monitored item immediately sends the value with its stamp.
+    // Creates a new monitored item in these cases, because the server then sends the current value with its stamp at once.
     const isNew =
       isWrittenAgain
       || state.isGone

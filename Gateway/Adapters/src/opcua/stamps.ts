@@ -3,13 +3,13 @@ import { ofCount, ofFraction, type TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, NS_PER_MS } from '../times';
 
 /**
- * Gets the time of a library date with its full resolution; null for none, or for one that OPC UA defines as no time.
- * @param picoseconds Fraction of a ms: the 100 ns of the protocol and, if the server sends them, its picoseconds.
+ * Gets the time of a date from the library with its full resolution; null for no date, or for a date that means "no time" in OPC UA.
+ * @param picoseconds Fraction of the millisecond: the 100 ns units of the protocol and the picoseconds, if the server sends them.
  */
 export function ofDate(date: Date | null | undefined, picoseconds = 0): Nanoseconds | null {
   if (!date || Number.isNaN(date.getTime())) return null;
   const ms = BigInt(date.getTime());
-  // The earliest and the latest date of OPC UA mean "no time".
+  // The minimum and the maximum date in OPC UA mean "no time".
   const isNone = date.getUTCFullYear() <= 1601 || date.getUTCFullYear() >= 9999;
   return isNone ? null : ms * NS_PER_MS + BigInt(Math.floor(picoseconds / 1000));
 }
@@ -18,14 +18,14 @@ export const sourceStamp = (value: DataValue): Nanoseconds | null => ofDate(valu
 
 export const serverStamp = (value: DataValue): Nanoseconds | null => ofDate(value.serverTimestamp, value.serverPicoseconds);
 
-/** Gets a 64-bit number from the library's two halves. */
+/** Combines the two 32-bit halves in which the library returns a 64-bit number. */
 const whole = (value: unknown, isSigned: boolean): bigint | null => {
   if (!Array.isArray(value) && !(value instanceof Uint32Array)) return null;
   const bits = (BigInt(value[0] >>> 0) << 32n) | BigInt(value[1] >>> 0);
   return isSigned ? BigInt.asIntN(64, bits) : bits;
 };
 
-/** Gets a scalar number, as a bigint for 64 bits; any other value unchanged. */
+/** Gets the value of a variant. A 64-bit number is returned as a bigint. */
 export function numberIn(variant: Variant): unknown {
   switch (variant.dataType) {
     case DataType.Int64:
@@ -38,8 +38,8 @@ export function numberIn(variant: Variant): unknown {
 }
 
 /**
- * Gets the time in a variable of the control system. A DateTime needs no unit; the default is ns since 1970 for whole numbers, and s for an
- * LREAL. A REAL, with a resolution of two minutes for current dates, and 32-bit seconds are refused.
+ * Gets the time in a variable of the control system; null if there is none. A DateTime needs no unit. The default unit is ns for whole numbers and
+ * s for an LREAL, counted since 1970. Refuses a REAL, whose resolution is two minutes for current dates, and 32-bit seconds.
  */
 export function timeIn(variant: Variant, unit: TimeUnit | null): Nanoseconds | null {
   if (variant.dataType === DataType.DateTime) {

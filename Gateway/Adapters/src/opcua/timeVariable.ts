@@ -3,13 +3,13 @@ import type { Nanoseconds } from '../times';
 const REMEMBERED = 64;
 
 /**
- * The control system's time from a variable, to be assigned to the values of the same cycle. The cycle is identified by the server's time
- * stamps: variables that are sampled together have equal ones, even if they are wrong.
+ * The times in a variable of the control system, to be assigned to the values of the same cycle. The server's time stamps, called labels, identify
+ * the cycle: variables that are sampled together have equal time stamps, even if these are wrong.
  */
 export class TimeVariable {
   readonly #known: { label: Nanoseconds; time: Nanoseconds }[] = [];
 
-  /** @param tolerance Maximum difference of the labels of one cycle. */
+  /** @param tolerance Maximum difference between the labels of one cycle. */
   constructor(readonly tolerance: Nanoseconds) {}
 
   learn(label: Nanoseconds, time: Nanoseconds): void {
@@ -17,7 +17,7 @@ export class TimeVariable {
     if (this.#known.length > REMEMBERED) this.#known.shift();
   }
 
-  /** Gets the time of the cycle with this label; null if unknown. */
+  /** Gets the time of the cycle with this label; null if it is unknown. */
   at(label: Nanoseconds): Nanoseconds | null {
     let best: Nanoseconds | null = null;
     let distance = this.tolerance + 1n;

@@ -3,7 +3,7 @@ import { thumbprints, type TrustList } from './security/trustList';
 import type { OpcUaSettings } from './settings';
 import { opcuaMessages, opcuaRefusalMessages } from '../messages/opcua';
 
-/** The server refuses us, or we refuse the server. Waiting does not help; a user must act. */
+/** The error for a server that refuses this adapter, or that this adapter refuses. A user must act, because waiting does not help. */
 export class Refused extends Error {}
 
 export interface Trouble {
@@ -25,7 +25,7 @@ const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate) => string][
   [/BadTooManySessions|BadTcpNotEnoughResources/, () => opcuaRefusalMessages.noFreeSession],
 ];
 
-/** Classifies the error of a connection attempt: whether to wait or to act. */
+/** Classifies the error of a connection attempt: whether a user must act (a refusal), or waiting may help. */
 export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSettings, own: OwnCertificate): Trouble {
   if (error instanceof Refused) return { isRefusal: true, text: error.message };
   if (trust.refusal !== null) return { isRefusal: true, text: trust.refusal };

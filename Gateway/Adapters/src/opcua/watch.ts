@@ -3,7 +3,7 @@ import type { Nanoseconds } from '../times';
 import { clockMessages } from '../messages/gateway';
 import { opcuaMessages } from '../messages/opcua';
 
-/** Interval of the checks while values arrive, and after none has arrived for QUIET_MS. A headset shows a sample for 300 ms. */
+/** Interval of the checks while values arrive (LOOK_MS), and after QUIET_MS without any value. Headsets show a sample for about 300 ms. */
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 60;
 const QUIET_MS = 50;
@@ -11,7 +11,7 @@ const QUIET_MS = 50;
 const SILENCE_MS = 5000;
 const MISSED = 3;
 
-/** Monitors the server by its notifications, its keep-alive messages and its clock. */
+/** Detects a server that no longer responds, from its notifications, its keep-alive messages and the readings of its clock. */
 export class Watch {
   #heard = performance.now();
   #valued = -Infinity;
@@ -26,9 +26,9 @@ export class Watch {
   }
 
   /**
-   * Resolves with the reason when the server is silent; checks until `ended`. Each check also measures the clock.
-   * @param keepAliveMs Interval of the server's keep-alive messages.
-   * @param look Called in each check, with the clock's time just before; null if it was not read.
+   * Checks the server until `ended` resolves. Each check also reads the clock. Resolves with the reason when the server no longer responds.
+   * @param keepAliveMs Interval of the server's keep-alive messages, ms.
+   * @param look Called in each check with the time of the clock just before; null if the clock could not be read.
    */
   async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
@@ -46,7 +46,7 @@ export class Watch {
       try {
         if (!isOver) time = (await clock.read()).received;
       } catch (error) {
-        // A server with a stopped clock still answers. The reader of the time gets the error.
+        // Continues if the clock has stopped, because such a server still answers. The gateway gets this error when it reads the time.
         if (!isClockStopped(error)) return clockMessages.notReadable((error as Error).message);
       }
       try {

@@ -16,16 +16,16 @@ const CLOCK_RETRY_MS = 1000;
 
 const GET_TIME = '/rosapi/get_time';
 
-/** The types with ROS 1 names, which ROS 2's rosbridge accepts, too. */
+/** Message types with their ROS 1 names. The rosbridge of ROS 2 also accepts these names. */
 const JOINT_STATE = 'sensor_msgs/JointState';
 const TRAJECTORY = 'trajectory_msgs/JointTrajectory';
 const STRING = 'std_msgs/String';
 const TRANSFORMS = 'tf2_msgs/TFMessage';
 
-/** The field of the messages of std_msgs. */
+/** The field that contains the value in messages of std_msgs. */
 const DATA = 'data';
 
-/** Listens to a robot's rosbridge and forwards its messages until it is stopped. */
+/** Subscribes to topics of a robot's rosbridge and forwards its messages, until the adapter is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, gateway, clock, status, log, stopping } = context;
   const settings = settingsOf(configuration);
@@ -46,7 +46,7 @@ export async function run(context: AdapterContext): Promise<void> {
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   });
 
-  // rosapi may start later than rosbridge.
+  // Tries repeatedly, because rosapi may start later than rosbridge.
   async function attach(ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
@@ -94,7 +94,7 @@ export async function run(context: AdapterContext): Promise<void> {
     else status.refuse('malformed', 'robot description', malformedMessages.noRobot);
   }
 
-  // A message without a header has no stamp. Its arrival is later than the change by the transmission time.
+  // Stamps a message without a header with the time of its arrival, which is later than the change by the transmission time.
   function passValues(topic: string, message: Record<string, unknown>): void {
     const { stamp } = (message.header ?? {}) as { stamp?: unknown };
     output.publish(values.in(topic, message, ofRosTime(stamp) ?? clock.now));

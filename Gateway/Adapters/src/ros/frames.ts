@@ -13,7 +13,7 @@ import { rosMessages } from '../messages/ros';
 export interface RosFrame {
   frame: string;
   source: string;
-  /** The topic with its pose; null for /tf and /tf_static. */
+  /** The topic with the frame's pose; null if the pose is in /tf or /tf_static. */
   topic: string | null;
   type?: string;
 }
@@ -30,16 +30,16 @@ interface Publisher {
 
 interface Names {
   frames: RosFrame[];
-  /** The frame in ROS that is the anchored frame of the cell. */
+  /** Name in ROS of the anchored frame of the cell. */
   world: string;
-  /** Namespace of the robot whose links may be parents; empty for none. */
+  /** Namespace of the robot whose links can be parents; empty for none. */
   namespace: string;
 }
 
-/** ROS 1 allowed a slash before a frame's name. */
+/** Gets a frame's name without the leading slash that ROS 1 allowed. */
 const bare = (name: unknown): string => (typeof name === 'string' ? name.replace(/^\//, '') : '');
 
-/** Forwards the configured frames of a robot's /tf and /tf_static with their own stamps. */
+/** Forwards the configured frames of a robot with their own stamps. */
 export class RosFrames {
   readonly #rule: StampRule;
   readonly #stationary = new Map<string, object>();
@@ -53,17 +53,17 @@ export class RosFrames {
     readonly silence: Silence,
   ) {
     this.#rule = new StampRule(names.frames.length, oldest);
-    // A frame whose publisher is silent cannot be confirmed.
+    // ROS does not confirm the poses of a frame whose publisher is silent.
     silence.unconfirmedMs = null;
     for (const { frame } of names.frames) status.frames.expect(frame);
   }
 
-  /** Forwards tracked frames. */
+  /** Forwards the tracked frames in a message of /tf. */
   pass(message: Record<string, unknown>): void {
     this.#forward(this.#found(message));
   }
 
-  /** Forwards the frame that has a topic of its own, with TransformStamped, PoseStamped or a message with a pose and its covariance. */
+  /** Forwards a frame with its own topic. The message is a TransformStamped, a PoseStamped, or contains a pose with covariance. */
   passPose(index: number, message: Record<string, unknown>): void {
     this.#forward(this.#read(index, 'transform' in message ? message : ofPose(message)));
   }
@@ -86,10 +86,10 @@ export class RosFrames {
     this.status.sampled();
   }
 
-  /** Forwards stationary frames. */
+  /** Forwards the stationary frames in a message of /tf_static. */
   passStationary(message: Record<string, unknown>): void {
     const found = this.#found(message);
-    // A zero stamp needs no clock: a stationary frame has the same pose at all times.
+    // Uses a zero stamp, which needs no clock, because a stationary frame has the same pose at all times.
     for (const { pose } of found) {
       this.#stationary.set(pose.frame, transform(0n, pose));
       this.status.frames.live(pose.frame);
@@ -115,7 +115,7 @@ export class RosFrames {
     });
   }
 
-  /** Gets the pose of a frame as a list; an empty one if it is refused. */
+  /** Gets the pose of a frame as a list of one element; an empty list if the pose is refused. */
   #read(index: number, { header, transform: pose }: RosTransform): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
     const { frame, source, topic } = this.names.frames[index];
     const parent = bare(header?.frame_id);
@@ -136,14 +136,14 @@ export class RosFrames {
   }
 }
 
-/** Gets the transform of a message of geometry_msgs or nav_msgs with a header and a pose, or a pose with its covariance. */
+/** Gets the transform from a message of geometry_msgs or nav_msgs that contains a pose, with or without covariance. */
 function ofPose({ header, pose }: Record<string, unknown>): RosTransform {
   const inner = (pose as { pose?: unknown } | undefined)?.pose ?? pose;
   const { position, orientation } = (inner ?? {}) as Record<string, Record<string, unknown> | undefined>;
   return { header: header as RosTransform['header'], transform: { translation: position, rotation: orientation } };
 }
 
-/** Gets the members with these names; null if one is not a finite number. */
+/** Gets the numbers with these names from a message; null if one of them is not a finite number. */
 function numbers(vector: Record<string, unknown> | undefined, names: string[]): number[] | null {
   const found = names.map(name => vector?.[name]);
   return found.every(value => typeof value === 'number' && Number.isFinite(value)) ? (found as number[]) : null;

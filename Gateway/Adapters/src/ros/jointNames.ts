@@ -2,10 +2,10 @@ import type { Joint } from '../configuration/configuration';
 
 const MAX_JOINTS = 256;
 
-/** A forwarded joint: its index among the seen joints, and the conversion of its values. */
+/** A forwarded joint and the conversion of its values. `index` counts the joints in the order in which they were first seen. */
 export interface OutJoint {
   index: number;
-  /** Its name in the whole cell: NAMESPACE/NAME for a robot in a namespace. */
+  /** Cell-wide name: NAMESPACE/NAME for a robot with a namespace. */
   joint: string;
   name: string;
   scale: number;
@@ -14,7 +14,7 @@ export interface OutJoint {
   isLinear: boolean;
 }
 
-/** Selects and renames the forwarded joints of the robot: those of the configuration, or all if it lists none. */
+/** Selects and renames the joints that are forwarded: the joints in the configuration, or all joints if it lists none. */
 export class JointNames {
   readonly #known = new Map<string, OutJoint>();
 
@@ -24,7 +24,7 @@ export class JointNames {
     readonly namespace = '',
   ) {
     joints.forEach(({ joint, name, source, topic, scale, offset, isLinear }, index) => {
-      // A joint with a topic of its own is not in the joint states.
+      // Skips a joint with its own topic, because the joint states do not contain it.
       if (topic === undefined)
         this.#known.set((source as string | undefined) ?? name, { index, joint, name, scale, offset, isLinear: isLinear === true });
     });
@@ -33,7 +33,7 @@ export class JointNames {
 
   readonly isOpen: boolean;
 
-  /** Gets a forwarded joint; undefined if it is not forwarded. */
+  /** Gets a joint by its name at the robot; undefined if it is not forwarded. */
   find(source: unknown): OutJoint | undefined {
     if (typeof source !== 'string') return undefined;
     const known = this.#known.get(source);

@@ -21,16 +21,19 @@ interface RosJointState {
   name?: unknown[];
   position?: unknown[];
   velocity?: unknown[];
-  /** Not in ROS: sent by our own gateway. */
+  /** Accelerations, which only our own gateway sends. */
   acceleration?: unknown[];
 }
 
-/** Forwards a robot's joint states with their own stamps, for each joint with a valid position. */
+/** Forwards joint states with their own stamps. Omits joints without a valid position. */
 export class JointStates {
   readonly #rule: StampRule;
-  /** End-of-data detection by joint; at most as many as there are names. */
+  /** End-of-data detection for each joint. `names` limits the number of joints. */
   readonly #ends = new Map<string, EndOfData>();
-  /** Joints whose end of data was judged since their last sample. Joints that start to move later are not evidence. */
+  /**
+   * Joints whose end of data was already judged since their last sample. A joint is judged once, because motions that start later are no
+   * evidence.
+   */
   readonly #judged = new Set<string>();
 
   constructor(
@@ -41,7 +44,7 @@ export class JointStates {
     readonly status: AdapterStatus,
     readonly silence: Silence,
   ) {
-    // A joint whose publisher is silent cannot be confirmed.
+    // ROS does not confirm the position of a joint whose publisher is silent.
     silence.unconfirmedMs = null;
     const others = silence.endOf;
     silence.endOf = joint => others(joint) ?? (this.#hasEnded(joint) ? silenceMessages.ended : null);
@@ -51,7 +54,7 @@ export class JointStates {
   pass(message: RosJointState | null): void {
     const { name, position, velocity, acceleration } = message ?? {};
     if (!Array.isArray(name) || !Array.isArray(position) || position.length !== name.length) {
-      // Joints with only efforts or velocities are published with empty positions.
+      // Ignores messages with empty positions, which contain only efforts or velocities.
       if (!Array.isArray(position) || position.length > 0) this.status.refuse('malformed', 'joint states', malformedMessages.jointStates);
       return;
     }
@@ -79,7 +82,7 @@ export class JointStates {
 
   #isUsable({ index, joint, scale, offset, isLinear }: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
     this.status.joints.expect(joint);
-    // A NaN arrives as null.
+    // The position may be null, because rosbridge sends NaN as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
       this.status.refuse('not-finite', joint, refusalMessages.notPosition(shown(position)));
       return false;
@@ -108,7 +111,7 @@ export class JointStates {
   }
 }
 
-/** Gets the values of the forwarded joints; null where the robot sent none, and an empty list if it sent none at all. */
+/** Gets the velocities or accelerations of the forwarded joints; null for a joint without one. Empty if the robot sent none. */
 function derivativesOf(values: unknown[] | undefined, length: number, taken: { out: OutJoint; i: number }[]): (number | null)[] {
   if (!Array.isArray(values) || values.length !== length) return [];
   return taken.map(({ out, i }) => {

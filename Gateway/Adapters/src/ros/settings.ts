@@ -11,7 +11,7 @@ import { rosMessages } from '../messages/ros';
 
 const OLDEST_MS = 10_000;
 
-/** The settings of kind ros. */
+/** The settings of the kind ros. */
 export interface RosSettings {
   endpoint: string;
   pin: string | null;
@@ -22,14 +22,14 @@ export interface RosSettings {
   tf: string;
   tfStatic: string;
   frames: RosFrame[];
-  /** The types of the topics of single values. */
+  /** Message types of the topics with single values, by topic. */
   types: Map<string, string>;
-  /** The frame in ROS that is the anchored frame of the cell. */
+  /** Name in ROS of the anchored frame of the cell. */
   world: string;
   /** Namespace of the robot; empty for none. */
   namespace: string;
   hasClock: boolean;
-  /** Values with older stamps are refused. */
+  /** Maximum age of a stamp. Values with older stamps are refused. */
   oldest: Nanoseconds;
 }
 
@@ -81,7 +81,7 @@ export const ros: Kind = {
     if (sectionOf(configuration).pin !== undefined) requireTls(file, ['plant'], sectionOf(configuration).endpoint);
     const { joints } = configuration;
     const { frames = [] } = file.value as { frames?: FrameEntry[] };
-    // Kept with the entries of the kind, because a frame of ROS arrives as a whole.
+    // Stored in the plant section, because the pose of a ROS frame arrives as a whole and not as single values.
     (configuration.plant as { frames?: object[] }).frames = frames;
     for (const name of ['frame', 'source'] as const) {
       const names = frames.map(each => each[name] ?? each.frame);
@@ -108,7 +108,7 @@ export const ros: Kind = {
   },
 };
 
-/** Reports a topic that is listed with two types. ROS 2 has names with msg between the package and the name. */
+/** Reports a topic that is configured with two types. The ROS 1 and the ROS 2 name of a type, which contains /msg/, are equal. */
 function requireOneType(file: YamlFile, entries: { path: Path; topic?: string; type?: string }[]): void {
   const seen = new Map<string, { path: Path; type: string }>();
   for (const { path, topic, type } of entries) {

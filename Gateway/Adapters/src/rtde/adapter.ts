@@ -9,7 +9,7 @@ import { fieldMessages, rtdeMessages } from '../messages/rtde';
 
 const STEADY_MS = 2000;
 
-/** Reads a robot's controller over RTDE until it is stopped. */
+/** Reads a robot's controller over RTDE, until the adapter is stopped. */
 export async function run(context: AdapterContext): Promise<void> {
   const { configuration, status, log, stopping } = context;
   const settings = settingsOf(configuration);

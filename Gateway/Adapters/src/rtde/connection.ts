@@ -5,17 +5,17 @@ import { rtdeMessages } from '../messages/rtde';
 
 const CONNECT_MS = 3000;
 
-/** The peer refused in a way that waiting is unlikely to fix. */
+/** The error for a refusal by the controller that waiting is unlikely to fix. */
 export class RefusalError extends Error {}
 
 export interface Peer {
   host: string;
   port: number;
-  /** Name of the service in PolyScope; RTDE by default. */
+  /** Name of the service in PolyScope; if absent, RTDE. */
   service?: string;
 }
 
-/** A TCP connection that returns whole packages with the time of their arrival. */
+/** A TCP connection to a controller that passes on complete packages with the time of their arrival. */
 export class RtdeConnection {
   readonly #reader = new PackageReader();
   readonly #socket: Socket;
@@ -34,11 +34,14 @@ export class RtdeConnection {
     this.#socket = socket;
     socket.setNoDelay(true);
     socket.on('data', bytes => this.#hear(bytes));
-    // One message for both events, because their order is random.
+    // Uses one message for both events, because their order is random.
     socket.on('error', () => {}).on('close', () => this.#end(new Error(rtdeMessages.ended(at(peer)))));
   }
 
-  /** @throws Error The peer does not answer. The message has the remedy. */
+  /**
+   * Opens a connection.
+   * @throws Error The controller does not answer. The message has the remedy.
+   */
   static open(peer: Peer, stop: AbortSignal): Promise<RtdeConnection> {
     return new Promise((resolve, reject) => {
       const socket = connect({ host: peer.host, port: peer.port });
@@ -65,7 +68,7 @@ export class RtdeConnection {
     });
   }
 
-  /** Whether a package has been received only partially. */
+  /** Whether the newest package has been received only in part. */
   get hasHalfPackage(): boolean {
     return this.#reader.waiting > 0;
   }
@@ -95,7 +98,7 @@ const codeOf = (error: Error): string => (error as NodeJS.ErrnoException).code ?
 
 const TIMED_OUT = Object.assign(new Error(), { code: 'ETIMEDOUT' });
 
-/** Gets the description of a failed connection, with the remedy. */
+/** Gets the reason why a connection failed, with the remedy. */
 export function unreachable(peer: Peer, error: Error): string {
   const code = codeOf(error);
   switch (code) {

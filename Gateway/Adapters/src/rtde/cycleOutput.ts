@@ -4,15 +4,15 @@ import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import type { Cycle, Recipe } from './recipe';
 import type { RtdeSettings } from './settings';
 
-/** Tolerance for packages that are earlier than the chosen interval, because timestamps are rounded. */
+/** Time by which a package may be earlier than the chosen interval, because timestamps are rounded. */
 const TOLERANCE: Nanoseconds = NS_PER_MS / 2n;
 
 /** Time without a confirmation after which a signal has a fault. The controller confirms each signal in each package. */
 const SIGNAL_SILENCE_MS = 1000;
 
-/** Publishes the joints and poses of data packages at the chosen rate, and the signals of all packages. */
+/** Publishes the joints and poses from data packages at the chosen rate, and the signals from all packages. */
 export class CycleOutput {
-  /** The frames' and signals' values that the controller has. */
+  /** The configured values of frames and signals that the controller has. */
   readonly #values: { index: number; address: Address }[];
   #published: Nanoseconds | null = null;
 

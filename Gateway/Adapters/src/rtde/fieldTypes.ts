@@ -1,4 +1,4 @@
-/** The elements of a field of RTDE. All numbers are big-endian. */
+/** The elements of an RTDE field. All numbers are big-endian. */
 interface Elements {
   count: number;
   /** Size of one element in bytes. */
@@ -12,7 +12,7 @@ const byte: Elements = { count: 1, size: 1, isWhole: true, read: (from, at) => f
 const int32 = (count: number): Elements => ({ count, size: 4, isWhole: true, read: (from, at) => from.readInt32BE(at) });
 const uint32 = (count: number): Elements => ({ count, size: 4, isWhole: true, read: (from, at) => from.readUInt32BE(at) });
 
-/** The data types in UR's guide. */
+/** The data types in UR's RTDE guide. */
 const TYPES = {
   BOOL: byte,
   UINT8: byte,

@@ -1,18 +1,18 @@
 import type { Cycle } from './recipe';
 
-/** Time constant of the sums' decay. */
+/** Time constant in s with which old cycles lose their weight. */
 const WINDOW_S = 10;
 
-/** Minimum integral of the squared velocities for an estimate, rad²/s. */
+/** Minimum integral of the squared velocities over time for an estimate, rad²/s. */
 const MOVED = 0.01;
 
-/** Estimates how long after the commanded positions the arm has them: the slope of the deviation over the velocity. */
+/** Estimates the lag of the measured behind the commanded positions, as the slope of their deviation over the velocity. */
 export class Following {
   #products = 0;
   #squares = 0;
   #last: number | null = null;
 
-  /** The lag in ms; null until the arm has moved. */
+  /** The lag in ms; null until the arm has moved enough. */
   get lagMs(): number | null {
     return this.#squares < MOVED ? null : (1000 * this.#products) / this.#squares;
   }

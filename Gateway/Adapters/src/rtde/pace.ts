@@ -1,4 +1,4 @@
-/** Number of intervals for the estimate of the usual one. */
+/** Number of newest intervals from which the usual interval is estimated. */
 const INTERVALS = 16;
 
 /** Estimates the usual interval between packages, and the number of missing packages. */
@@ -13,8 +13,9 @@ export class Pace {
   }
 
   /**
+   * Adds a package.
    * @param timestamp Timestamp of the package, in seconds.
-   * @returns Number of packages missing before this one.
+   * @returns Number of packages that are missing before this package.
    */
   lostBefore(timestamp: number): number {
     const interval = this.#last === null ? null : timestamp - this.#last;

@@ -1,6 +1,9 @@
 import { rtdeMessages } from '../messages/rtde';
 
-/** Packages of RTDE by the character that UR's guide gives each of them. Packages that write to the robot (I, and U from a client) are not sent. */
+/**
+ * Package types of RTDE: ASCII codes of the characters in UR's guide. The packages that write to the robot (I, and U from a client) are not
+ * sent.
+ */
 export const TYPE = {
   protocolVersion: 86,
   controllerVersion: 118,
@@ -12,7 +15,7 @@ export const TYPE = {
   pause: 80,
 } as const;
 
-/** The requests that are sent here; all are read-only. */
+/** The requests that the adapter sends. All of them are read-only. */
 export type Request = 'protocolVersion' | 'controllerVersion' | 'setUpOutputs' | 'start';
 
 const HEADER = 3;
@@ -24,10 +27,10 @@ export interface RtdePackage {
   payload: Buffer;
 }
 
-/** The peer sends data that are not RTDE. */
+/** The error for received data that are not RTDE. */
 export class NotRtdeError extends Error {}
 
-/** uint16 size of the whole package, uint8 type, payload; big-endian as everything in RTDE. */
+/** Creates a package: uint16 size of the whole package, uint8 type, payload; big-endian, as are all numbers in RTDE. */
 function packageOf(request: Request, payload: Buffer = Buffer.alloc(0)): Buffer {
   const bytes = Buffer.alloc(HEADER + payload.length);
   bytes.writeUInt16BE(bytes.length, 0);
@@ -44,7 +47,7 @@ export function protocolVersion(version: number): Buffer {
 
 export const controllerVersion = (): Buffer => packageOf('controllerVersion');
 
-/** In protocol version 2 the frequency, a double in Hz, precedes the names. */
+/** Creates the request for the output recipe. In protocol version 2, the frequency, a double in Hz, precedes the names. */
 export function setUpOutputs(frequencyHz: number, names: string[]): Buffer {
   const frequency = Buffer.alloc(8);
   frequency.writeDoubleBE(frequencyHz);
@@ -53,7 +56,7 @@ export function setUpOutputs(frequencyHz: number, names: string[]): Buffer {
 
 export const start = (): Buffer => packageOf('start');
 
-/** Gets a text message of version 2, or of version 1, which has the level first and no source; null if it is neither. */
+/** Gets the text in a message of protocol version 2, or of version 1, which starts with the level and has no source; null if it is neither. */
 export function textOf(payload: Buffer): string | null {
   const length = payload[0] ?? 0;
   const source = payload[1 + length] ?? 0;
@@ -69,19 +72,19 @@ export function textOf(payload: Buffer): string | null {
 export class PackageReader {
   #rest: Buffer = Buffer.alloc(0);
 
-  /** Number of bytes of an incomplete package. */
+  /** Number of received bytes of the incomplete package. */
   get waiting(): number {
     return this.#rest.length;
   }
 
-  /** Length of the incomplete package from its header; 0 if the header is incomplete. */
+  /** Length of the incomplete package according to its header; 0 if the header is incomplete. */
   get announced(): number {
     return this.#rest.length < HEADER ? 0 : this.#rest.readUInt16BE(0);
   }
 
   /**
-   * Gets the packages that are complete now. Their payloads are valid until the next call.
-   * @throws NotRtdeError Invalid header. Packages before it are lost, too, and the connection is unusable.
+   * Adds received bytes and gets the packages that are now complete. Their payloads are valid until the next call.
+   * @throws NotRtdeError A header is invalid. The packages before it are also lost, and the connection is unusable.
    */
   add(bytes: Buffer): RtdePackage[] {
     const all = this.#rest.length === 0 ? bytes : Buffer.concat([this.#rest, bytes]);

@@ -2,12 +2,12 @@ import type { Address } from '../configuration/values';
 import { elementsOf, type FieldType, isFieldType } from './fieldTypes';
 import { fieldMessages } from '../messages/rtde';
 
-/** A requested field, with its type in UR's guide. */
+/** A requested field. */
 export interface Field {
   name: string;
-  /** Absent for a field of the configuration, which may have any type. */
+  /** Type in UR's guide; absent for a field from the configuration, which may have any type. */
   type?: FieldType;
-  /** Whether the field is omitted for controllers that do not have it. */
+  /** Whether the field may be missing. It is then omitted from the recipe. */
   isOptional?: boolean;
 }
 
@@ -15,8 +15,9 @@ export interface Field {
 export type PositionSource = 'actual' | 'target';
 
 /**
- * Gets the requested fields.
- * @param addresses Addresses of the frames and signals of the configuration.
+ * Gets the fields to request.
+ * @param source Source of the published positions.
+ * @param addresses Addresses of the configured frames and signals.
  */
 export function fieldsOf(source: PositionSource, addresses: Address[] = []): Field[] {
   const fields: Field[] = [
@@ -35,22 +36,22 @@ export function fieldsOf(source: PositionSource, addresses: Address[] = []): Fie
   return [...fields, ...[...others].map(name => ({ name, isOptional: true }))];
 }
 
-/** The controller cannot provide the requested fields. Waiting alone does not help. */
+/** The error for a controller that cannot provide the required fields. Waiting does not help. */
 export class RecipeError extends Error {}
 
-/** The controller does not have these optional fields, which are then omitted. */
+/** The error for optional fields that the controller does not have. A new request must omit them. */
 export class MissingFieldsError extends Error {
   constructor(readonly names: string[]) {
     super(fieldMessages.missing(names));
   }
 }
 
-/** The fields of one data package that every robot has. */
+/** The decoded fields of one data package, without those of frames and signals. */
 export interface Cycle {
   /** Seconds since the controller was started. */
   timestamp: number;
   positions: number[];
-  /** Null if the controller does not provide them. */
+  /** Velocities in rad/s; null if the controller does not provide them. */
   velocities: number[] | null;
   /** Commanded minus measured positions; null if the controller does not provide both. */
   deviations: number[] | null;
@@ -60,15 +61,15 @@ export interface Cycle {
   safetyBits: number | null;
 }
 
-/** Decodes data packages according to the recipe confirmed by the controller. */
+/** Decodes data packages according to the recipe that the controller has confirmed. */
 export class Recipe {
   readonly #fields = new Map<string, { at: number; type: FieldType }>();
   readonly #id: number;
   readonly size: number;
 
   /**
-   * @param reply Payload of the answer to the request: a recipe id and the types, in the order of the fields.
-   * @throws RecipeError A field is missing or has another type.
+   * @param reply Payload of the answer to the request: the recipe id, and the types in the order of the fields.
+   * @throws RecipeError A required field is missing, or a field has another type.
    * @throws MissingFieldsError Optional fields are missing.
    */
   constructor(
@@ -138,7 +139,7 @@ export class Recipe {
   }
 }
 
-/** Maximum time since the start: a century. A larger number is not a valid time. */
+/** Maximum time since the start of the controller, in s: a century. A larger number is not a valid time. */
 const MAX_S = 3.2e9;
 
 const printable = (type: string): string => (/^\w{1,20}$/.test(type) ? type : fieldMessages.unknownType);

@@ -2,66 +2,73 @@ import type { ClockReading } from '../clock/plantClock';
 import { type Nanoseconds, NS_PER_MS, NS_PER_S } from '../times';
 import { rtdeMessages } from '../messages/rtde';
 
-/** Maximum rate difference between the controller's clock and this machine's; headsets use the same limit. */
+/** Maximum skew between the controller's clock and this machine's counter. Headsets use the same limit. */
 const MAX_SKEW_PPM = 700n;
 
-/** Maximum age of the newest package for reading the time. */
+/** Maximum age of the newest package for which the time can be read. */
 const SILENCE: Nanoseconds = NS_PER_S;
 
-/** If all packages are late by this much for the period, the clock has stepped. Used when answers cannot show it. */
+/**
+ * Without answers, the clock has stepped if one package is earlier than expected by this time, or if all packages within PERIOD are later than
+ * expected by this time.
+ */
 const LATE: Nanoseconds = 50n * NS_PER_MS;
 
-/** Minimum duration of a contradiction: a busy controller or machine is late for shorter times. */
+/** Minimum duration of a contradiction that shows a step of the clock. A busy controller or machine is late for shorter times. */
 const PERIOD: Nanoseconds = NS_PER_S;
 
-/** Time constant with which a distance of the bounds that had to be widened returns to the assumed one. */
+/** Time constant with which the distance of the bounds returns to the assumed distance after it was widened. */
 const RETURN: Nanoseconds = 60n * NS_PER_S;
 
-/** Number of stored upper bounds. The next larger one takes over when the smallest is refuted. */
+/** Maximum number of stored upper bounds. When the smallest bound is refuted, the next larger one is used. */
 const ANSWERS = 8;
 
-/** If this many answers in a row are below the lower bound for the period, the clock has stepped back. */
+/**
+ * Minimum number of consecutive answers with an upper bound below the lower bound that show, within at least PERIOD, that the clock stepped
+ * back.
+ */
 const REFUTED = 5;
 
 /**
- * The controller's clock, measured only from the packages that it streams.
+ * The controller's clock. It is measured from the data packages that the controller streams and from its answers to requests.
  *
- * A package arrives after its timestamp: controller time minus this machine's is at least timestamp − arrival, and the fastest package gives
- * the best lower bound. The first package after the answer to a request was sent after the request, and at most the send delay after its
- * timestamp: controller time minus this machine's is at most timestamp + send delay − time of the request. The true value lies between
- * the two bounds, which diverge with the largest rate difference until the next package or answer. A controller that sends a package later
- * than the send delay gives a wrong upper bound; one below the lower bound is refuted by it and ignored.
+ * The offset is controller time minus this machine's time. A package arrives after its timestamp, so the offset is at least timestamp − arrival. The
+ * fastest package gives the best lower bound. The first package after the answer to a request was sent after the request, and at most the send delay
+ * after its timestamp, so the offset is at most timestamp + send delay − time of the request. The offset lies between the two bounds, which diverge
+ * with the maximum skew until the next package or answer. If the controller sends a package later than the send delay, the upper bound is wrong. An
+ * upper bound below the lower bound is therefore refuted and ignored.
  */
 export class RobotClock {
   #lower: Nanoseconds | null = null;
-  /** The smallest upper bounds of answers, in ascending order, without those below the lower bound. */
+  /** The smallest upper bounds from answers that are not below the lower bound, in ascending order. */
   #uppers: Nanoseconds[] = [];
   #updated: Nanoseconds = 0n;
   #newest: Nanoseconds | null = null;
-  /** Since when all answers or packages have been late, the number of these answers, and the lower bound from the earliest package since. */
+  /** Time since which all answers or packages have been late, number of these answers, and largest lower bound from a package since then. */
   #late: { since: Nanoseconds; answers: number; lower: Nanoseconds } | null = null;
-  /** Distance of the bounds while no answer renews the upper one, and its smallest value; null while answers do. */
+  /** Current distance of the bounds and its minimum (`assumed`) without answers; null while answers give upper bounds. */
   #kept: { assumed: Nanoseconds; width: Nanoseconds } | null = null;
 
   /**
    * @param sendDelay Maximum time from a package's timestamp until the controller sends it.
-   * @param stepped Called when the clock contradicts its earlier times. It is then measured again.
+   * @param stepped Called with the size of the step when the clock contradicts its earlier times. The clock is then measured again.
    */
   constructor(
     readonly sendDelay: Nanoseconds,
     readonly stepped: (by: Nanoseconds) => void = () => {},
   ) {}
 
-  /** Distance between the two bounds; null while the upper one is unknown. */
+  /** Distance between the two bounds; null while the upper bound is unknown. */
   get width(): Nanoseconds | null {
     if (this.#lower === null) return null;
     return this.#kept?.width ?? (this.#uppers.length === 0 ? null : this.#uppers[0] - this.#lower);
   }
 
   /**
-   * Call this when the controller does not answer while it streams. From now on, the fastest package is assumed to take no longer than the
-   * fastest answer's round-trip time before, or than shown by its first package. A package that is faster by more than expected shows that the
-   * ones before were late, and widens the bounds for the next minutes.
+   * Call this method if the controller does not answer requests while it streams, so that there are no further upper bounds. From then on, the
+   * distance of the bounds is assumed: the send delay plus the round-trip time, or the current distance if that is smaller. A package that arrives
+   * earlier than expected shows that the previous packages were late. It widens the distance, which then returns to the assumed one.
+   * @param roundTrip Shortest round-trip time of the requests answered so far.
    */
   expectNoAnswers(roundTrip: Nanoseconds): void {
     const longest = this.sendDelay + roundTrip;
@@ -71,6 +78,8 @@ export class RobotClock {
   }
 
   /**
+   * Adds a data package.
+   * @param timestamp Timestamp of the package on the controller's clock.
    * @param arrived Arrival time on this machine's counter.
    * @param asked Time of the request whose answer arrived just before this package; null if there is none.
    */
@@ -91,13 +100,16 @@ export class RobotClock {
     this.stepped(this.#lower - before);
   }
 
-  /** @throws Error The robot is silent, or its time is not bounded yet. */
+  /**
+   * Gets the controller's time at a time of this machine's counter.
+   * @throws Error The controller sends no data, or its clock is not measured yet.
+   */
   at(now: Nanoseconds): ClockReading {
     if (this.#newest === null || now - this.#newest > SILENCE) throw new Error(rtdeMessages.noData);
     this.#age(now);
     const { width } = this;
     if (width === null) throw new Error(rtdeMessages.clockNotMeasured);
-    // The fastest package is closest to the true value; the bound includes everything that a later one could show.
+    // Uses the lower bound, because the fastest package is closest to the offset. The error bound includes every offset that is still possible.
     const time = now + this.#lower!;
     return { received: time, sent: time, resolution: 1n, errorBound: width };
   }
@@ -111,14 +123,17 @@ export class RobotClock {
     this.#uppers = this.#uppers.map(upper => upper + drift);
   }
 
-  /** Takes the time by which a package was faster than expected. Half of it is added, because the next late period may be longer. */
+  /** Widens the bounds if a package arrived earlier than expected. Adds half of that time, because the next late period may be longer. */
   #widen(faster: Nanoseconds): void {
     if (this.#kept === null || faster >= LATE) return;
     const width = this.#kept.assumed + (3n * faster) / 2n;
     if (width > this.#kept.width) this.#kept.width = width;
   }
 
-  /** Takes an answer. Returns whether the lower bound is above all earlier answers, or several new ones in a row are below it. */
+  /**
+   * Adds the upper bound from an answer. Returns whether the clock has stepped: all earlier upper bounds are below the lower bound, or several
+   * consecutive new ones are.
+   */
   #areAnswersRefuted(answered: Nanoseconds | null, lower: Nanoseconds, arrived: Nanoseconds): boolean {
     const isLate = answered !== null && answered < this.#lower!;
     if (isLate) {
@@ -133,7 +148,7 @@ export class RobotClock {
     return areAllBelow || (this.#late !== null && this.#late.answers >= REFUTED && arrived - this.#late.since >= PERIOD);
   }
 
-  /** Returns whether a package is far earlier, or all packages of a period are far later, than expected. */
+  /** Whether the clock has stepped: a package is earlier than expected by LATE, or all packages within PERIOD are later than expected by LATE. */
   #areAllFar(before: Nanoseconds, lower: Nanoseconds, arrived: Nanoseconds): boolean {
     if (before - lower < LATE) this.#late = null;
     else this.#late ??= { since: arrived, answers: 0, lower };

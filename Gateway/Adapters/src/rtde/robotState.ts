@@ -6,7 +6,7 @@ const RESUMING = 5;
 
 const PROGRAM: Record<number, string> = { 0: 'stopping', 1: 'stopped', 2: 'playing', 3: 'pausing', 4: 'paused', 5: 'resuming' };
 
-/** Bits of safety_status_bits with their modes, in the order of how well they describe the stop. */
+/** Bits of safety_status_bits and the corresponding safety modes. The first set bit describes the stop best. */
 const STOP_BITS: [bit: number, mode: number][] = [
   [9, 9],
   [8, 8],
@@ -18,7 +18,7 @@ const STOP_BITS: [bit: number, mode: number][] = [
   [3, 4],
 ];
 
-/** Robot modes in which the joints have no power, so that their angles are not measured. */
+/** Robot modes in which the joints have no power, so that the controller does not measure their angles. */
 const WITHOUT_POWER: Record<number, string> = { [-1]: 'no controller', 0: 'disconnected', 1: 'confirm safety', 2: 'booting', 3: 'power off' };
 
 export const programOf = ({ runtimeState }: Cycle): string | null =>
@@ -26,7 +26,7 @@ export const programOf = ({ runtimeState }: Cycle): string | null =>
 
 export const isProgramRunning = ({ runtimeState }: Cycle): boolean => runtimeState === null || runtimeState === PLAYING || runtimeState === RESUMING;
 
-/** Gets the reason of a safety stop with the remedy; null if there is none. */
+/** Gets the reason of a safety stop, with the remedy; null without a safety stop. */
 export function safetyStopOf({ safetyMode, safetyBits }: Cycle): string | null {
   const byMode = safetyMode === null ? undefined : safetyStops[safetyMode];
   if (byMode !== undefined) return byMode;
@@ -34,10 +34,10 @@ export function safetyStopOf({ safetyMode, safetyBits }: Cycle): string | null {
   return stop === undefined ? null : safetyStops[stop[1]];
 }
 
-/** Minimum change of an angle between two packages, in rad, that only a powered joint shows. */
+/** Minimum change of an angle, in rad, that shows that a joint has power. */
 const MOVED = 1e-4;
 
-/** Determines whether the joints have power. Moving joints have it, independent of the reported mode. */
+/** Determines whether the joints have power. Joints that move have power, whatever mode the controller reports. */
 export class Power {
   #mode: number | null = null;
   #from: number[] = [];

@@ -17,17 +17,17 @@ const VERSION = 2;
 const ANSWER_MS = 2000;
 const VERSION_ANSWER_MS = 1000;
 
-/** Maximum time without data before the connection is opened again. */
+/** Maximum time without data. The connection is then closed and opened again. */
 const SILENT_MS = 2000;
 const CHECK_MS = 250;
 
-/** Interval of the requests that bound the clock. */
+/** Interval of the requests whose answers give upper bounds of the clock. */
 const ASK_MS = 50;
 
-/** A larger step back of the timestamp means that the controller was restarted. */
+/** Minimum step back of the timestamp that means that the controller was restarted. */
 const RESTART_S = 0.5;
 
-/** Controllers from this version on are e-Series; one without a version is assumed to be. */
+/** First major version of e-Series controllers. A controller that does not answer with a version counts as e-Series. */
 const E_SERIES = 5;
 const E_SERIES_HZ = 500;
 const CB3_HZ = 125;
@@ -37,13 +37,13 @@ export class RtdeSession {
   #connection!: RtdeConnection;
   #recipe!: Recipe;
   #output!: CycleOutput;
-  /** Payload of the answer with the controller's version; null without one. */
+  /** Payload of the answer with the controller's version; null if the controller did not answer. */
   #controller: Buffer | null = null;
   #clock!: RobotClock;
   #awaited: { type: number; take: (payload: Buffer, arrived: Nanoseconds) => void } | null = null;
-  /** Time of the request whose answer has arrived, if no package has arrived since. */
+  /** Time of the request whose answer has arrived; null if a data package has arrived since, or there is none. */
   #answered: Nanoseconds | null = null;
-  /** The shortest round-trip time of the answers before the data. */
+  /** The shortest round-trip time of the requests during the set-up. */
   #roundTrip: Nanoseconds | null = null;
   #question: { asked: Nanoseconds; sentMs: number } | null = null;
   readonly #pace = new Pace();
@@ -69,7 +69,7 @@ export class RtdeSession {
    */
   async run(): Promise<string> {
     const { stopping, output, clock } = this.context;
-    output.startAnew();
+    output.restart();
     this.#connection = await RtdeConnection.open(this.settings, stopping);
     const stop = (): void => this.#connection.close();
     stopping.addEventListener('abort', stop);
@@ -92,7 +92,7 @@ export class RtdeSession {
     }
   }
 
-  // A controller accepts few clients, and test servers only one.
+  // Gets the error to report. It names other clients as a possible cause, because a controller accepts few clients.
   #because(error: Error): Error {
     if (error instanceof RefusalError) return this.#isReading ? new Error(rtdeMessages.damaged(at(this.settings))) : error;
     const { endedWhileReading, endedBeforeAnswer } = rtdeMessages;
@@ -110,7 +110,7 @@ export class RtdeSession {
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
     const cyclesHz = major === null || major >= E_SERIES ? E_SERIES_HZ : CB3_HZ;
     const rateHz = Math.min(settings.rateHz, cyclesHz);
-    this.#clock = new RobotClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#tellStep(by));
+    this.#clock = new RobotClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#reportStep(by));
     status.detail('rate_hz', rateHz);
     const names = this.fields.map(field => field.name);
     const types = await this.#ask(setUpOutputs(rateHz, names), TYPE.setUpOutputs, ANSWER_MS);
@@ -124,8 +124,9 @@ export class RtdeSession {
   }
 
   /**
-   * @param answered Called with the time of the request, before the data after the answer are processed.
-   * @returns The answer's payload; null on a timeout.
+   * Sends a request and waits for its answer.
+   * @param answered Called with the time of the request when the answer arrives, before later data are processed.
+   * @returns Payload of the answer; null after a timeout.
    */
   async #ask(request: Buffer, type: number, ms: number, answered: (asked: Nanoseconds) => void = () => {}): Promise<Buffer | null> {
     const asked = monotonicTime();
@@ -147,7 +148,7 @@ export class RtdeSession {
     return answer;
   }
 
-  /** @returns The reason why the stream has ended. */
+  /** Waits until the stream of data ends. Returns the reason. */
   async #watch(): Promise<string> {
     this.#lastMs = performance.now();
     void this.#askAgain();
@@ -159,10 +160,10 @@ export class RtdeSession {
     return (this.#connection.hasHalfPackage ? halfPackage : silent)(at(this.settings), SILENT_MS / 1000);
   }
 
-  /** Requests the version repeatedly: the package after the answer bounds the controller's clock. */
+  /** Requests the version repeatedly. The data package after each answer gives an upper bound of the controller's clock. */
   async #askAgain(): Promise<void> {
     const over = this.#over.signal;
-    // A late answer would be taken for that of a later request.
+    // Stops after an unanswered request, because a late answer could be mistaken for the answer to a later request.
     if (this.#controller === null) return this.#clock.expectNoAnswers(this.#roundTrip!);
     while (!over.aborted) {
       await pause(ASK_MS, over);
@@ -178,7 +179,10 @@ export class RtdeSession {
     }
   }
 
-  /** The shorter the time between an answer and the next package, the tighter the bound. The transmission time of the request is unknown. */
+  /**
+   * Gets a random time to wait before a request, mostly until shortly before the next package: the shorter the time between an answer and the next
+   * package, the tighter the bound. Random, because the transmission time of the request is unknown.
+   */
   #untilPackageMs(): number {
     const intervalMs = 1000 * (this.#pace.usual ?? 0);
     const passedMs = performance.now() - this.#lastMs;
@@ -217,12 +221,12 @@ export class RtdeSession {
     this.#answered = null;
     this.#countLost(cycle.timestamp);
     this.#following.add(cycle);
-    // Until the clock is measured, stamps after a restart would be compared with the previous clock.
-    if (this.#tellState(cycle) && this.#hasClock) this.#output.publish(cycle, payload, stamp);
+    // Publishes nothing before the clock is measured, because stamps after a restart would be compared with the previous clock.
+    if (this.#reportState(cycle) && this.#hasClock) this.#output.publish(cycle, payload, stamp);
   }
 
-  /** Returns whether the positions are measured. */
-  #tellState(cycle: Cycle): boolean {
+  /** Reports the state of the robot. Returns whether the controller measures the positions. */
+  #reportState(cycle: Cycle): boolean {
     const { status, log } = this.context;
     const lack = this.#power.lackIn(cycle);
     const program = programOf(cycle);
@@ -260,7 +264,7 @@ export class RtdeSession {
     log.change('packages', 'lost', rtdeMessages.lostPackages);
   }
 
-  #tellStep(by: Nanoseconds): void {
+  #reportStep(by: Nanoseconds): void {
     this.context.log.change('controller clock', 'stepped', rtdeMessages.clockStepped(Number(by) / 1e6));
   }
 }

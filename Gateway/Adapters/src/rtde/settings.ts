@@ -6,26 +6,26 @@ import { fieldsOf, type PositionSource } from './recipe';
 import { summaryMessages } from '../messages/gateway';
 import { rtdeSettingMessages } from '../messages/rtde';
 
-/** The included robot descriptions that can be calibrated. */
+/** The included robot descriptions into which a calibration can be inserted. */
 const ARMS = ['ur3e', 'ur5e', 'ur10e', 'ur16e', 'ur5'];
 
 /** Maximum length of the names in a recipe, in bytes. */
 const MAX_RECIPE = 2048;
 
-/** The settings of kind rtde, with the defaults from the schema. */
+/** The settings of the kind rtde, with the defaults from the schema. */
 export interface RtdeSettings {
   host: string;
   port: number;
   rateHz: number;
   source: PositionSource;
-  /** Maximum time from a package's timestamp until the controller sends it; null for one control cycle of its series. */
+  /** Maximum time from a package's timestamp until the controller sends the package; null for one control cycle of the controller's series. */
   sendDelay: Nanoseconds | null;
   /** Index of each configured joint in the controller's lists of six. */
   indices: number[];
-  /** Whether the robot description has the calibration of the controller, from this port. */
+  /** Whether to read the calibration from the controller's port `calibrationPort` and publish it in the robot description. */
   isCalibrated: boolean;
   calibrationPort: number;
-  /** Addresses of the values after those of the joints: of the frames, then of the signals. */
+  /** Addresses of the values of the frames, followed by those of the signals. */
   addresses: Address[];
 }
 

@@ -1,47 +1,47 @@
 import { type Nanoseconds, NS_PER_S } from '../times';
 
-/** Number of stored samples of the current motion, and the minimum number for a decision about its end. */
+/** Maximum number of stored samples of the current motion, and minimum number of samples for a decision about its end. */
 const WINDOW = 24;
 const MIN_SAMPLES = 4;
 
-/** A motion ends with a gap that is longer than this, in seconds, and longer than this multiple of the median interval. */
+/** A motion ends at a gap that is longer than GAP_S, in s, and longer than GAP_INTERVALS times the median interval. */
 const GAP_S = 0.3;
 const GAP_INTERVALS = 6;
 
-/** Number of second differences before the end that are searched for braking, and of those used for the resolution of the positions. */
+/** Number of last second differences that are searched for braking, and number of those from which the resolution is estimated. */
 const BRAKING = 2;
 const RESIDUALS = 12;
 
-/** A motion is steady if no earlier speed was below this share of the newest one. Relative tolerance of equal steps. */
+/** A motion is steady if no earlier speed was below STEADY times the newest speed. Steps are equal within the relative tolerance EQUAL. */
 const STEADY = 0.7;
 const EQUAL = 1e-9;
 
-/** In intervals below this multiple of the shortest one, no sampling was skipped. */
+/** No sampling was skipped in the last interval if it is below this multiple of the source's sampling interval or of the shortest interval. */
 const EACH_LOOK = 1.6;
 
-/** Number of intervals for the median that predicts the next one. A single late sample must not hide the end of the data. */
+/** Number of newest intervals whose median predicts the next interval. With a median, a single late sample does not hide the end of the data. */
 const RECENT = 5;
 
-/** Number of consecutive second differences opposing the motion that count as a deceleration. Noise changes its sign more often. */
+/** Minimum number of consecutive second differences against the motion that count as a deceleration. Noise changes its sign more often. */
 const SUSTAINED = 3;
 
-/** Maximum ratio of a stop's deceleration to that in its last samples: samples show only a part of a short stop. */
+/** Maximum ratio of the deceleration of a stop to the deceleration in its last samples, which show only a part of a short stop. */
 const BRAKING_MARGIN = 4;
 
-/** Number of resolutions q added for a deadband: one for the motion after the last sample, one for the error of the sample before. */
+/** Number of resolutions q to subtract for a deadband: one for the motion after the last sample, one for the error of the previous sample. */
 const RESOLUTION_MARGIN = 2;
 
-/** Margin on the largest observed deceleration, because it is measured between samples. */
+/** Factor on the largest observed deceleration, because the deceleration between samples may be larger. */
 const SEEN_MARGIN = 1.5;
 
-/** A joint continues to move if it sends samples this many seconds later, and has moved in one direction in at least GOES_ON_STEPS steps. */
+/** A joint continues to move if it still sends samples GOES_ON_S seconds later, and moves in one direction in at least GOES_ON_STEPS steps. */
 const GOES_ON_S = 0.3;
 const GOES_ON_STEPS = 3;
 
-/** A joint that starts again within this share of its last step from its last position has stopped there. */
+/** A joint has stopped at its last position if its next motion starts within this fraction of its last step from there. */
 const STOPPED_NEAR = 0.25;
 
-/** Assumed deceleration capability of every joint: rad/s², and m/s² for a length. A third of a hard emergency stop. */
+/** Deceleration that every joint is assumed to be capable of, in rad/s² and m/s²: a third of a hard emergency stop. */
 const FLOOR_ROTARY = 12;
 const FLOOR_LINEAR = 3;
 
@@ -54,49 +54,50 @@ interface Point {
   position: number;
 }
 
-/** Source of a deceleration limit: the configuration, the joint's samples, or the assumed minimum. */
+/** Origin of a deceleration limit: the configuration, the joint's samples, or the assumed floor. */
 export type LimitBasis = 'configured' | 'observed' | 'assumed';
 
 /**
- * Decides whether the data of one joint ended while the joint moved. A source that sends changes only is silent when the joint rests, and
- * also when the source has failed.
+ * Decides whether the data of one joint ended while the joint moved. A source that sends only changes is silent both when the joint is at rest and
+ * when the source has failed.
  * @remarks
- * If the joint rests since the last sample xₙ at tₙ, its mean velocity is v = (xₙ − xₙ₋₁) / h₁ in the last interval h₁ and 0 in the next
- * interval h₂. The means belong to the middles of the intervals, which are (h₁ + h₂) / 2 apart. By the mean value theorem for divided
- * differences the deceleration therefore was, at some moment, at least
+ * If the joint has been at rest since the last sample xₙ at tₙ, its mean velocity is v = (xₙ − xₙ₋₁) / h₁ in the last interval h₁ and 0 in the
+ * next interval h₂. The means belong to the middles of the intervals, which are (h₁ + h₂) / 2 apart. By the mean value theorem for divided
+ * differences, the deceleration was therefore, at some instant, at least
  *
  *   a = (|v| − 2 (q/h₁ + q/h₂)) / ((h₁ + h₂) / 2)      in rad/s² or m/s²
  *
- * where q is the resolution of the positions (quantisation or deadband). The data ended in mid-motion when the joint cannot have braked
- * that hard. Without a configured limit the joint can brake with the floor, 1.5 times the largest deceleration that was seen, and 4 times
- * the deceleration that the last samples show: a constant deceleration that lasts 0.4 h or longer shows at least a quarter of a there, and
- * a shorter one of size A has a ≤ 0.32 A, so that the floor admits each stop with A ≤ 3 times the floor. The floor is for emergency stops,
- * which stop all joints: it does not count while another joint goes on, provided that a deceleration of this joint was seen.
+ * where q is the resolution of the positions (quantisation or deadband). If a is above the limit, the joint cannot have stopped, so the data ended
+ * during its motion. The limit is the configured one or, without it, the largest of three values: the floor, 1.5 times the largest observed
+ * deceleration, and 4 times the deceleration in the last samples. The factor 4 is sufficient: a constant deceleration that lasts 0.4 h or longer
+ * appears with at least a / 4 in the last samples. For a shorter one of size A, a ≤ 0.32 A, so the floor admits each stop with A up to 3 times the
+ * floor. The floor allows for emergency stops, which stop all joints. It is therefore left out while another joint continues to move, if a
+ * deceleration of this joint has been observed.
  */
 export class EndOfData {
   readonly #points: Point[] = [];
   #start: Nanoseconds | null = null;
   #newest: Nanoseconds | null = null;
-  /** Smallest change of position between two samples, and smallest mean speed between them, so far. */
+  /** Smallest nonzero change of position between two consecutive samples so far, and smallest mean speed of such a change. */
   #smallestStep = Infinity;
   #smallestSpeed = Infinity;
   #largestSeen = 0;
 
   /**
-   * @param floor Assumed deceleration capability of every joint, in rad/s² or m/s².
-   * @param configured Maximum deceleration of the joint in the same unit; replaces assumption and observation. Null if unknown.
+   * @param floor Deceleration that the joint is assumed to be capable of, in rad/s² or m/s².
+   * @param configured Configured maximum deceleration in the same unit, which replaces the floor and the observed values. Null if unknown.
    */
   constructor(
     readonly floor: number,
     readonly configured: number | null = null,
   ) {}
 
-  /** Median time between the newest samples of the motion, in seconds; zero before the second sample. */
+  /** Median interval between the newest samples of the motion, in seconds; zero before the second sample. */
   get interval(): number {
     return median(this.#intervals().slice(-RECENT));
   }
 
-  /** Takes a sample that is newer than the previous one. */
+  /** Adds a sample, which is newer than the previous one. */
   add(stamp: Nanoseconds, position: number): void {
     this.#start ??= stamp;
     const time = this.#secondsOf(stamp);
@@ -116,7 +117,7 @@ export class EndOfData {
     this.#largestSeen = Math.max(this.#largestSeen, this.#sustained());
   }
 
-  /** Discards the motion, but not the observed properties of the joint, for a new connection. */
+  /** Prepares for a new connection: discards the motion, but keeps the observed properties of the joint. */
   restart(): void {
     this.#points.length = 0;
     this.#start = null;
@@ -151,19 +152,19 @@ export class EndOfData {
     return required > limit ? { required, limit, basis } : null;
   }
 
-  /** Gets the deceleration needed for a stop at the last sample, if no such stop has been observed; null otherwise. */
+  /** Gets the deceleration required for a stop at the last sample if it is above all observed decelerations; null otherwise. */
   unobserved(samplingS: number): number | null {
     if (this.#points.length < MIN_SAMPLES || this.configured !== null) return null;
     const required = this.#required(samplingS);
     return required > this.#observed() ? required : null;
   }
 
-  /** Gets the deceleration capability shown by the joint's samples. */
+  /** Gets the deceleration that the joint is capable of according to its samples. */
   #observed(): number {
     return Math.max(SEEN_MARGIN * this.#largestSeen, BRAKING_MARGIN * Math.max(...this.#decelerations(BRAKING)));
   }
 
-  /** Learns from a joint that starts again at its last position: it has stopped there with the needed deceleration. */
+  /** Updates the largest observed deceleration if the joint starts again at its last position, because it has stopped there. */
   #learnStop(position: number): void {
     if (this.#points.length < MIN_SAMPLES) return;
     const [before, last] = this.#points.slice(-2);
@@ -186,8 +187,8 @@ export class EndOfData {
   }
 
   /**
-   * Gets the smallest step so far. A joint that moved at one speed only, in every sampling interval, has no small step. Then, it is twice the
-   * deviation of its positions from a line, unless its steps are equal, as those of a quantised value.
+   * Gets the resolution of the positions, which is the smallest step so far. A joint that moved at a single speed, and in every sampling interval,
+   * has no small step. The resolution is then twice the deviation of its positions from a line, unless all steps are equal, as for a quantised value.
    */
   #resolution(speed: number, isAtEachLook: boolean): number {
     const differences = this.#differences(RESIDUALS);
@@ -196,7 +197,7 @@ export class EndOfData {
     return isSteady && residual > EQUAL * this.#smallestStep ? Math.min(this.#smallestStep, 2 * residual) : this.#smallestStep;
   }
 
-  /** Gets the newest second differences, positive if they oppose the motion. */
+  /** Gets the decelerations from the newest second differences; 0 for an acceleration. */
   #decelerations(count: number): number[] {
     return this.#differences(count).map(({ acceleration, direction }) => Math.max(0, -direction * acceleration));
   }

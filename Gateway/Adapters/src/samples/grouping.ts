@@ -3,21 +3,21 @@ import type { Nanoseconds } from '../times';
 export interface Sample {
   joint: number;
   position: number;
-  /** rad/s or m/s; absent if the source does not provide it. */
+  /** Velocity in rad/s or m/s; absent if the source does not provide it. */
   velocity?: number;
   stamp: Nanoseconds;
 }
 
-/** Samples that count as simultaneous. */
+/** Samples with one common stamp. */
 export interface Group {
-  /** The middle of the first and the last stamp, so that the error is at most half the tolerance. */
+  /** Middle between the first and the last stamp of the samples. Its error is at most half the tolerance. */
   stamp: Nanoseconds;
   samples: Sample[];
 }
 
 /**
- * Groups the samples of each cycle of the control system, oldest first: those whose stamps are within the tolerance, each joint once.
- * A group may have a single joint.
+ * Groups the samples of each cycle of the control system, the oldest group first. The stamps in a group are within the tolerance, and each joint
+ * occurs at most once.
  */
 export function grouped(samples: Sample[], tolerance: Nanoseconds): Group[] {
   const inOrder = [...samples].sort((a, b) => (a.stamp < b.stamp ? -1 : a.stamp > b.stamp ? 1 : a.joint - b.joint));

@@ -11,67 +11,69 @@ import { OF_LONG_AGO, type Refusal, StampRule } from './stampRule';
 import { Standing } from './standing';
 import { refusalMessages, silenceMessages } from '../messages/values';
 
-/** A value from the control system. */
+/** A joint's value from the control system. */
 export interface JointValue {
   /** Index of the joint in the configuration. */
   joint: number;
   value: unknown;
-  /** Velocity from the control system; absent if it does not provide it. */
+  /** Velocity in the unit of the control system; absent if the control system does not provide it. */
   velocity?: number;
-  /** Null if the value had no readable stamp. */
+  /** Time stamp; null if the value has no readable one. */
   stamp: Nanoseconds | null;
   /** Whether this is the first value of a connection, whose stamp may be old. */
   isFirst?: boolean;
-  /** The reason why the source marks the value as unusable. */
+  /** The reason why the value is unusable; absent for a usable value. */
   refusal?: Refusal;
-  /** Whether the source no longer has the joint; `refusal` has the reason. */
+  /** Whether the control system no longer has the variable. `refusal` then contains the reason. */
   isLost?: boolean;
 }
 
 export interface JointOutputOptions {
-  /** Maximum difference of stamps that count as simultaneous. */
+  /** Maximum difference of stamps that belong to the same sample. */
   tolerance: Nanoseconds;
   oldest: Nanoseconds;
-  /** Time without data after which a joint without configuration has a fault, ms; absent or null if it is at rest. */
+  /**
+   * Time without data in ms after which a joint without its own setting has a fault; absent or null if a silent joint counts as at rest.
+   */
   faultAfterMs?: number | null;
 }
 
-/** When a source stopped writing a value: after its last change, or later at rest. */
+/** The time at which a source stopped writing a value: directly after a change, or later, at rest. */
 export type SourceStop = 'after-change' | 'at-rest';
 
-/** Minimum silence of a joint at rest, and interval of its repeated samples. Headsets predict for about 300 ms. */
+/** Minimum time without changes after which a sample is repeated, and the interval of repetitions. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
 const REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
-/** Silence after which it is known whether the other joints have also stopped, as in an emergency stop. */
+/** Time without samples after which it is known whether the other joints have also stopped, as in an emergency stop. */
 const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
 
-/** Silence of a joint at rest, as a multiple of its sampling interval. */
+/** Minimum time without changes after which a sample is repeated, as a multiple of the joint's sampling interval. */
 const SILENT_INTERVALS = 2;
 
 interface Publisher {
   publish(topic: string, msg: object): void;
 }
 
-/** Creates joint states from a plant's values, and refuses values that are not a valid position with a valid time. */
+/** Publishes joint states from a plant's values. Refuses values that are not a valid position with a valid stamp. */
 export class JointOutput {
   readonly #rule: StampRule;
   readonly #standing: Standing;
   readonly #ends: EndOfData[];
-  /** Joints whose end of data was judged since their last sample. */
+  /** Joints whose end of data was already judged since their last sample. */
   readonly #judged = new Set<number>();
-  /** Joints whose data ended in mid-motion. Only a newer sample ends this state: a new connection starts with the last value again. */
+  /** Joints whose data ended during a motion. Only a newer sample ends this state, because a new connection starts with the last value again. */
   readonly #ended = new Set<number>();
-  /** Joints that were repeated since their last sample, and the deceleration needed for stops that were not observed. */
+  /** Joints whose sample was repeated since it arrived, and decelerations required for stops that were not observed. */
   readonly #repeated = new Set<number>();
   readonly #unobserved = new Map<number, number>();
   /** Sampling interval of the source in seconds; 0 if unknown. */
   samplingS = 0;
   readonly silence: Silence;
-  /** Gets when the source stopped writing a joint's value that it wrote periodically at rest; null if it has not, or if it is unknown. */
+  /** Gets when the source stopped writing a joint's value; null if it has not stopped, or if this is unknown. */
   sourceStopOf: (joint: number) => SourceStop | null = () => null;
 
-  /** @param counter Monotonic time in ms; this machine's by default. */
+  /** @param counter Monotonic clock in ms; by default, the clock of this machine. */
   constructor(
     readonly joints: Joint[],
     readonly options: JointOutputOptions,
@@ -88,20 +90,20 @@ export class JointOutput {
     this.silence.endOf = name => this.#endOf(joints.findIndex(({ joint }) => joint === name));
   }
 
-  /** Publishes values that arrived together; for each joint, the oldest comes first. */
+  /** Publishes values that arrived together. Several values of one joint are sorted, the oldest first. */
   publish(values: JointValue[]): void {
     const { now, isSettled } = this.clock;
     const samples = values.map(value => this.#sample(value, now)).filter(sample => sample !== null);
-    // Values at rest are repeated when the clock is known.
+    // Drops samples until the clock is known. Values at rest are repeated later.
     if (isSettled) this.#send(samples);
     else samples.forEach(() => this.status.count('clock-unknown'));
   }
 
   /**
-   * Repeats the values at rest, for a plant that sends only changes.
-   * @param time Control time up to which every change has been published here.
+   * Repeats the samples of joints at rest, for a plant that sends only changes.
+   * @param time Control time up to which all changes have been passed to `publish`.
    * @param silence Maximum interval between the samples of a moving joint.
-   * @param except Joints for which a newer value is already known.
+   * @param except Joints that have a newer value, or that may have changed.
    */
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
@@ -118,7 +120,7 @@ export class JointOutput {
     this.#send(standing);
   }
 
-  /** Sets the state of joints that were silent for too long. Joints with a fault are no longer repeated. */
+  /** Updates the state of joints that have been silent for too long. Samples of joints with a fault are no longer repeated. */
   checkSilence(): void {
     const faults = new Set(this.silence.check());
     this.joints.forEach(({ joint }, i) => {
@@ -126,44 +128,44 @@ export class JointOutput {
     });
   }
 
-  /** Whether the joint's data ended in mid-motion. */
+  /** Whether the joint's data ended during a motion. */
   hasEnded(joint: number): boolean {
     return this.#ended.has(joint);
   }
 
-  /** Reports that the source no longer has this joint. */
+  /** Reports that the control system no longer has the variable of this joint. */
   lose(joint: number, reason: string): void {
     this.#standing.forget(joint);
     this.status.joints.fault(this.joints[joint].joint, reason);
   }
 
-  /** Reports why a joint whose value has arrived is not published yet. */
+  /** Reports the reason why a joint is not published yet although its value has arrived. */
   explain(joint: number, reason: string): void {
     this.status.joints.explain(this.joints[joint].joint, reason);
   }
 
-  /** Starts a new connection: joints at rest may have moved in between. */
-  startAnew(): void {
+  /** Prepares for a new connection. Joints at rest may have moved since the previous one. */
+  restart(): void {
     for (let joint = 0; joint < this.joints.length; joint++) {
       this.#standing.forget(joint);
       this.#ends[joint].restart();
     }
   }
 
-  /** Counts a value that its source marks as unusable. */
+  /** Counts an unusable value. */
   refuse(joint: number, reason: string, text: string): void {
     this.#standing.forget(joint);
     this.status.refuse(reason, this.joints[joint].joint, text);
   }
 
-  /** Gets the minimum silence of a joint at rest. A joint known to be at rest is only limited by the repetition interval. */
+  /** Gets the minimum time without changes after which a joint's sample is repeated; for a repeated sample, the repetition interval. */
   #silenceOf(joint: number, silence: Nanoseconds): Nanoseconds {
     if (this.#repeated.has(joint)) return REPETITION;
     const intervals = ofMilliseconds(1000 * SILENT_INTERVALS * this.#ends[joint].interval);
     return [SILENCE, silence, intervals].reduce((longest, each) => (each > longest ? each : longest));
   }
 
-  /** Determines, once for each silence, whether the data of the joint ended while it moved. */
+  /** Determines, once after the last sample, whether the joint's data ended during a motion. */
   #hasEnded(joint: number, time: Nanoseconds): boolean {
     const end = this.#ends[joint];
     const { newest } = end;
@@ -179,13 +181,13 @@ export class JointOutput {
     return true;
   }
 
-  /** Gets the reason why the data of a silent joint that nothing confirms ended while it moved; null if they did not. */
+  /** Gets the reason why the data of a joint without samples ended during a motion; null if they did not. */
   #endOf(joint: number): string | null {
     if (joint < 0 || !this.#hasEnded(joint, this.clock.now ?? this.#ends[joint].newest ?? 0n)) return null;
     return this.status.joints.reasonOf(this.joints[joint].joint) ?? null;
   }
 
-  /** Determines whether the source stopped writing a joint whose stop was not observed. */
+  /** Determines whether the source stopped writing a joint after its last change, although a stop of the joint was not observed. */
   #isAbandoned(joint: number): boolean {
     const required = this.#unobserved.get(joint);
     if (required === undefined || this.sourceStopOf(joint) !== 'after-change') return false;
@@ -200,7 +202,7 @@ export class JointOutput {
     this.status.joints.fault(name, silenceMessages.endedBecause(reason), this.silence.lastSample(name));
   }
 
-  /** Gets the reason why it is uncertain that the joint rests; empty if it is certain. */
+  /** Gets the reason why the joint may not be at rest; empty for none. */
   #uncertaintyOf(joint: number): string {
     if (this.sourceStopOf(joint) !== null) return silenceMessages.notWritten;
     const required = this.#unobserved.get(joint);
@@ -247,8 +249,8 @@ export class JointOutput {
     const refusal = this.#rule.judge(joint, stamp, now);
     if (refusal !== null && isFirst === true && now !== null && OF_LONG_AGO.includes(refusal.reason)) {
       if (this.#ended.has(joint) && refusal.reason === 'stamp-not-newer') return null;
-      // Published when the joint is known to be at rest, because the next value may also have such a stamp, from a clock other than the control
-      // clock.
+      // Does not publish the value before the joint is known to be at rest. If the stamps come from a clock other than the control clock, the next
+      // value is refused.
       this.#standing.heard({ joint, position, stamp: now });
       this.silence.arrived(this.joints[joint].joint);
       return null;

@@ -1,7 +1,7 @@
 import type { Refusal } from './stampRule';
 import { refusalMessages } from '../messages/values';
 
-/** Gets the number in a read value, a 64-bit one as the nearest double; the refusal of any other value. */
+/** Converts a value to a number, a 64-bit number to the nearest double. Returns a refusal for a value that is not a finite number. */
 export function numberIn(value: unknown): number | Refusal {
   const number = typeof value === 'bigint' ? Number(value) : value;
   if (typeof number !== 'number') return { reason: 'type', text: refusalMessages.notNumber(value) };

@@ -9,16 +9,16 @@ import type { Refusal } from './stampRule';
 
 /** A value from the control system. */
 export interface PlantValue {
-  /** Index among the values of the configuration: those of the joints, then of the frames, then of the signals. */
+  /** Index among the configured values: first those of the joints, then of the frames, then of the signals. */
   index: number;
   value: unknown;
-  /** Null if the value had no readable stamp. */
+  /** Time stamp; null if the value has no readable one. */
   stamp: Nanoseconds | null;
   /** Whether this is the first value of a connection, whose stamp may be old. */
   isFirst?: boolean;
-  /** The reason why the source marks the value as unusable. */
+  /** The reason why the value is unusable; absent for a usable value. */
   refusal?: Refusal;
-  /** Whether the source no longer has the variable; `refusal` has the reason. */
+  /** Whether the control system no longer has the variable. `refusal` then contains the reason. */
   isLost?: boolean;
 }
 
@@ -27,16 +27,16 @@ interface Publisher {
   publishKept(topic: string, msg: object): void;
 }
 
-/** Creates joint states, poses and signals from a plant's values. */
+/** Publishes joint states, poses and signals from a plant's values. */
 export class PlantOutput {
   readonly joints: JointOutput;
   readonly frames: PoseOutput;
   readonly signals: SignalOutput;
-  /** Indices of the first value of a frame and of a signal. */
+  /** Index of the first value of a frame, and of the first value of a signal. */
   readonly #firstOfFrames: number;
   readonly #firstOfSignals: number;
 
-  /** @param counter Monotonic time in ms; this machine's by default. */
+  /** @param counter Monotonic clock in ms; by default, the clock of this machine. */
   constructor(
     { joints, frames, signals, values }: Pick<Configuration, 'joints' | 'frames' | 'signals' | 'values'>,
     options: JointOutputOptions,
@@ -54,7 +54,7 @@ export class PlantOutput {
     for (const { joint } of joints) status.joints.expect(joint);
   }
 
-  /** Publishes values that arrived together; for each index, the oldest comes first. */
+  /** Publishes values that arrived together. Several values with the same index are sorted, the oldest first. */
   publish(values: PlantValue[]): void {
     this.joints.publish(values.filter(({ index }) => index < this.#firstOfFrames).map(({ index, ...value }) => ({ joint: index, ...value })));
     this.frames.publish(values.filter(({ index }) => this.#isOfFrame(index)));
@@ -63,9 +63,9 @@ export class PlantOutput {
 
   /**
    * Confirms unchanged values, for a plant that sends only changes.
-   * @param time Control time up to which every change has been published here.
+   * @param time Control time up to which all changes have been passed to `publish`.
    * @param silence Maximum interval between the samples of a moving joint or frame.
-   * @param except Values for which a newer one is already known, or that are not known to be unchanged.
+   * @param except Values that have changed since, or that may have changed.
    */
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     this.joints.hold(time, silence, except);
@@ -73,40 +73,40 @@ export class PlantOutput {
     this.signals.hold(except);
   }
 
-  /** Sets the state of what was silent for too long, and publishes signals that waited for the clock. */
+  /** Updates the state of joints, frames and signals that have been silent for too long, and publishes signals that waited for the clock. */
   check(): void {
     this.joints.checkSilence();
     this.frames.checkSilence();
     this.signals.check();
   }
 
-  /** Starts a new connection. */
-  startAnew(): void {
-    this.joints.startAnew();
-    this.frames.startAnew();
-    this.signals.startAnew();
+  /** Prepares for a new connection. */
+  restart(): void {
+    this.joints.restart();
+    this.frames.restart();
+    this.signals.restart();
   }
 
-  /** Reports that the source no longer has this value. */
+  /** Reports that the control system no longer has this variable. */
   lose(index: number, reason: string): void {
     if (index < this.#firstOfFrames) this.joints.lose(index, reason);
     else if (this.#isOfFrame(index)) this.frames.lose(index, reason);
     else this.signals.lose(index, reason);
   }
 
-  /** Counts a value that its source marks as unusable. */
+  /** Counts an unusable value. */
   refuse(index: number, reason: string, text: string): void {
     if (index < this.#firstOfFrames) this.joints.refuse(index, reason, text);
     else if (this.#isOfFrame(index)) this.frames.refuse(index, { reason, text });
     else this.signals.refuse(index, { reason, text });
   }
 
-  /** Whether the value is a joint whose data ended in mid-motion. */
+  /** Whether the value belongs to a joint whose data ended during a motion. */
   hasEnded(index: number): boolean {
     return index < this.#firstOfFrames && this.joints.hasEnded(index);
   }
 
-  /** Sets how to find out when the source stopped writing a value. */
+  /** Sets the function that gets when the source stopped writing a value; null if it has not stopped, or if this is unknown. */
   set sourceStopOf(stopOf: (index: number) => SourceStop | null) {
     this.joints.sourceStopOf = stopOf;
   }
@@ -116,13 +116,13 @@ export class PlantOutput {
     this.joints.samplingS = this.frames.samplingS = seconds;
   }
 
-  /** Reports why a joint or frame whose value has arrived is not published yet. A signal is published at once. */
+  /** Reports the reason why a joint or frame is not published yet although its value has arrived. Ignores signals, which are published at once. */
   explain(index: number, reason: string): void {
     if (index < this.#firstOfFrames) this.joints.explain(index, reason);
     else if (this.#isOfFrame(index)) this.frames.explain(index, reason);
   }
 
-  /** Sets the limit for a value that is silent and not confirmed by the source, ms; null if the source cannot confirm. */
+  /** Sets the time in ms without a confirmation after which a value has a fault; null if the control system does not confirm values. */
   set unconfirmedMs(ms: number | null) {
     for (const { silence } of [this.joints, this.frames, this.signals]) silence.unconfirmedMs = ms;
   }

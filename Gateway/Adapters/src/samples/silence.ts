@@ -2,29 +2,32 @@ import type { Conditions } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
 import { silenceMessages } from '../messages/values';
 
-/** Time without a sample after which a joint is at rest. With a shorter time, slow motion would change the state with each sample. */
+/** Time without a sample after which a joint counts as at rest. With a shorter time, a slow motion would change the state with each sample. */
 const REST_MS = 1000;
 
 interface Heard {
-  /** Times of the last sample, and of the last confirmation that the joint still has that value. */
+  /** Time of the last sample, and time of the last confirmation that the joint still has its value. */
   sample: number;
   confirmed: number;
 }
 
-/** Measures the silence of each joint and determines its meaning. */
+/** Measures the time without samples for each joint, and sets the joint's state accordingly. Also used for frames and signals. */
 export class Silence {
-  /** Limit for a joint that is silent and not confirmed by the source; null if the source cannot confirm. */
+  /** Time in ms without a confirmation after which a joint has a fault; null if the control system does not confirm values. */
   unconfirmedMs: number | null = 1500;
-  /** Gets why the data of a joint ended while it moved, null if they did not; called for a silent joint that the source cannot confirm. */
+  /**
+   * Gets the reason why a joint's data ended during a motion; null if they did not. Called for a joint without samples if the control system does not
+   * confirm values.
+   */
   endOf: (joint: string) => string | null = () => null;
   readonly #heard = new Map<string, Heard>();
-  /** Joints whose state another gateway reports; their silence is not evaluated here. */
+  /** Joints whose state another gateway reports. Their silence is not evaluated. */
   readonly #reported = new Set<string>();
 
   /**
-   * @param faultAfterMs Time without data after which a joint has a fault, ms; null if the joint is at rest.
-   * @param now Monotonic time in ms.
-   * @param conditions The states to set: those of joints, frames or signals.
+   * @param faultAfterMs Gets the time without data in ms after which a joint has a fault; null if a silent joint counts as at rest.
+   * @param now Monotonic clock in ms.
+   * @param conditions The states to set: the states of joints, frames or signals.
    */
   constructor(
     readonly status: AdapterStatus,
@@ -39,28 +42,28 @@ export class Silence {
     if (!this.#reported.has(joint)) this.conditions.live(joint);
   }
 
-  /** Leaves the joint's state to another gateway's reports, until `judge` is called. */
+  /** Stops the evaluation of a joint's silence until `judge` is called, because another gateway reports its state. */
   leave(joint: string): void {
     this.#reported.add(joint);
   }
 
-  /** Resumes the evaluation of a joint's silence. Returns whether it has ever sent a sample. */
+  /** Resumes the evaluation of a joint's silence. Returns whether the joint has ever sent a sample. */
   judge(joint: string): boolean {
     const heard = this.#heard.get(joint);
-    // A joint that was reported with a fault keeps it until its next sample.
+    // Sets only a joint with a recent sample to live. A joint that was reported with a fault keeps the fault until its next sample.
     if (this.#reported.delete(joint) && heard !== undefined && this.now() - heard.sample < REST_MS) this.conditions.live(joint);
     return heard !== undefined;
   }
 
-  /** Reports a value that is valid only once it is confirmed. */
+  /** Reports a value that is used only after it has been confirmed. */
   arrived(joint: string): void {
     const now = this.now();
     this.#heard.set(joint, { sample: now, confirmed: now });
   }
 
   /**
-   * Confirms the joint's last value: the source has sent all changes up to now, and none of this joint.
-   * @param uncertainty The reason why it is uncertain that the joint rests; empty for none.
+   * Confirms a joint's last value: the source has sent all changes up to now, and this joint has not changed.
+   * @param uncertainty The reason why the joint may not be at rest; empty for none.
    */
   confirm(joint: string, uncertainty = ''): void {
     const heard = this.#heard.get(joint);
@@ -70,13 +73,13 @@ export class Silence {
       this.#rest(joint, heard, silenceMessages.confirmed, uncertainty);
   }
 
-  /** Wall clock time of the last sample in milliseconds. */
+  /** Gets the time of the last sample on the wall clock, in milliseconds. */
   lastSample(joint: string): number {
     const heard = this.#heard.get(joint);
     return this.conditions.now() - (heard === undefined ? 0 : this.now() - heard.sample);
   }
 
-  /** Sets the state of each joint that was silent for too long. Returns those that have a fault until their next sample. */
+  /** Updates the state of joints that have been silent for too long. Returns the joints that have a fault until their next sample. */
   check(): string[] {
     if (this.status.state !== 'connected') return [];
     const areAllSilent = this.#heard.size > 1 && [...this.#heard.values()].every(({ sample }) => this.now() - sample >= REST_MS);
@@ -98,7 +101,7 @@ export class Silence {
     }
     if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) this.#fault(joint, silenceMessages.notConfirmed(this.unconfirmedMs));
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
-      // With a limit for a fault, the source is known to be silent for up to that time.
+      // Skips this check if a limit is configured, because the source may then be silent up to the limit.
       const end = limit === null ? this.endOf(joint) : null;
       if (end !== null) this.#fault(joint, end);
       else this.#rest(joint, heard, silenceMessages.noValue, limit === null ? uncertainty : '');

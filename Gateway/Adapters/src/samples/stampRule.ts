@@ -3,20 +3,23 @@ import { refusalMessages } from '../messages/values';
 
 const FUTURE: Nanoseconds = NS_PER_S;
 
-/** The reason why a value is not forwarded: a word for counting, and a text. */
+/** The reason why a value is not forwarded, as a word for the counter and as a text. */
 export interface Refusal {
   reason: string;
   text: string;
 }
 
-/** Refusals that are normal for the stamp of a value from before the connection. */
+/** Reasons of refusal that are normal for the first value of a connection, whose stamp may be from before the connection. */
 export const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
-/** Checks whether a stamp is plausible as the t_k of a joint's value. */
+/** Checks whether stamps are plausible as t_k. */
 export class StampRule {
   readonly #newest: (Nanoseconds | null)[];
 
-  /** @param oldest Maximum age on the control clock. Older values do not show a motion that a headset could follow. */
+  /**
+   * @param joints Number of joints, frames or signals.
+   * @param oldest Maximum age of a stamp on the control clock. Older values are useless for showing a motion.
+   */
   constructor(
     joints: number,
     readonly oldest: Nanoseconds,
@@ -25,8 +28,9 @@ export class StampRule {
   }
 
   /**
-   * Checks the stamp, and stores it as the joint's newest if it is accepted.
+   * Checks a stamp, and stores it as the joint's newest stamp if it is accepted.
    * @param now Control time; null while it is unknown.
+   * @returns The refusal; null if the stamp is accepted.
    */
   judge(joint: number, stamp: Nanoseconds | null, now: Nanoseconds | null): Refusal | null {
     if (stamp === null) return { reason: 'stamp-missing', text: refusalMessages.noStamp };
@@ -34,7 +38,7 @@ export class StampRule {
     const refusal = now === null ? null : this.#against(now, stamp);
     if (refusal !== null) return refusal;
     const newest = this.#newest[joint];
-    // After the clock was set back, the previous newest stamp is in the future and must not block newer ones.
+    // After the clock was set back, the previous newest stamp is in the future. It is then ignored, so that new stamps are accepted.
     const isStepped = newest !== null && now !== null && newest > now + FUTURE;
     if (newest !== null && stamp <= newest && !isStepped)
       return { reason: 'stamp-not-newer', text: refusalMessages.notNewer(toMilliseconds(newest - stamp)) };

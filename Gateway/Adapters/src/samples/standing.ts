@@ -2,8 +2,8 @@ import type { Nanoseconds } from '../times';
 import type { Sample } from './grouping';
 
 /**
- * The last value of each joint. For a control system that sends only changes, silence means that a joint is at rest: at a time up to which
- * all changes are known, the joint still had its last value. That is a valid sample.
+ * The last sample of each joint. If a control system sends only changes, a silent joint is at rest. At a time up to which all changes are known, the
+ * joint still had its last value, which gives a valid sample at that time.
  */
 export class Standing {
   readonly #newest: (Sample | null)[];
@@ -16,14 +16,14 @@ export class Standing {
     this.#newest[sample.joint] = sample;
   }
 
-  /** Removes a joint's value, because a later value was refused. */
+  /** Removes a joint's sample, because a later value was refused or the joint has a fault. */
   forget(joint: number): void {
     this.#newest[joint] = null;
   }
 
   /**
-   * Gets the samples of all joints at rest at a time of the control system up to which all changes are known.
-   * @param silence Minimum silence of a joint at rest.
+   * Gets samples for all joints at rest, at a control time up to which all changes are known.
+   * @param silence Gets the minimum time without changes after which a joint counts as at rest.
    */
   at(time: Nanoseconds, silence: (joint: number) => Nanoseconds): Sample[] {
     return this.#newest

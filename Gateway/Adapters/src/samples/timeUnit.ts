@@ -1,6 +1,6 @@
 import { type Nanoseconds, NS_PER_MS, NS_PER_S, ofFileTime } from '../times';
 
-/** Units of a number that is a point in time, with their epochs: 1970, 1601 (filetime), 2000 (dctime, EtherCAT's clocks). */
+/** Units of a number that represents a point in time. The epoch is 1601 for filetime, 2000 for dctime (EtherCAT), and 1970 for the others. */
 export const TIME_UNITS = ['ns', 'us', 'ms', 's', 'filetime', 'dctime'] as const;
 export type TimeUnit = (typeof TIME_UNITS)[number];
 
@@ -19,7 +19,7 @@ export function ofCount(count: bigint, unit: TimeUnit): Nanoseconds {
   }
 }
 
-/** Converts whole units and the fraction separately, to avoid another rounding of the product. */
+/** Converts a number with a fraction to a time. Converts whole units and fraction separately to avoid an additional rounding error. */
 export function ofFraction(value: number, unit: TimeUnit): Nanoseconds {
   const count = Math.floor(value);
   const rest = value - count;

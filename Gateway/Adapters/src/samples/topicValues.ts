@@ -5,17 +5,17 @@ import { refusalMessages } from '../messages/values';
 
 interface Place {
   index: number;
-  /** Names and indices from the message to the value; empty if the message is the value. */
+  /** Names and indices that lead from the message to the value; empty if the message itself is the value. */
   path: string[];
 }
 
-/** The numbers and Booleans of a configuration that arrive in the messages of topics. */
+/** The configured values that arrive in messages of topics. */
 export class TopicValues {
   readonly #places = new Map<string, Place[]>();
 
   /**
-   * @param values All values that are read; those without a topic are ignored.
-   * @param field The field of values without one; null for the whole message.
+   * @param values All values that are read. Values without a topic are ignored.
+   * @param field Default field of a value; null if the message itself is the value by default.
    */
   constructor(values: readonly Value[], field: string | null = null) {
     values.forEach(({ address }, index) => {
@@ -25,7 +25,7 @@ export class TopicValues {
     });
   }
 
-  /** Each topic once. */
+  /** The topics, each once. */
   get topics(): string[] {
     return [...this.#places.keys()];
   }
@@ -35,7 +35,7 @@ export class TopicValues {
     return (this.#places.get(topic) ?? []).map(({ index }) => index);
   }
 
-  /** Gets the values in a message of a topic. */
+  /** Gets the values from a message of a topic. */
   in(topic: string, message: unknown, stamp: Nanoseconds | null): PlantValue[] {
     return (this.#places.get(topic) ?? []).map(({ index, path }): PlantValue => {
       const value = fieldIn(message, path);
@@ -45,7 +45,7 @@ export class TopicValues {
   }
 }
 
-/** Gets a part of a message; undefined if it is not there. */
+/** Gets a part of a message by its path; undefined if the message does not have it. */
 export const fieldIn = (message: unknown, path: readonly string[]): unknown =>
   path.reduce((part, name) => (isObject(part) && Object.hasOwn(part, name) ? part[name] : undefined), message);
 

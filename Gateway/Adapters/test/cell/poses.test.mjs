@@ -247,7 +247,7 @@ describe('poses', () => {
     const { output, take, poses, time } = one();
     take({ 0: 100, 1: 0 });
 
-    output.startAnew();
+    output.restart();
     time.ms = 10;
     take({ 0: 101 });
 

@@ -1,6 +1,6 @@
 namespace UnityEngine.XR.Interaction.Toolkit;
 
-/// <summary>An object that interactors can hold. There are no interactors: tests call <see cref="Enter"/> and <see cref="Exit"/>.</summary>
+/// <summary>An object that interactors can hold. The stand-in has no interactors: tests call <see cref="Enter"/> and <see cref="Exit"/>.</summary>
 public abstract class XRBaseInteractable : MonoBehaviour
 {
     int _selecting;

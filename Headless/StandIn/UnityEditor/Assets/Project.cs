@@ -45,7 +45,7 @@ static class Project
         Put(path, objects);
     }
 
-    /// <summary>Returns the objects of an asset, the main object first; empty if there is no such asset.</summary>
+    /// <summary>Returns the objects of an asset, the main object first; empty if no such asset exists.</summary>
     internal static IReadOnlyList<Object> Load(string path)
     {
         if (string.IsNullOrEmpty(path)) return Array.Empty<Object>();

@@ -36,7 +36,7 @@ public sealed class Coroutine : YieldInstruction
     {
         if (_waitsFor is WaitForEndOfFrame) return endOfFrame;
 
-        // Whatever the coroutine waits for, it continues in the next frame at the earliest.
+        // The coroutine continues in the next frame at the earliest, for any kind of wait.
         return !endOfFrame && frame > _frame && (_waitsFor is not Coroutine other || other.Ended);
     }
 }

@@ -5,23 +5,23 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Instances of MRTK3's buttons and sliders on a canvas in their original size, 32 mm square and 100 mm wide.</summary>
+/// <summary>Adds instances of MRTK3's buttons and sliders to a canvas in their original size: 32 mm square and 100 mm wide.</summary>
 sealed class Buttons
 {
-    /// <summary>Distance of the real slider's handle from the canvas, mm.</summary>
+    /// <summary>Distance of the original slider's handle from the canvas, mm.</summary>
     const float SliderDepth = -6.1f;
 
     readonly Workshop _workshop;
     readonly Transform _canvas;
 
-    /// <param name="canvas">The canvas, in mm.</param>
+    /// <param name="canvas">The canvas. Its unit is 1 mm.</param>
     public Buttons(Workshop workshop, Transform canvas)
     {
         _workshop = workshop;
         _canvas = canvas;
     }
 
-    /// <summary>Adds a button with text instead of an icon, because only the toolkit's font has names for icons.</summary>
+    /// <summary>Adds a button with text in place of an icon, because only MRTK3's own font contains icons.</summary>
     public PressableButton Button(string name, string words, Vector2 place)
     {
         var made = Instance(ForeignPaths.Button, name, place);

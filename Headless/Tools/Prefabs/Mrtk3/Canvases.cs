@@ -4,12 +4,12 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Creates canvases in mm and their contents.</summary>
+/// <summary>Creates canvases whose unit is 1 mm, and their contents.</summary>
 static class Canvases
 {
     const float Millimetre = 0.001f;
 
-    /// <summary>Scale for letters of half a degree at 0.45 m, the distance of a hand.</summary>
+    /// <summary>Scale at which letters are half a degree high at 0.45 m, the distance of a hand.</summary>
     const float TextScale = 1.6f;
 
     public static Transform Add(Transform parent, Vector3 place)
@@ -46,7 +46,7 @@ static class Canvases
         return text;
     }
 
-    /// <summary>Gets the fields of a canvas in the world, with the vertex data that MRTK3's own canvases require.</summary>
+    /// <summary>Gets the fields of a world-space canvas, with the vertex data that MRTK3's canvases require.</summary>
     static YamlDotNet.RepresentationModel.YamlMappingNode CanvasFields() => Nodes.Lines(
         ("m_Enabled", Nodes.Number(1)),
         ("serializedVersion", Nodes.Number(3)),

@@ -3,7 +3,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>An object of a foreign prefab, with its fileIDs and those of its components.</summary>
+/// <summary>An object of another package's prefab, with its fileID and those of its components.</summary>
 sealed class ForeignObject
 {
     readonly Dictionary<Object, long> _fileIds;

@@ -1,6 +1,6 @@
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Paths of the stand-ins for prefabs of MRTK3. Their .meta files have the GUIDs of the real ones.</summary>
+/// <summary>Paths of the substitutes for prefabs of MRTK3. Their .meta files contain the GUIDs of the original prefabs.</summary>
 static class ForeignPaths
 {
     const string Mrtk = "Headless/StandIn/ForeignAssets/MixedReality.Toolkit/";

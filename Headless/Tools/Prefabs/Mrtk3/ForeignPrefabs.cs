@@ -6,10 +6,13 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>The objects of MRTK3's prefabs that the sample changes or calls, with their original values and fileIDs.</summary>
+/// <summary>Creates the objects of MRTK3's prefabs that the sample changes or calls, with their original values and fileIDs.</summary>
 static class ForeignPrefabs
 {
-    /// <summary>The checkbox is a variant of the button: its objects' fileIDs come from this and the button's, as Unity computes them.</summary>
+    /// <summary>
+    /// FileID of the button's instance in the checkbox, which is a variant of the button. Unity computes the fileIDs of the checkbox's objects
+    /// from this value and those of the button's objects.
+    /// </summary>
     const long CheckboxInstance = 2843419059293016730;
 
     public static string Button(Workshop workshop) => Button(workshop, "Action Button", id => id, hasLabel: false);

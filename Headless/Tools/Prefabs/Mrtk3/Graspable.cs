@@ -6,11 +6,11 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Makes objects that hands, gaze and pinch, and rays can move and turn.</summary>
+/// <summary>Makes objects movable and rotatable with hands, rays, and gaze and pinch.</summary>
 static class Graspable
 {
-    /// <param name="host">The object that moves; null for the object itself.</param>
-    /// <param name="size">Size of the box that can be grasped, m.</param>
+    /// <param name="host">Object that is moved; null to move the graspable object itself.</param>
+    /// <param name="size">Size of the box in which the object can be grasped, m.</param>
     public static ObjectManipulator Make(GameObject made, Transform host, Vector3 size)
     {
         var box = made.AddComponent<OpaqueComponent>();
@@ -19,7 +19,7 @@ static class Graspable
         var manipulator = made.AddComponent<ObjectManipulator>();
         Fields.Set(manipulator, "hostTransform", host != null ? host : made.transform);
         manipulator.AllowedManipulations = TransformFlags.Move | TransformFlags.Rotate;
-        // Voice commands for it would only click it.
+        // Disables selection by voice, which could only click the object.
         manipulator.AllowSelectByVoice = false;
         return manipulator;
     }

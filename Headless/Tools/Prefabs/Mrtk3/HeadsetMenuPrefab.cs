@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>MRTK3's hand menu with a cell's actions, which are also available by voice.</summary>
+/// <summary>Creates MRTK3's hand menu with the actions of a cell. The actions are also available by voice.</summary>
 sealed class HeadsetMenuPrefab
 {
     const float NudgeMs = 20, NudgeStepMs = 1, OpacityStep = 0.2f;
@@ -28,7 +28,7 @@ sealed class HeadsetMenuPrefab
         Fields.Set(_menu, "_actions", _actions);
         var hand = workshop.Instantiate(ForeignPaths.HandMenu, _root.transform);
         _canvas = hand.transform.Find("MenuContent-Canvas");
-        // Shown only while a hand holds its palm up.
+        // The menu is shown only while a hand is held with the palm up.
         _canvas.gameObject.SetActive(false);
         _canvas.Find("Buttons-GridLayout").gameObject.SetActive(false);
         Canvases.AddGround(workshop, _canvas, new Vector3(0, -17, 4), new Vector2(112, 174));
@@ -51,7 +51,7 @@ sealed class HeadsetMenuPrefab
         Toggle("_panel", "Panel", nameof(CellActions.TogglePanel), new Vector2(34, 50));
         Toggle("_ghost", "Ghost", nameof(CellActions.ToggleGhost), new Vector2(-34, 16));
         Toggle("_occlusion", "Occlusion", nameof(CellActions.ToggleOcclusion), new Vector2(0, 16));
-        // Separate from the other buttons and with a confirmation, so that it is not pressed by mistake.
+        // Placed apart from the other buttons, because it must not be pressed by mistake. It also asks for confirmation.
         Click(_buttons.Button("Forget Cell", "Forget cell", new Vector2(34, -86)), nameof(CellActions.ForgetCell));
         Calls.Add(_buttons.Button("No Nudge", "No nudge", new Vector2(34, 16)), Clicked, _actions, nameof(CellActions.SetNudgeMs), 0f);
     }

@@ -7,19 +7,19 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>The prefabs that a HoloLens user grasps, reads and answers.</summary>
+/// <summary>Creates the prefabs for a HoloLens 2 user: a marker to grasp, a panel to read and a question to answer.</summary>
 static class HoloLensPrefabs
 {
-    /// <summary>Size of the status panel's bar in font sizes: as wide as the panel's background.</summary>
+    /// <summary>Size of the status panel's bar, in font sizes. It is as wide as the background of the panel.</summary>
     const float BarWidth = 31.5f, BarHeight = 2.8f;
 
-    /// <summary>One unit of its canvas in font sizes. A button of 32 units is 2° high at the reading distance, which is Microsoft's minimum.</summary>
+    /// <summary>One unit of the bar's canvas in font sizes. A button of 32 units is 2° high at the reading distance, Microsoft's minimum.</summary>
     const float BarUnit = 0.0785f;
 
-    /// <summary>Font size in metres of a panel that follows at 1.3 m; legible from up to 10 % farther away.</summary>
+    /// <summary>Font size of a panel that follows the user at 1.3 m, in metres. It is legible from up to 10 % farther away.</summary>
     static readonly float BarSize = LetterSize.At(1.3f * 1.1f);
 
-    /// <summary>Creates the marker, whose own transform is the robot's base frame.</summary>
+    /// <summary>Creates the marker. Its transform is the robot's base frame.</summary>
     public static string Marker(Workshop workshop)
     {
         var marker = new GameObject("Hand-Placed Marker");
@@ -32,7 +32,7 @@ static class HoloLensPrefabs
         return workshop.Prefab(marker);
     }
 
-    /// <summary>Creates the package's panel with a bar for holding, pinning and closing it.</summary>
+    /// <summary>Creates the package's panel with a bar to grasp, pin and close it.</summary>
     public static string Panel(Workshop workshop)
     {
         var panel = new GameObject("Status Panel (MRTK3)");
@@ -54,8 +54,8 @@ static class HoloLensPrefabs
         return workshop.Prefab(panel);
     }
 
-    /// <summary>Adds the bar below the panel's lower edge, in units of the panel's font size.</summary>
-    /// <returns>The object that the panel places and scales, so that it looks the same in the editor as where the panel follows.</returns>
+    /// <summary>Adds the bar below the panel. Its unit is the panel's font size.</summary>
+    /// <returns>The object that the panel places and scales, so that the bar looks the same in the editor and on a following panel.</returns>
     static Transform AddBar(
         Workshop workshop, Transform panel, out ObjectManipulator handle, out PressableButton pin, out PressableButton close)
     {
@@ -70,12 +70,12 @@ static class HoloLensPrefabs
         AddWord(workshop, "Stay", canvas, new Vector3(-120, 0, 0));
         close = buttons.Button("Close", "×", new Vector2(170, 0));
         AddWord(workshop, "Close", canvas, new Vector3(115, 0, 0));
-        // Between the two words, so that pressing a button does not move the panel.
+        // Between the two texts, so that pressing a button does not move the panel.
         handle = Graspable.Make(content, panel, new Vector3(12, BarHeight, 0.6f));
         return bar;
     }
 
-    /// <summary>Adds a word next to a button, because the button's own letters are too small at the distance of a panel.</summary>
+    /// <summary>Adds a text next to a button, because the letters on the button are too small at the distance of a panel.</summary>
     static void AddWord(Workshop workshop, string word, Transform canvas, Vector3 place)
     {
         var text = Canvases.AddText(workshop, word + " Word", canvas, place);
@@ -83,7 +83,7 @@ static class HoloLensPrefabs
         text.transform.localScale = Vector3.one / (LetterSize.Of(text) * BarUnit);
     }
 
-    /// <summary>Creates the question. It follows the wearer in front of the panel and within reach, so that it is seen.</summary>
+    /// <summary>Creates the question. It follows the user in front of the panel and within reach, so that it cannot be overlooked.</summary>
     public static string Consent(Workshop workshop)
     {
         var root = new GameObject("Consent Prompt");

@@ -8,7 +8,7 @@ using UnityEngine.XR.ARFoundation;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>A robot cell for a HoloLens 2 with MRTK3: markers and pairing, a hand menu, and a panel and a marker that can be grasped.</summary>
+/// <summary>Creates the scene of a robot cell for a HoloLens 2 with MRTK3: marker and pairing, hand menu, movable panel and marker.</summary>
 static class HoloLensScene
 {
     public static string Make(Workshop workshop)
@@ -31,7 +31,7 @@ static class HoloLensScene
     {
         var cell = Scenes.Cell(workshop, PackagePaths.Cell, PackagePaths.HoloLensSettings);
         var session = cell.GetComponent<MrilSession>();
-        // The menu connects the session, or the pairing does so when the address is known.
+        // Does not connect at the start. The hand menu connects, or the pairing when it has received the address.
         Fields.Set(session, "_connectOnEnable", false);
         cell.transform.Find("Base Anchor").localPosition = AnyHeadsetScene.BasePlace;
         cell.transform.Find("Status Panel").gameObject.SetActive(false);

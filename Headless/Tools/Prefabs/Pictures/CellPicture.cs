@@ -4,21 +4,21 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>The picture of the README: the whole cell while the arm carries a workpiece, without and with compensation.</summary>
+/// <summary>Draws the README's picture: the whole cell while the arm carries a workpiece, without and with compensation.</summary>
 static class CellPicture
 {
     public const int Width = 480, Height = 280;
 
-    /// <summary>Angle of the camera's view over the width, degrees.</summary>
+    /// <summary>Horizontal field of view of the camera, degrees.</summary>
     const double Field = 29;
 
-    /// <summary>Distance across the view by which the gripper lags without compensation, m: fast motion of the sample, but not its maximum.</summary>
+    /// <summary>Minimum distance, across the view, by which the uncompensated gripper lags, m. It is reached in fast motion of the sample.</summary>
     const float MinGapMetres = 0.06f;
 
-    /// <summary>Camera, and the point that it faces: above the base, between conveyor and fixture.</summary>
+    /// <summary>Position of the camera, and the point that it faces: above the base, between conveyor and fixture.</summary>
     static readonly Vector3 Camera = new(-0.75f, 0.8f, 1.2f), Middle = new(0, 0.09f, 0);
 
-    /// <returns>The drawings of the same frame, and the distance of the uncompensated gripper from the displayed one, m.</returns>
+    /// <returns>Two drawings of the same frame, and the distance between the uncompensated and the displayed gripper, m.</returns>
     public static (string Uncompensated, string Compensated, double Gap) Draw(PlayedCell cell)
     {
         cell.Run(12);
@@ -34,7 +34,7 @@ static class CellPicture
         return (uncompensated, compensated, Lag(cell).magnitude);
     }
 
-    // The same virtual parts, at the place where a display without compensation shows them.
+    // Moves the virtual parts to the positions at which a display without compensation shows them.
     static void PutLikeHeld(PlayedCell cell, IEnumerable<TrackedObject> displayed)
     {
         var held = cell.Objects<TrackedObject>().Where(shown => shown.Shows == RigPose.Held).ToDictionary(shown => shown.Frame);

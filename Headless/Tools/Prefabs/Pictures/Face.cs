@@ -2,12 +2,12 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>A convex polygon in the world with the phase of the stripes at each corner.</summary>
+/// <summary>A convex polygon in the world. Each corner has a phase that determines the stripes.</summary>
 sealed record Face((Vector3 Point, float Phase)[] Corners, Color Colour, double Opacity, bool IsStriped)
 {
     public Vector3 Centre => Corners.Aggregate(Vector3.zero, (sum, c) => sum + c.Point) / Corners.Length;
 
-    /// <summary>Gets the parts of its stripes with full opacity, or those with reduced opacity.</summary>
+    /// <summary>Gets the parts of the stripes with full opacity, or those with reduced opacity.</summary>
     public IEnumerable<Vector3[]> Stripes(bool fainter)
     {
         var (first, last) = ((int)Math.Floor(Corners.Min(c => c.Phase)), (int)Math.Floor(Corners.Max(c => c.Phase)));
@@ -19,7 +19,7 @@ sealed record Face((Vector3 Point, float Phase)[] Corners, Color Colour, double 
         }
     }
 
-    // Keeps the part with a phase above a limit (sign 1), or below it (sign -1).
+    // Keeps the part of a polygon whose phase is above a limit (sign 1) or below it (sign -1).
     static (Vector3 Point, float Phase)[] Clip((Vector3 Point, float Phase)[] corners, float limit, int sign)
     {
         var kept = new List<(Vector3, float)>();

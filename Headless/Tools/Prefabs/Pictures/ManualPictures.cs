@@ -7,20 +7,20 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>The pictures of the manual that show the package's prefabs as a wearer sees them.</summary>
+/// <summary>Draws the manual's pictures of the package's prefabs as a user sees them.</summary>
 static class ManualPictures
 {
     const string Folder = "Packages/com.nowpose.mril/Documentation~/images/";
 
-    /// <summary>HoloLens 2, degrees.</summary>
+    /// <summary>Field of view of a HoloLens 2, degrees.</summary>
     const double FieldWidth = 43, FieldHeight = 29;
 
     const int PanelWidth = 900, PartWidth = 320, PartHeight = 320, Caption = 28;
 
-    /// <summary>Distance between the displayed gripper and the ghost, so that both are visible.</summary>
+    /// <summary>Distance between the displayed gripper and the ghost in the picture, so that both are visible.</summary>
     const float GapMetres = 0.05f;
 
-    /// <returns>Paths of the files.</returns>
+    /// <returns>Paths of the written files.</returns>
     public static IEnumerable<string> Write(string root)
     {
         foreach (var (name, svg) in new[] { ("pose-appearance.svg", Appearance(root)), ("status-panel.svg", Panel(root)), ("cell.svg", Cell(root)) })
@@ -30,7 +30,7 @@ static class ManualPictures
         }
     }
 
-    /// <summary>The whole cell without and with compensation, at the same moment.</summary>
+    /// <summary>Draws the whole cell without and with compensation, at the same moment.</summary>
     public static string Cell(string root)
     {
         using var cell = new PlayedCell(root);
@@ -41,7 +41,7 @@ static class ManualPictures
             (string.Create(CultureInfo.InvariantCulture, $"without Nowpose: {1000 * gap:0} mm behind"), uncompensated), ("with Nowpose", compensated));
     }
 
-    /// <summary>The gripper at the arm's end: current, current beside the ghost, and held.</summary>
+    /// <summary>Draws the gripper at the end of the arm three times: current, current beside the ghost, and held.</summary>
     public static string Appearance(string root)
     {
         using var cell = new PlayedCell(root);
@@ -53,7 +53,7 @@ static class ManualPictures
         cell.CutOff();
         cell.Run(2);
         eye = Before(cell);
-        // The text turns to the camera, and its size depends on the camera's distance.
+        // The text faces the camera, and its size depends on the distance to the camera.
         cell.Head.SetPositionAndRotation(eye.Place.position, eye.Place.rotation);
         cell.Run(0.1);
         var held = new SceneDrawing(eye).Draw([cell.Real, cell.Displayed.gameObject]);
@@ -62,7 +62,7 @@ static class ManualPictures
             ("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
     }
 
-    /// <summary>Gets a camera in front of the gripper, where no part of the arm hides it, with the text at the left.</summary>
+    /// <summary>Gets a camera in front of the gripper, from where no part of the arm hides it and the text is on the left.</summary>
     static Eye Before(PlayedCell cell)
     {
         var gripper = cell.Displayed.GetComponentInChildren<VirtualGripper>().transform;
@@ -74,7 +74,7 @@ static class ManualPictures
         return new Eye(new Pose(place, Quaternion.LookRotation(middle - place, Vector3.up)), 24, PartWidth, PartHeight);
     }
 
-    /// <summary>Draws the view of a HoloLens 2 with the head level: the panel without and with a message.</summary>
+    /// <summary>Draws the view of a HoloLens 2 with a level head: the panel without and with a message.</summary>
     public static string Panel(string root)
     {
         using var cell = new PlayedCell(root);
@@ -94,7 +94,7 @@ static class ManualPictures
             "The status panel with a message on top, in a HoloLens 2's field of view of 43 by 29 degrees");
     }
 
-    /// <summary>Draws outlines of MRTK3's buttons, whose meshes are not available here.</summary>
+    /// <summary>Draws the outlines of MRTK3's buttons, whose meshes are not available here.</summary>
     static string Buttons(StatusPanel panel, Eye eye) => string.Concat(panel.GetComponentsInChildren<PressableButton>().Select(button =>
     {
         var rect = (RectTransform)button.transform;

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>The sample Virtual Robot Cell, played in virtual time; with the HoloLens sample's panel instead of its own.</summary>
+/// <summary>Plays the sample Virtual Robot Cell in virtual time, with the panel of the HoloLens sample in place of its own.</summary>
 sealed class PlayedCell : IDisposable
 {
     const double FrameSeconds = 1 / 60.0;
@@ -20,7 +20,7 @@ sealed class PlayedCell : IDisposable
         _player = new Player(library);
         _player.LoadScene(PackagePaths.VirtualScene, roots => Session = roots.SelectMany(r => r.GetComponents<MrilSession>()).Single());
         Session.HeadsetClock = _clock;
-        // The session has started with this machine's clock; setting it restarts the session with the virtual clock.
+        // The session has started with the clock of this machine. Setting the settings restarts it with the virtual clock.
         Session.Settings = Session.Settings;
         Session.transform.Find("Status Panel").gameObject.SetActive(false);
         Panel = UnityEngine.Object.Instantiate(library.Load<GameObject>(PackagePaths.HoloLensPanel)).GetComponent<StatusPanel>();
@@ -39,12 +39,12 @@ sealed class PlayedCell : IDisposable
 
     public GameObject Ghost => Session.transform.Find("Base Anchor/Ghost").gameObject;
 
-    /// <summary>The components of one type in the scene, such as the objects of the cell.</summary>
+    /// <summary>Gets all components of a type in the scene, for example the objects of the cell.</summary>
     public IEnumerable<T> Objects<T>() where T : Component => Session.gameObject.scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<T>());
 
     public Transform Head => _player.Find<Camera>().transform;
 
-    /// <summary>Disconnects the simulated control system completely.</summary>
+    /// <summary>Makes the simulated network lose all messages of the control system.</summary>
     public void CutOff() => Fields.Set(_player.Find<SimulatedControlSystem>(), "_loss", 1f);
 
     public void Run(double seconds)
@@ -62,7 +62,7 @@ sealed class PlayedCell : IDisposable
     {
         HeadsetTime _now;
 
-        /// <summary>The virtual time, which advances slightly with each reading.</summary>
+        /// <summary>The virtual time. Each reading advances it by 1 µs.</summary>
         public HeadsetTime Now => _now += TimeSpan.FromMicroseconds(1);
 
         public void Set(double seconds) => _now = new HeadsetTime(TimeSpan.FromSeconds(seconds));

@@ -7,10 +7,10 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>Draws a played scene as SVG: built-in meshes with the package's materials, the farthest face first, and texts on top.</summary>
+/// <summary>Draws a played scene as SVG: built-in meshes with the package's materials, farthest face first, with texts on top.</summary>
 sealed class SceneDrawing(Eye eye)
 {
-    /// <summary>Height of a line of the built-in font: above the base line, and in all.</summary>
+    /// <summary>Ascent and height of a line of the built-in font, in font sizes.</summary>
     const double Ascent = 0.905, Line = 1.149;
 
     const string Occluder = "Nowpose/Occluder";
@@ -18,7 +18,7 @@ sealed class SceneDrawing(Eye eye)
     readonly MaterialPropertyBlock _block = new();
     readonly StringBuilder _svg = new();
 
-    /// <param name="roots">Objects to draw, with their descendants.</param>
+    /// <param name="roots">Objects to draw together with their descendants.</param>
     public string Draw(IEnumerable<GameObject> roots)
     {
         var drawn = roots.Where(root => root.activeInHierarchy).ToList();
@@ -90,7 +90,7 @@ sealed class SceneDrawing(Eye eye)
         var anchor = ((int)text.anchor % 3) switch { 0 => "start", 1 => "middle", _ => "end" };
         for (var i = 0; i < lines.Length; i++)
             _svg.Append(CultureInfo.InvariantCulture, $"""<text x="{x:0.0}" y="{y + i * Line * size:0.0}" font-size="{size:0.0}" """)
-                // A reader's browser may use another font.
+                // Sets the length of the text, because a browser can use another font.
                 .Append(CultureInfo.InvariantCulture, $"""textLength="{LetterWidths.Of(lines[i]) * size:0.0}" lengthAdjust="spacingAndGlyphs" """)
                 .Append(CultureInfo.InvariantCulture, $"""text-anchor="{anchor}">{SecurityElement.Escape(lines[i])}</text>""")
                 .Append('\n');

@@ -2,14 +2,16 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>The faces of Unity's built-in meshes, which the stand-in engine does not have: each a convex polygon about the mesh's axes.</summary>
+/// <summary>
+/// Creates the faces of Unity's built-in meshes, which the stand-in engine lacks. Each face is a convex polygon in the mesh's frame.
+/// </summary>
 static class Solid
 {
     const int Sides = 32, Rings = 10;
 
     static readonly Vector3[] Square = [new(-0.5f, -0.5f, 0), new(0.5f, -0.5f, 0), new(0.5f, 0.5f, 0), new(-0.5f, 0.5f, 0)];
 
-    /// <summary>Gets the faces by the mesh's name; empty for an unknown mesh.</summary>
+    /// <summary>Gets the faces of a mesh by its name; empty for an unknown mesh.</summary>
     public static IEnumerable<Vector3[]> Faces(string mesh) => mesh switch
     {
         "Cube" => Cube(),
@@ -26,7 +28,7 @@ static class Solid
                 yield return [.. Square.Select(corner => turn * (corner + side * Vector3.forward))];
     }
 
-    // Radius 0.5 and height 2.
+    // A cylinder of radius 0.5 and height 2.
     static IEnumerable<Vector3[]> Cylinder()
     {
         for (var i = 0; i < Sides; i++) yield return [OnSide(i, -1), OnSide(i + 1, -1), OnSide(i + 1, 1), OnSide(i, 1)];

@@ -6,7 +6,7 @@ namespace Nowpose.Editor.Import
 {
     /// <summary>Undoes the changes that Unity's model importer makes to the axes of a file.</summary>
     /// <remarks>
-    /// A URDF uses the coordinates of a mesh as they are in the file, whatever the up axis of the file; rviz does the same. Unity's importer
+    /// A URDF uses the coordinates of a mesh as they are in the file, independent of the up axis of the file; rviz does the same. Unity's importer
     /// changes the coordinates:
     /// <list type="bullet">
     /// <item>It mirrors x, because Unity's axes are left-handed.</item>

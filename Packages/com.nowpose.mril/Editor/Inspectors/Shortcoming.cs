@@ -23,7 +23,7 @@ namespace Nowpose.Editor.Inspectors
         /// <summary>Message to the user with the missing reference and the remedy.</summary>
         public string Message { get; }
 
-        /// <summary>Label of the button; null if there is no object to assign.</summary>
+        /// <summary>Label of the button; null if only the user can choose an object.</summary>
         public string FixLabel => _remedy == null ? null : "Use '" + _remedy.name + "'";
 
         /// <summary>Adds another component with the same missing reference.</summary>

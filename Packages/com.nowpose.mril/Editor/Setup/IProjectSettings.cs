@@ -46,7 +46,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>Type name of the render pipeline asset; null for the built-in pipeline.</summary>
         string RenderPipeline { get; }
 
-        /// <summary>Whether the main camera of the open scenes clears to black with alpha 0; null if there is no main camera.</summary>
+        /// <summary>Whether the main camera of the open scenes clears to black with alpha 0; null without a main camera.</summary>
         bool? ClearsToTransparentBlack { get; }
 
         /// <summary>Distance of the main camera's near clip plane in metres; null if the open scenes have no main camera.</summary>
@@ -65,7 +65,7 @@ namespace Nowpose.Editor.Setup
         /// <returns>False if the id is unknown.</returns>
         bool TurnFeatureOn(string featureId);
 
-        /// <summary>Returns the number of an enumeration setting of OpenXR, given its serialised name; null if there is no such setting.</summary>
+        /// <summary>Returns the number of an enumeration setting of OpenXR, given its serialised name; null if no such setting exists.</summary>
         int? OpenXrOption(string field);
 
         /// <summary>Sets an enumeration setting of OpenXR to a number, given its serialised name.</summary>

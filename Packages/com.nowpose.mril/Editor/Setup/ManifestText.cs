@@ -50,7 +50,7 @@ namespace Nowpose.Editor.Setup
         public void Replace(JsonOutline value, string text) =>
             Set(Text.Substring(0, value.Start) + JsonConvert.ToString(text) + Text.Substring(value.End));
 
-        /// <summary>Returns a member of the root object, which must be an object or an array; null if there is no member of this name.</summary>
+        /// <summary>Returns a member of the root object, which must be an object or an array; null if no member of this name exists.</summary>
         /// <param name="isObject">Whether the member must be an object; otherwise it must be an array.</param>
         /// <exception cref="InputException">The member has another type.</exception>
         public JsonOutline Find(string name, bool isObject)

@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Setup
     {
         /// <summary>Finds the settings object of a player.</summary>
         /// <param name="type">Type name of the asset.</param>
-        /// <returns>Null if there is no such asset, or if it contains no object for the player.</returns>
+        /// <returns>Null if no such asset exists, or if it contains no object for the player.</returns>
         public static Object Find(string type, BuildTargetGroup player)
         {
             foreach (var guid in AssetDatabase.FindAssets("t:" + type))

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Packages that a project needs, with the supported versions. There is no other list of these versions.</summary>
+    /// <summary>Packages that a project needs, with the supported versions. This is the only list of these versions.</summary>
     static class ProjectNeeds
     {
         /// <summary>Name of the Nowpose package.</summary>

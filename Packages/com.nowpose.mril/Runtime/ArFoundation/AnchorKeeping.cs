@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
         /// <summary>Name under which the store holds the anchor; null while the anchor is not saved.</summary>
         public string KeptAs { get; set; }
 
-        /// <summary>Reason why the anchor is not saved; null if there is no problem.</summary>
+        /// <summary>Reason why the anchor is not saved; null if no problem is known.</summary>
         public string Problem { get; private set; }
 
         public void Keep(string name)

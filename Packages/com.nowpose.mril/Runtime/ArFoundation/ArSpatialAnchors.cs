@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
         readonly List<string> _unwanted = new List<string>();
         IAnchorStore _store;
 
-        /// <summary>Reason why the device cannot create or save anchors, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why the device cannot create or save anchors, in one line; null if no problem is known.</summary>
         public string Problem => _manager.Problem ?? Store?.Problem;
 
         public bool IsReady => Store?.IsReady ?? false;
@@ -57,7 +57,9 @@ namespace Nowpose.ArFoundation
             else _unwanted.Add(name);
         }
 
-        /// <summary>Removes a name from all anchors except <paramref name="keeper"/>. The store now uses the name for that anchor, or for none.</summary>
+        /// <summary>
+        /// Removes a name from all anchors except <paramref name="keeper"/>. The store now uses the name for that anchor, or for none.
+        /// </summary>
         internal void Renounce(string name, ArSpatialAnchor keeper)
         {
             // Cancels a pending deletion of this name: the name is in use again.

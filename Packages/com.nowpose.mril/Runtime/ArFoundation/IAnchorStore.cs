@@ -2,14 +2,16 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Saves AR Foundation's anchors across restarts of the application. <see cref="ArSpatialAnchors"/> on the same object uses it.</summary>
+    /// <summary>
+    /// Saves AR Foundation's anchors across restarts of the application. <see cref="ArSpatialAnchors"/> on the same object uses it.
+    /// </summary>
     /// <remarks>Members are called on Unity's main thread only, and must not throw.</remarks>
     public interface IAnchorStore
     {
         /// <summary>Whether the store is open, so the names of its anchors are available.</summary>
         bool IsReady { get; }
 
-        /// <summary>Reason why the store is not ready, or the last failure, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why the store is not ready, or the last failure, in one line; null if no problem is known.</summary>
         string Problem { get; }
 
         bool Has(string name);

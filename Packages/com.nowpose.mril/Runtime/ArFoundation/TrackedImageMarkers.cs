@@ -38,7 +38,7 @@ namespace Nowpose.ArFoundation
         readonly MarkerRecords _records = new MarkerRecords();
         MrilSession _source;
 
-        /// <summary>Reason why no images are tracked, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why no images are tracked, in one line; null if no problem is known.</summary>
         public string Problem => _images.Problem;
 
         public void Read(List<MarkerSighting> markers)

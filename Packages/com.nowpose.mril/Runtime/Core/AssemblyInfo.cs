@@ -6,20 +6,20 @@ using System.Runtime.CompilerServices;
 // Converts the runtime's times and reports the properties of the display.
 [assembly: InternalsVisibleTo("Nowpose.OpenXR")]
 
-// Writes session files with the same classes.
+// Writes session files with the same classes as the headset.
 [assembly: InternalsVisibleTo("Nowpose.Gateway")]
 
 // Tests internals such as the distinction between an overtaken sample and a clock that went back.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]
 
-// These exist only in this package's repository: internals under simulated conditions.
+// Tests of this package's repository, which test internals under simulated conditions.
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
-// Exists only in this package's repository: its simulated controller reports the pose of its tool.
+// Exists only in this package's repository: a simulated robot controller that computes the pose of its tool.
 [assembly: InternalsVisibleTo("Nowpose.RtdeServer")]
 
-// Exists only in this package's repository: it emulates links with the same profiles as the tests.
+// Exists only in this package's repository: emulates links with the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
 // The package's other assemblies and tools use internals that are not an interface for users.

@@ -27,7 +27,7 @@ namespace Nowpose
             Steps = steps;
         }
 
-        /// <summary>The headset time of <see cref="ReferenceOffset"/>, near the newest exchange.</summary>
+        /// <summary>Headset time at which <see cref="ReferenceOffset"/> applies, near the newest exchange.</summary>
         public HeadsetTime Reference { get; }
 
         /// <summary>Φ at <see cref="Reference"/>.</summary>
@@ -44,14 +44,14 @@ namespace Nowpose
         /// errors plus the server's stated error bound, at most <see cref="ErrorBound"/>. Panels and reports show it after ±.
         /// </summary>
         /// <remarks>
-        /// It assumes that the minimum delays of both directions are equal. Half their difference adds to the error, and no
-        /// estimator can observe it; only <see cref="ErrorBound"/> includes it.
+        /// The estimate assumes that the minimum delays of both directions are equal. If they differ, half the difference adds to the
+        /// error. No estimator can observe this difference; only <see cref="ErrorBound"/> includes it.
         /// </remarks>
         public TimeSpan EstimatedError { get; }
 
         public ClockState State { get; }
 
-        /// <summary>Number of clock steps so far; after a change, earlier control times belong to another time line.</summary>
+        /// <summary>Number of clock steps so far. After each step, earlier control times belong to another time line.</summary>
         public int Steps { get; }
 
         /// <summary>Whether the model can convert.</summary>

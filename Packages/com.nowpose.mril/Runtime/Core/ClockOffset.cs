@@ -2,9 +2,9 @@ using System;
 
 namespace Nowpose
 {
-    /// <summary>Headset time minus control time of the same moment, Φ of Eq. 3; positive when the headset clock is ahead.</summary>
+    /// <summary>Headset time minus control time at the same moment, Φ of Eq. (3); positive when the headset clock is ahead.</summary>
     /// <remarks>
-    /// Schnierle &amp; Röck 2022, Eq. (3). Valid at one moment only: with skew it grows by γ₂−1 seconds per second, see
+    /// Schnierle &amp; Röck 2022, Eq. (3). Valid at one moment only: because of the skew, Φ changes by γ₂−1 seconds per second, see
     /// <see cref="ClockModel"/>.
     /// </remarks>
     public readonly struct ClockOffset : IEquatable<ClockOffset>

@@ -1,10 +1,10 @@
 namespace Nowpose
 {
-    /// <summary>How accurately the offset between headset clock and control clock is known.</summary>
+    /// <summary>Accuracy with which the offset between headset clock and control clock is known.</summary>
     /// <remarks>The numbers must not change, because projects may have stored them.</remarks>
     public enum ClockState
     {
-        /// <summary>No exchange yet.</summary>
+        /// <summary>No exchange has been used yet.</summary>
         Unsynchronised = 0,
 
         /// <summary>
@@ -25,13 +25,13 @@ namespace Nowpose
         /// </summary>
         Synchronised = 2,
 
-        /// <summary>Was coarse or synchronised. No exchange has arrived recently, so the last line is extrapolated.</summary>
+        /// <summary>The clock was coarse or synchronised, but no exchange has arrived recently, so the last estimate is extrapolated.</summary>
         Holdover = 3,
     }
 
     static class ClockStateWord
     {
-        /// <summary>Returns the spelling in the protocol, pages, logs and command lines.</summary>
+        /// <summary>Returns the name of a state in the protocol, on pages, in logs and on command lines.</summary>
         public static string Word(this ClockState state) => state.ToString().ToLowerInvariant();
     }
 }

@@ -8,7 +8,7 @@ namespace Nowpose
     {
         public const int NanosecondsPerTick = 100;
 
-        /// <summary>Rounds to the nearest tick, halves away from zero.</summary>
+        /// <summary>Converts nanoseconds to ticks, rounded to the nearest tick; half a tick is rounded away from zero.</summary>
         public static long FromNanoseconds(long nanoseconds)
         {
             var half = nanoseconds < 0 ? -NanosecondsPerTick / 2 : NanosecondsPerTick / 2;
@@ -16,7 +16,10 @@ namespace Nowpose
             return nanoseconds / NanosecondsPerTick + (remainder + half) / NanosecondsPerTick;
         }
 
-        /// <summary>Converts seconds to a length. <see cref="TimeSpan"/>'s own method rounds to milliseconds under Mono.</summary>
+        /// <summary>
+        /// Converts seconds to a <see cref="TimeSpan"/>, because <see cref="TimeSpan.FromSeconds(double)"/> rounds to milliseconds under
+        /// Mono.
+        /// </summary>
         public static TimeSpan Span(double seconds)
         {
             var ticks = Math.Round(seconds * TimeSpan.TicksPerSecond);

@@ -1,27 +1,27 @@
 namespace Nowpose
 {
     /// <summary>
-    /// The verdict on a message or a sample: why it was dropped, one reason for each rule of the protocol. Parser, gateway, predictor and
-    /// statistics use the same reasons.
+    /// Reason why a message or a sample was dropped, one for each rule of the protocol. Parser, gateway, predictor and statistics use the
+    /// same reasons.
     /// </summary>
     public enum DropReason
     {
-        /// <summary>Nothing was dropped. A sample that newer ones have overtaken is used with the next one.</summary>
+        /// <summary>Nothing was dropped. A sample that newer samples have overtaken is used with the next sample.</summary>
         None,
 
-        /// <summary>Not exactly one JSON object: a syntax error, trailing content, or invalid text.</summary>
+        /// <summary>The message is not exactly one JSON object: it has a syntax error, trailing content, or invalid text.</summary>
         NotJson,
 
-        /// <summary>More bytes of UTF-8 than the topic allows.</summary>
+        /// <summary>The message has more bytes of UTF-8 than the topic allows.</summary>
         TooLarge,
 
-        /// <summary>Nested deeper than the protocol allows.</summary>
+        /// <summary>The message is nested more deeply than the protocol allows.</summary>
         TooDeep,
 
-        /// <summary>More fragments than the protocol allows.</summary>
+        /// <summary>The message has more fragments than the protocol allows.</summary>
         TooManyFragments,
 
-        /// <summary>Not complete within the protocol's timeout.</summary>
+        /// <summary>The message was not complete within the protocol's timeout.</summary>
         TooSlow,
 
         /// <summary>The client exceeded the rate limit in messages per second.</summary>
@@ -42,7 +42,7 @@ namespace Nowpose
         UnknownOp,
         UnknownService,
 
-        /// <summary>A publication on a topic that the receiver does not support.</summary>
+        /// <summary>The message was published on a topic that the receiver does not support.</summary>
         UnknownTopic,
 
         TooManyTopics,
@@ -50,7 +50,7 @@ namespace Nowpose
         /// <summary>A position, or another number that must be finite, is NaN, infinite or null.</summary>
         NotFinite,
 
-        /// <summary>position or velocity differs from name in length.</summary>
+        /// <summary>The array position or velocity has another length than the array name.</summary>
         LengthMismatch,
 
         TooManyJoints,
@@ -58,21 +58,21 @@ namespace Nowpose
         DuplicateName,
         StampZero,
 
-        /// <summary>Negative seconds, seconds beyond 32 bits, or nanoseconds outside 0 to 999 999 999.</summary>
+        /// <summary>The stamp has negative seconds, seconds beyond 32 bits, or nanoseconds outside 0 to 999 999 999.</summary>
         StampOutOfRange,
 
         StampInFuture,
 
-        /// <summary>The client's role does not allow it.</summary>
+        /// <summary>The client's role does not allow the message.</summary>
         NotAllowed,
 
-        /// <summary>Another source publishes that joint.</summary>
+        /// <summary>Another source already publishes the joint.</summary>
         JointTaken,
 
-        /// <summary>A slow reader's queue was full, so its oldest message was dropped.</summary>
+        /// <summary>The queue of a slow reader was full, so the oldest message in the queue was dropped.</summary>
         SlowReader,
 
-        /// <summary>The joint already has a sample of that control time, within 1 µs.</summary>
+        /// <summary>The joint already has a sample with the same control time, within 1 µs.</summary>
         DuplicateSample,
 
         /// <summary>The sample is older than all samples that the prediction uses.</summary>
@@ -99,25 +99,25 @@ namespace Nowpose
         /// <summary>The parent of a frame depends on the frame itself.</summary>
         FrameCycle,
 
-        /// <summary>More transforms from a frame to its root than the protocol allows.</summary>
+        /// <summary>There are more transforms from a frame to its root than the protocol allows.</summary>
         FrameTooDeep,
 
-        /// <summary>More frames in one message or in the cell than the protocol allows.</summary>
+        /// <summary>There are more frames in one message or in the cell than the protocol allows.</summary>
         TooManyFrames,
 
-        /// <summary>More signals in one message or in the cell than the protocol allows.</summary>
+        /// <summary>There are more signals in one message or in the cell than the protocol allows.</summary>
         TooManySignals,
 
-        /// <summary>Another source publishes that frame.</summary>
+        /// <summary>Another source already publishes the frame.</summary>
         FrameTaken,
 
-        /// <summary>Another source publishes that signal.</summary>
+        /// <summary>Another source already publishes the signal.</summary>
         SignalTaken,
 
         /// <summary>The namespace of a robot's topic is not a valid name.</summary>
         InvalidNamespace,
 
-        /// <summary>More robots in namespaces than the protocol allows.</summary>
+        /// <summary>There are more robots in namespaces than the protocol allows.</summary>
         TooManyRobots,
     }
 }

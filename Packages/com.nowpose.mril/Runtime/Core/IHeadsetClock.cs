@@ -14,13 +14,13 @@ namespace Nowpose
     {
         /// <summary>Converts a reading of <see cref="System.Diagnostics.Stopwatch.GetTimestamp"/> to headset time.</summary>
         /// <param name="count">
-        /// Reading in counts of <see cref="System.Diagnostics.Stopwatch.Frequency"/>. Under Mono and IL2CPP that is 10 MHz on every
-        /// device; counts of QueryPerformanceCounter have another frequency.
+        /// Reading in counts of <see cref="System.Diagnostics.Stopwatch.Frequency"/>. Under Mono and IL2CPP, the frequency is 10 MHz on
+        /// every device; counts of QueryPerformanceCounter have another frequency.
         /// </param>
         HeadsetTime At(long count);
     }
 
-    /// <summary>Uses the device's monotonic high-resolution counter as headset clock; its epoch is the device's own.</summary>
+    /// <summary>A headset clock that reads the device's monotonic high-resolution counter; the device determines the epoch.</summary>
     public sealed class StopwatchHeadsetClock : IPerformanceCounterClock
     {
         static readonly double TicksPerCount = TimeSpan.TicksPerSecond / (double)Stopwatch.Frequency;
@@ -29,7 +29,7 @@ namespace Nowpose
 
         public HeadsetTime At(long count)
         {
-            // Converts whole seconds separately: the product of a large count and a fraction would lose the last digits.
+            // Converts whole seconds separately, because the product of a large count and a fraction would lose the last digits.
             var seconds = count / Stopwatch.Frequency;
             var rest = count % Stopwatch.Frequency;
             return new HeadsetTime(new TimeSpan(seconds * TimeSpan.TicksPerSecond + (long)(rest * TicksPerCount)));

@@ -8,7 +8,7 @@ namespace Nowpose
     /// </summary>
     public class InputException : FormatException
     {
-        /// <summary>Maximum length in characters. A longer message is cut in the middle, because its end states what is allowed.</summary>
+        /// <summary>Maximum length in characters. The middle of a longer message is cut out, because the end states what is allowed.</summary>
         const int MaxMessageLength = 1000;
 
         public InputException(string message) : base(OneLine(message, MaxMessageLength)) { }

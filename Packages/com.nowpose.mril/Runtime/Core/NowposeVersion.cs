@@ -14,8 +14,8 @@ namespace Nowpose
         static readonly string Series = SeriesOf(Text);
 
         /// <summary>
-        /// Whether a program of that version fits this one: the major and the minor number are the same. Programs that report no version, as
-        /// before 0.2.0, and texts that are not versions count as fitting.
+        /// Returns whether another version is compatible with this version: the major and the minor number are equal. A missing version, as
+        /// before 0.2.0, and a text that is not a version count as compatible.
         /// </summary>
         public static bool Fits(string other)
         {
@@ -23,14 +23,14 @@ namespace Nowpose
             return series == null || series == Series;
         }
 
-        /// <summary>Gets a sentence for the user if the other program does not fit; null if it does.</summary>
+        /// <summary>Returns a message to the user if the other program's version is incompatible; null if it is compatible.</summary>
         /// <param name="other">The other program's version.</param>
         /// <param name="name">Name of the other program, such as "the gateway".</param>
         /// <param name="self">Name of this program, such as "this headset".</param>
         public static string MismatchOf(string other, string name, string self) =>
             Fits(other) ? null : ConnectionMessages.OtherVersion(name, other, self, Text);
 
-        // "0.2" of "0.2.0" and of "0.2.0-rc.1"; null for a text that is not a version.
+        // Returns "0.2" for "0.2.0" and for "0.2.0-rc.1"; null for a text that is not a version.
         static string SeriesOf(string version)
         {
             var match = Form.Match(version ?? "");

@@ -3,7 +3,9 @@ using Nowpose.Messages;
 
 namespace Nowpose
 {
-    /// <summary>Checks settings. An error is one line with the name, the value with its unit, and what is allowed.</summary>
+    /// <summary>
+    /// Checks settings. The message of an error is one line with the name of the setting, its value and unit, and the allowed range.
+    /// </summary>
     static class SettingRange
     {
         /// <param name="unit">Empty for a value without unit.</param>

@@ -5,7 +5,10 @@ using Nowpose.Messages;
 
 namespace Nowpose
 {
-    /// <summary>Reads and writes small text files. Writing is atomic: after a failure the file is complete, old or new.</summary>
+    /// <summary>
+    /// Reads and writes small text files. Writing is atomic: after a failure, the path holds either the complete old file or the complete
+    /// new file.
+    /// </summary>
     static class WholeFile
     {
         /// <param name="maxBytes">Maximum size; a larger file is rejected.</param>
@@ -25,8 +28,8 @@ namespace Nowpose
             }
         }
 
-        /// <summary>Writes a temporary file beside the old one, flushes it to the disk and then replaces the old one.</summary>
-        /// <param name="path">Path of the file. Creates its folder if there is none.</param>
+        /// <summary>Writes a temporary file in the same folder, flushes it to the disk, and then replaces the old file with it.</summary>
+        /// <param name="path">Path of the file. Its folder is created if it does not exist.</param>
         /// <param name="what">Kind of the content, for messages.</param>
         /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
         public static void Write(string path, string text, string what)
@@ -46,7 +49,7 @@ namespace Nowpose
             }
         }
 
-        /// <summary>Renames an unusable file, so that the user can examine it; replaces an older one of the new name.</summary>
+        /// <summary>Renames an unusable file, so that the user can examine it; replaces an older file with the new name.</summary>
         /// <returns>The new path; null if the file could not be renamed.</returns>
         public static string PutAside(string path)
         {

@@ -34,7 +34,7 @@ namespace Nowpose.Mrtk3
         /// <summary>Maximum line width as a multiple of the font size. The question then fits its background.</summary>
         const float LineWidth = 30;
 
-        /// <summary>Minimum time to read a question, in s. An earlier press was intended for whatever the wearer saw before.</summary>
+        /// <summary>Minimum time to read a question, in s. An earlier press was intended for something else.</summary>
         const float ReadingSeconds = 0.5f;
 
         string _shown = "";

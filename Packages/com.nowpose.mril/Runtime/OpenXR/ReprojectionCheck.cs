@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
 using Nowpose.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Session;

@@ -46,7 +46,7 @@ namespace Nowpose.OpenXR
         MrilSession _source;
         ARMarkerManager _setUp;
 
-        /// <summary>Reason why no codes are found, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why no codes are found, in one line; null if no problem is known.</summary>
         public string Problem => _codes.Problem;
 
         public void Read(List<MarkerSighting> markers)

@@ -110,7 +110,7 @@ namespace Nowpose.Unity
         /// Starts a new search for the base by its markers. Until the search succeeds, the base keeps its pose and its appearance shows that it
         /// is not locked.
         /// </summary>
-        /// <remarks>If there are no markers, this method accepts a pose that was restored from an earlier run.</remarks>
+        /// <remarks>Without markers, this method accepts a pose that was restored from an earlier run.</remarks>
         public void Relock()
         {
             Tracker?.Relock();

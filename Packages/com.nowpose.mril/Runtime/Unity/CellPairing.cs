@@ -87,7 +87,7 @@ namespace Nowpose.Unity
         public void Refuse() => Flow?.Refuse();
 
         /// <summary>Opens a <see cref="Question"/> that asks whether to forget the cell in use.</summary>
-        /// <remarks>Whatever the answer, the pairing asks again about declined gateways and cells when their markers come into view.</remarks>
+        /// <remarks>After either answer, the pairing asks again about declined gateways and cells when their markers come into view.</remarks>
         public void AskToForget() => Flow?.AskToForget();
 
         /// <summary>Deletes the cell in use and its token without a question. When a marker comes into view, the pairing asks again.</summary>

@@ -43,7 +43,7 @@ namespace Nowpose.Unity
         /// <summary>The file or asset from which <see cref="Profile"/> came, or a note that it is not saved; null before the first profile.</summary>
         public string From { get; private set; }
 
-        /// <summary>Reason why a profile was rejected or could not be saved, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why a profile was rejected or could not be saved, in one line; null if no problem is known.</summary>
         public string Problem { get; private set; }
 
         /// <summary>

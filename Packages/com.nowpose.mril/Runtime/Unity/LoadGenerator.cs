@@ -58,7 +58,7 @@ namespace Nowpose.Unity
         /// <summary>Whether all <see cref="Vertices"/> are drawn.</summary>
         public bool IsReady => _patches != null && VerticesShown == LoadMesh.DrawnOf(_vertices);
 
-        /// <summary>Reason why nothing is drawn, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why nothing is drawn, in one line; null if no problem is known.</summary>
         public string Problem { get; private set; }
 
         void OnEnable()

@@ -99,7 +99,7 @@ namespace Nowpose.Unity
         /// <summary>Result of the last sweep: whether the render time depends on the load. Null until a sweep is complete.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
-        /// <summary>Reason why a sweep did not start or ended early, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why a sweep did not start or ended early, in one line; null if no problem is known.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Task that completes when the log of the last sweep is closed.</summary>

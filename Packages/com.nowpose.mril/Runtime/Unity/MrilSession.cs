@@ -100,7 +100,7 @@ namespace Nowpose.Unity
         /// <summary>The last computed frame; null while there is no session or the robot is unknown.</summary>
         public DisplayFrame Frame { get; private set; }
 
-        /// <summary>Reason why this component, although enabled, could not start a session, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why this component, although enabled, could not start a session, in one line; null if no problem is known.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Statistics of the session in this frame; null without a session. Later frames reuse the object.</summary>

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
-/// <summary>Every verdict of <c>demo --paper</c>, with numbers that make it hold and numbers that do not.</summary>
+/// <summary>Tests each verdict of <c>demo --paper</c> with numbers for which the claim holds and numbers for which it does not hold.</summary>
 public class PaperClaimsTests
 {
     static readonly PaperMeasures Good = new(
@@ -64,7 +64,7 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_MeasuredInSomeRepeats_AreJudgedByThoseAndStateIt()
+    public void Claims_MeasuredInSomeRepeats_AreJudgedByTheseRepeatsAndSaySo()
     {
         var claims = PaperClaims.Of([Good, Good with { Swings = null }]);
 
@@ -73,7 +73,7 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_NotFinite_IsNotMeasured()
+    public void Claims_NumberNotFinite_CountsAsNotMeasured()
     {
         var claims = PaperClaims.Of([Good with { Clock = Good.Clock with { SkewRatio = double.NaN } }]);
 
@@ -81,7 +81,7 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_Repeats_HaveMeanAndItsConfidenceInterval()
+    public void Claims_SeveralRepeats_HaveTheMeanAndItsConfidenceInterval()
     {
         var repeats = new[] { 1.0, 2.0, 3.0 }.Select(ms => Good with { LightErrorMs = ms }).ToList();
 

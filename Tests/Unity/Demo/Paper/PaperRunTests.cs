@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
-/// <summary>The paper's scenario through the complete chain in virtual time: claims that hold, claims that do not, and the numbers.</summary>
+/// <summary>Tests the claims and the numbers of the paper's scenario with the complete chain in virtual time, correct and with faults.</summary>
 public class PaperRunTests
 {
     static string Text(IEnumerable<PaperClaim> claims) => string.Join(
@@ -17,7 +17,7 @@ public class PaperRunTests
         claims.Single(claim => claim.Figure == figure && claim.Claim.StartsWith(begin, StringComparison.Ordinal));
 
     [Test]
-    public void Paper_CompleteChain_ReproducesTheNumbers([Values(1, 2, 3)] int seed)
+    public void Paper_CompleteChain_ReproducesTheNumbersOfThePaper([Values(1, 2, 3)] int seed)
     {
         var claims = PaperScene.Claims(PaperScene.Play(seed));
 
@@ -30,7 +30,7 @@ public class PaperRunTests
     [Test]
     public void Paper_TenSeeds_StayWithinThePapersNumbers()
     {
-        // The first profile is measured; the others have an error of three of its standard errors, in both directions.
+        // Seed 1 uses a measured profile. The other seeds use profiles that are wrong by plus or minus three standard errors of this measurement.
         var measured = PaperScene.Calibrate(1);
         var errorMs = 3 * measured.Spread.TotalMilliseconds / Math.Sqrt(measured.Measurements);
         LatencyProfile ProfileOf(int seed) => seed == 1 ? measured : PaperScene.ProfileOf(PaperScene.VisuMs + (seed % 2 == 0 ? errorMs : -errorMs));
@@ -44,7 +44,8 @@ public class PaperRunTests
         Assert.That(measured.Visualisation.Length.TotalMilliseconds, Is.EqualTo(PaperScene.VisuMs).Within(errorMs));
         var fit = Claim(claims, "8", "From 10 s on, the fitting error");
         Assert.That(claims.Where(claim => claim != fit).Select(claim => claim.Holds), Is.All.True, Text(claims));
-        // 5.5 % of the exchanges are delayed by 5 to 30 ms, and the jitter of 4.6 % of the others differs by 2 ms or more between the directions.
+        // Exchanges with a large error even if the clock is exact: 5.5 % are in bursts of 5 to 30 ms, and for 4.6 % of the others the jitter differs
+        // by 2 ms or more between the two directions.
         var possible = runs.Average(run => FitErrors.ShareBelow(run.ExchangeErrorsMs));
         Assert.That(possible, Is.EqualTo(0.9015).Within(0.02), "without any error of the clock");
         Assert.That(fit.Measured, Is.EqualTo(possible).Within(0.01), "the estimator adds no error that matters");
@@ -74,7 +75,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ClockOffByEightMilliseconds_DoesNotHold()
+    public void Paper_ClockOffByEightMilliseconds_ClaimsDoNotHold()
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, clockErrorMs: 8));
 
@@ -84,7 +85,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_WrongStamps_DoesNotHold()
+    public void Paper_WrongStamps_ClaimsDoNotHold()
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, stampErrorMs: 15));
 
@@ -93,7 +94,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ProfileOfAnotherDisplay_DoesNotHold()
+    public void Paper_ProfileOfAnotherDisplay_ClaimsDoNotHold()
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, PaperScene.ProfileOf(65)));
 
@@ -103,7 +104,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_RunTooShort_HasNoSwingAndNoVerdictOnIt()
+    public void Paper_RunTooShort_HasNoSwingAndNoVerdictAboutSwings()
     {
         var run = PaperScene.Play(1, seconds: 9);
         var claims = PaperScene.Claims(run);
@@ -115,7 +116,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ClockKnownLate_IsTheReason()
+    public void Paper_ClockKnownLate_IsNamedAsTheReason()
     {
         var run = PaperScene.Play(1, seconds: 14);
         for (var i = 0; run.Run.Frames.Rows[i].Elapsed.TotalSeconds < 12; i++) run.Run.Frames.Rows[i] = run.Run.Frames.Rows[i] with { Clock = default };
@@ -125,9 +126,9 @@ public class PaperRunTests
         Assert.That(Claim(claims, "8", "The skew").MeasuredText, Is.EqualTo("not measured: the clock was known only from 12.0 s on"));
     }
 
-    // For example when this machine paused for a moment in the first repeat.
+    // This happens, for example, if the machine paused for a moment during the first repeat.
     [Test]
-    public void Paper_FirstRepeatWithoutASwing_HasAllFiguresOfTheOthers()
+    public void Paper_FirstRepeatWithoutASwing_HasAllFiguresOfTheOtherRepeats()
     {
         PaperRun[] repeats = [PaperScene.Play(1, seconds: 11), PaperScene.Play(2)];
         var claims = PaperClaims.Of([.. repeats.Select(PaperMeasures.Of)]);
@@ -140,9 +141,9 @@ public class PaperRunTests
         Assert.That(figures[1].Criteria[0].Measured, Does.Contain("measured in 1 of 2 repeats: no swing after 10 s"));
     }
 
-    // As after Ctrl-C before the first exchange, or with a server that does not answer.
+    // This happens after Ctrl-C before the first exchange, or with a server that does not answer.
     [Test]
-    public void Paper_NoExchange_WritesWhatWasMeasured()
+    public void Paper_NoExchange_WritesTheOtherMeasurements()
     {
         var run = PaperScene.Play(1, seconds: 0.01);
         var claims = PaperScene.Claims(run);
@@ -168,7 +169,7 @@ public class PaperRunTests
             Assert.That(figure.Verdict == Verdict.Holds, Is.EqualTo(claims.Where(claim => claim.Figure == figure.Number).All(claim => claim.Holds)));
     }
 
-    // All claims, each computed from the written files alone.
+    // Recomputes the number of each claim from the written files only.
     [Test]
     public void Paper_EachClaim_AgreesWithAComputationFromTheWrittenFiles([Values(1, 4)] int seed)
     {

@@ -9,24 +9,25 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
-/// <summary>The paper's scenario in virtual time, complete, or with one fault.</summary>
+/// <summary>Runs the paper's scenario in virtual time, correctly or with one fault.</summary>
 static class PaperScene
 {
     public const double VisuMs = 40;
 
     static readonly YoubotSwing Swing = new(isCold: true);
 
-    /// <summary>Creates a profile with any L_visu.</summary>
+    /// <summary>Creates a profile with a given L_visu in ms.</summary>
     public static LatencyProfile ProfileOf(double visuMs) => new(
         visuMs, 1.2, "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 120, 15, RenderTimeSourceKind.DisplayGpuTime);
 
-    /// <summary>Measures the profile in pictures of the display, as <c>demo --paper</c> does.</summary>
+    /// <summary>Measures the profile from pictures of the display, as <c>demo --paper</c> does.</summary>
     public static LatencyProfile Calibrate(int seed) =>
         PaperCalibration.Of(PaperScenario.Of(Given(seed), Swing), PaperSession.PicturesPerLoad, CancellationToken.None).Profile;
 
-    /// <param name="profile">The profile of the runtime; null for one with the true L_visu.</param>
-    /// <param name="clockErrorMs">Error of the clock that the exchanges read.</param>
-    /// <param name="stampErrorMs">Maximum error of the samples' stamps.</param>
+    /// <summary>Runs the scenario.</summary>
+    /// <param name="profile">Latency profile of the runtime; null for a profile with the true L_visu.</param>
+    /// <param name="clockErrorMs">Error, in ms, of the clock that the exchanges read.</param>
+    /// <param name="stampErrorMs">Maximum error of the samples' stamps in ms.</param>
     public static PaperRun Play(int seed, LatencyProfile profile = null, double clockErrorMs = 0, double stampErrorMs = 0, double seconds = 32,
         NetworkProfile network = null)
     {
@@ -43,7 +44,7 @@ static class PaperScene
 
     public static IReadOnlyList<PaperClaim> Claims(PaperRun run) => PaperClaims.Of([PaperMeasures.Of(run)]);
 
-    /// <summary>A motion that is sampled at a time other than the stamp states, up to a maximum error in both directions.</summary>
+    /// <summary>Simulates wrong stamps: samples the motion earlier or later than the stamp says, up to a maximum error.</summary>
     sealed class LateSampling(IMotion motion, double maxSeconds) : IMotion
     {
         readonly Random _random = new(5);

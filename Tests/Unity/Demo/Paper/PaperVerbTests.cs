@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
-/// <summary><c>demo --paper</c> end to end, over real sockets and with pictures of its display: checks that the parts are connected.</summary>
+/// <summary>Tests that <c>demo --paper</c> runs over real sockets and with pictures of its display.</summary>
 public class PaperVerbTests
 {
     string _folder;
@@ -27,7 +27,7 @@ public class PaperVerbTests
         var claims = Json("result.json").GetProperty("claims").EnumerateArray().ToList();
         Assert.That(claims.Select(claim => string.Join(' ', claim.EnumerateObject().Select(each => each.Name))), Is.All.EqualTo(
             "figure claim paper measured uncertainty unit holds not_measured"));
-        // Whether a swing counts depends on the load of this machine, and so do the numbers.
+        // The numbers are not checked, because they depend on the load of this machine.
         Assert.That(claims[0].GetProperty("measured").ValueKind, Is.EqualTo(JsonValueKind.Number));
         foreach (var file in new[] { "figure-8.csv", "frames.csv", "exchanges.csv", "calibration.html", "session.jsonl" })
             Assert.That(new FileInfo(Path.Combine(_folder, file)), Has.Length.GreaterThan(100), file);
@@ -54,7 +54,7 @@ public class PaperVerbTests
     }
 
     [Test]
-    public async Task Repeats_WithoutPaper_IsRefused()
+    public async Task RepeatsOption_WithoutPaperOption_IsRefused()
     {
         var run = await CliRun.OfAsync("demo", "--repeats", "2", "--out", Path.Combine(_folder, "none"));
 

@@ -4,14 +4,14 @@ using Nowpose.Cli.Demo.Paper;
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
 /// <summary>
-/// Computes the number of each claim from <c>frames.csv</c> and <c>exchanges.csv</c> alone: with positions instead of angles, and with the
-/// velocity of a profile of seven phases (0.1 s of jerk, 0.1 s of constant acceleration) instead of the product's own.
+/// Computes the number of each claim only from <c>frames.csv</c> and <c>exchanges.csv</c>, independently of the product's code: it uses positions
+/// where the product uses angles, and its own velocity of a motion profile with seven phases (0.1 s of jerk, 0.1 s of constant acceleration).
 /// </summary>
 sealed class WrittenNumbers
 {
     const double Settled = 10, Before = 0.2, JerkTime = 0.1, RampTime = 0.3, Dwell = 0.5, Span = 0.25, Shown = 1.5;
 
-    /// <summary>The quarter turn divided by the maximum velocity, 90 % of the youBot's 1.5708 rad/s, s.</summary>
+    /// <summary>Time in s for a quarter turn at the maximum velocity, which is 90 % of the youBot's 1.5708 rad/s.</summary>
     const double CruiseTime = 1 / 0.9;
 
     const double MoveTime = CruiseTime + RampTime;
@@ -24,7 +24,7 @@ sealed class WrittenNumbers
         _frames = Read(writer => PaperOutput.WriteFrames(writer, [run]));
         _exchanges = Read(writer => PaperOutput.WriteExchanges(writer, [run]));
         _settled = [.. _frames.Where(frame => frame["elapsed_s"] >= Settled)];
-        // A swing is whole from 0.2 s before its start to 0.4 s after the move back; virtual time has no pauses.
+        // A swing counts if its frames cover the time from 0.2 s before its start to 0.4 s after the move back.
         _swings = [.. _settled.GroupBy(frame => frame["swing"])
             .Where(swing => swing.First()["swing_s"] <= -Before && swing.Last()["swing_s"] >= 2 * MoveTime + Dwell + 0.4)
             .Select(swing => swing.Where(frame => frame["swing_s"] >= -Before).ToList())];
@@ -42,7 +42,8 @@ sealed class WrittenNumbers
         yield return RoundTripRatio();
         yield return Rms(Swung, "shown") / Rms(Swung, "held");
         yield return Rms(Swung.Where(IsSteady), "shown") / Rms(Swung.Where(frame => Speed(frame) > 0 && !IsSteady(frame)), "shown");
-        // Full speed is reached where 0.1 % is missing: the jerk adds 1/2 t² / (0.2 s · 0.1 s) of it in the last t.
+        // Full speed counts as reached when 0.1 % of it is missing. In the last time t of the ramp, the jerk adds the fraction
+        // t² / (2 · 0.2 s · 0.1 s) of the full speed.
         yield return GapRatio(swing => swing.First(frame => frame["swing_s"] >= RampTime - Math.Sqrt(0.001 * 2 * 0.2 * JerkTime)));
         yield return GapRatio(swing => swing.First(frame => frame["swing_s"] >= MoveTime / 2));
         yield return GapRatio(swing => swing.Last(frame => frame["swing_s"] <= MoveTime - RampTime / 2));
@@ -76,11 +77,11 @@ sealed class WrittenNumbers
 
     double Latency(string shown) => Quantile(Early.Where(frame => Speed(frame) >= 0.05).Select(frame => Gap(frame, shown) / Speed(frame)), 0.5);
 
-    /// <summary>Whether the velocity has been constant for the time span of a prediction.</summary>
+    /// <summary>Returns whether the velocity has been constant for the time span of a prediction.</summary>
     static bool IsSteady(Dictionary<string, double> frame) =>
         SinceMove(frame) is var t && t - Span >= RampTime && t <= MoveTime - RampTime;
 
-    /// <summary>Speed, relative to the maximum.</summary>
+    /// <summary>Returns the speed as a fraction of the maximum speed.</summary>
     static double Speed(Dictionary<string, double> frame)
     {
         var t = SinceMove(frame);
@@ -91,7 +92,7 @@ sealed class WrittenNumbers
         : t < RampTime - JerkTime ? 25 * JerkTime * JerkTime + 5 * (t - JerkTime)
         : t < RampTime ? 1 - 25 * (RampTime - t) * (RampTime - t) : 1;
 
-    /// <summary>Time since the start of the move there or of the move back.</summary>
+    /// <summary>Returns the time in s since the start of the current move (there or back).</summary>
     static double SinceMove(Dictionary<string, double> frame) =>
         frame["swing_s"] < MoveTime + Dwell ? frame["swing_s"] : frame["swing_s"] - MoveTime - Dwell;
 
@@ -106,7 +107,7 @@ sealed class WrittenNumbers
         write(text);
         var lines = text.ToString().TrimEnd().Split('\n');
         var names = lines[0].Split(',');
-        // Relative to the first light, because a double has too few digits for the epoch.
+        // Reads times relative to the first display time, because a double has too few digits for a time since the epoch.
         var light = Array.IndexOf(names, "true_light_s");
         var first = light < 0 ? 0 : decimal.Parse(lines[1].Split(',')[light], CultureInfo.InvariantCulture);
         double Value(string name, string cell) => cell.Length == 0 ? double.NaN : name.EndsWith("light_s", StringComparison.Ordinal)

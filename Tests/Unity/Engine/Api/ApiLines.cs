@@ -4,13 +4,13 @@ using System.Runtime.CompilerServices;
 
 namespace Nowpose.Unity.Tests.Engine.Api;
 
-/// <summary>The public members of an assembly in the format of the list of Unity's API, one line each.</summary>
+/// <summary>Lists the public members of an assembly, one per line, in the format of the list of Unity's API.</summary>
 static class ApiLines
 {
     const BindingFlags Declared =
         BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
 
-    /// <summary>Returns the lines of a type, beginning with the line of the type itself.</summary>
+    /// <summary>Returns the lines of a type. The first line is for the type itself.</summary>
     internal static IEnumerable<string> Of(Type type)
     {
         yield return TypeLines.Of(type);
@@ -65,7 +65,7 @@ static class ApiLines
             TypeLines.Constraints(arguments);
     }
 
-    // The list omits the type parameters of a generic type here.
+    // Omits the type parameters of a generic type, because the list omits them here.
     static string Name(MemberInfo member) => $"{TypeNames.Of(member.DeclaringType).Split('<')[0]}.{member.Name}";
 
     static bool IsVisible(FieldInfo field) => field.IsPublic || field.IsFamily || field.IsFamilyOrAssembly;

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Unity.Tests.Engine.Api;
 
-/// <summary>Reads a list of Unity's API. Each line of a member follows the line of its type.</summary>
+/// <summary>Reads a list of Unity's API, in which the lines of the members follow the line of their type.</summary>
 static partial class ListedApi
 {
     internal static IEnumerable<(string Type, string Line)> Read(string path)

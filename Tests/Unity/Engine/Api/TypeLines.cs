@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace Nowpose.Unity.Tests.Engine.Api;
 
-/// <summary>Writes a type in the format of the list of Unity's API: kind, name, bases, constraints.</summary>
+/// <summary>Writes a type in the format of the list of Unity's API: kind, name, base types, constraints.</summary>
 static class TypeLines
 {
     internal static string Of(Type type)
@@ -60,7 +60,7 @@ static class TypeLines
         var usage = type.GetCustomAttributesData().FirstOrDefault(a => a.AttributeType == typeof(AttributeUsageAttribute));
         if (usage == null) return "";
 
-        // Sorts the arguments, because reflection and each source have them in a different order.
+        // Sorts the arguments, because reflection does not return them in the order of the source.
         var named = usage.NamedArguments.OrderByDescending(n => n.MemberName, StringComparer.Ordinal)
             .Select(n => $"{n.MemberName} = {((bool)n.TypedValue.Value ? "true" : "false")}");
         var targets = ((AttributeTargets)(int)usage.ConstructorArguments[0].Value).ToString();

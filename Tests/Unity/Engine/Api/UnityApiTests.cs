@@ -4,8 +4,8 @@ using NUnit.Framework;
 namespace Nowpose.Unity.Tests.Engine.Api;
 
 /// <summary>
-/// The public members of a stand-in are a subset of Unity's, line by line: otherwise code could compile here and fail in Unity. The lists
-/// hold the members in use, as read from Unity's own assemblies. To add a member, copy its line from there.
+/// Tests that the public members of a stand-in exist in Unity with the same signatures; otherwise code could compile here but not in Unity. The
+/// lists contain the members in use, as read from Unity's assemblies. To add a member, copy its line from the complete list of Unity's API.
 /// </summary>
 [TestFixture("UnityEngine", "Api/unity-api-used.txt")]
 [TestFixture("UnityEditor", "Api/unity-editor-api-used.txt")]
@@ -28,11 +28,12 @@ public sealed class UnityApiTests(string assembly, string list)
     }
 
     [Test]
-    public void PublicMember_OfTheStandIn_ExistsInUnity() => Assert.That(_made.Except(_listed), Is.Empty);
+    public void StandIn_PublicMembers_ExistInUnity() => Assert.That(_made.Except(_listed), Is.Empty);
 
     [Test]
-    public void Line_OfTheList_HasAMember() => Assert.That(_listed.Except(_made), Is.Empty);
+    public void List_EachLine_HasAMemberInTheStandIn() => Assert.That(_listed.Except(_made), Is.Empty);
 
     [Test]
-    public void Line_OfTheList_ExistsInTheOldestUnity() => Assert.That(_listed.Where(l => l.Line.Contains("# not in", StringComparison.Ordinal)), Is.Empty);
+    public void List_EachLine_ExistsInTheOldestSupportedUnity() => Assert.That(
+        _listed.Where(l => l.Line.Contains("# not in", StringComparison.Ordinal)), Is.Empty);
 }

@@ -7,7 +7,7 @@ public sealed class Matrix4x4Tests
 {
     static readonly Matrix4x4 Placed = Matrix4x4.TRS(new Vector3(1, -2, 4), Quaternion.Euler(30, 40, 50), new Vector3(2, 3, 0.5f));
 
-    // Computed in double precision in the documented order: scale, rotate, translate.
+    // The expected point was computed in double precision in the documented order: scale, rotate, translate.
     [Test]
     public void Trs_Point_ScalesThenRotatesThenTranslates() => Assert.That(
         Vector3.Distance(Placed.MultiplyPoint3x4(new Vector3(0.5f, 0.25f, -1)), new Vector3(1.175094f, -0.669083f, 4.102484f)),
@@ -19,7 +19,7 @@ public sealed class Matrix4x4Tests
         Is.LessThan(2e-6f));
 
     [Test]
-    public void Times_Matrix_AppliesTheRightOneFirst()
+    public void Multiply_TwoMatrices_AppliesTheRightOneFirst()
     {
         var move = Matrix4x4.TRS(Vector3.right, Quaternion.identity, Vector3.one);
         var turn = Matrix4x4.Rotate(Quaternion.Euler(0, 90, 0));
@@ -29,7 +29,7 @@ public sealed class Matrix4x4Tests
     }
 
     [Test]
-    public void RowsAndColumns_Indices_AreMathematical()
+    public void RowsAndColumns_TranslationMatrix_FollowTheMathematicalConvention()
     {
         var matrix = Matrix4x4.TRS(new Vector3(1, 2, 3), Quaternion.identity, Vector3.one);
 

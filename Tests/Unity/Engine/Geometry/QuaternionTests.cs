@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine.Geometry;
 
-/// <summary>Reference values: rotation matrices from the documented definitions, multiplied in double precision by a separate script.</summary>
+/// <summary>
+/// Tests Quaternion with reference values. A separate script computed them in double precision from rotation matrices, according to Unity's
+/// documentation.
+/// </summary>
 public sealed class QuaternionTests
 {
     const float Tolerance = 2e-6f;
@@ -20,7 +23,7 @@ public sealed class QuaternionTests
         AssertSame(q, new Quaternion(qx, qy, qz, qw));
     }
 
-    // In a left-handed system a positive angle is clockwise, seen from the tip of the axis.
+    // In a left-handed system, a positive angle is clockwise as seen from the tip of the axis.
     [TestCase(0, 90, 0, 0, 0, 1, 1, 0, 0)]
     [TestCase(90, 0, 0, 0, 0, 1, 0, -1, 0)]
     [TestCase(0, 0, 90, 1, 0, 0, 0, 1, 0)]
@@ -34,7 +37,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Times_Quaternion_AppliesTheRightOneFirst()
+    public void Multiply_TwoQuaternions_AppliesTheRightOneFirst()
     {
         var both = Quaternion.Euler(0, 90, 0) * Quaternion.Euler(0, 0, 90);
 
@@ -47,11 +50,11 @@ public sealed class QuaternionTests
     [TestCase(0, 0, 0)]
     [TestCase(0, 359, 1)]
     [TestCase(89, 30, 300)]
-    public void EulerAngles_Euler_RoundTrip(float x, float y, float z)
+    public void EulerAngles_OfAnEulerRotation_RoundTrip(float x, float y, float z)
     {
         var angles = Quaternion.Euler(x, y, z).eulerAngles;
 
-        // Near the poles the angle has few significant digits in a float.
+        // The tolerance is large because the angles have few significant digits near the poles.
         Assert.That(Mathf.DeltaAngle(angles.x, x), Is.EqualTo(0).Within(0.05f));
         Assert.That(Mathf.DeltaAngle(angles.y, y), Is.EqualTo(0).Within(0.05f));
         Assert.That(Mathf.DeltaAngle(angles.z, z), Is.EqualTo(0).Within(0.05f));
@@ -98,7 +101,7 @@ public sealed class QuaternionTests
         Assert.That(Vector3.Distance(q * Vector3.right, new Vector3(-0.9370426f, 0.3123475f, -0.1561738f)), Is.LessThan(Tolerance));
     }
 
-    // Covers the four branches of the conversion to a quaternion, one for each largest component.
+    // The cases cover the four branches of the conversion to a quaternion; each component is the largest in one case.
     [TestCase(10, 20, 30)]
     [TestCase(170, 5, 10)]
     [TestCase(5, 170, 10)]
@@ -190,7 +193,7 @@ public sealed class QuaternionTests
 
     static void AssertSame(Quaternion actual, Quaternion expected, float tolerance = Tolerance)
     {
-        // A quaternion and its negative are the same rotation.
+        // A quaternion and its negative represent the same rotation.
         var sign = Quaternion.Dot(actual, expected) < 0 ? -1 : 1;
         for (var i = 0; i < 4; i++) Assert.That(actual[i] * sign, Is.EqualTo(expected[i]).Within(tolerance), $"{actual:F6} is not {expected:F6}");
     }

@@ -11,7 +11,7 @@ public sealed class VectorTests
 
     [TestCase(0.9e-5f, true)]
     [TestCase(1.1e-5f, false)]
-    public void Equality_SmallDifference_IsTolerated(float difference, bool same)
+    public void Equals_SmallDifference_IsTolerated(float difference, bool same)
     {
         Assert.That(new Vector3(0, difference, 0) == Vector3.zero, Is.EqualTo(same));
         Assert.That(new Vector3(0, difference, 0).Equals(Vector3.zero), Is.False);

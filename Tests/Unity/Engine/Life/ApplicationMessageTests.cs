@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Life;
 public sealed class ApplicationMessageTests : PlayerFixture
 {
     [Test]
-    public void FirstFrame_EveryScript_ReceivesPauseAndFocus()
+    public void Script_InTheFirstFrame_ReceivesPauseAndFocus()
     {
         Add<Quitter>("a");
 
@@ -16,7 +16,7 @@ public sealed class ApplicationMessageTests : PlayerFixture
     }
 
     [Test]
-    public void Pause_Repeated_IsSentOncePerChange()
+    public void Pause_SetRepeatedly_IsSentOncePerChange()
     {
         Add<Quitter>("a");
         Frame();
@@ -41,7 +41,7 @@ public sealed class ApplicationMessageTests : PlayerFixture
     }
 
     [Test]
-    public void Dispose_Quits_ThenDisablesThenDestroys()
+    public void Dispose_RunningPlayer_QuitsThenDisablesThenDestroys()
     {
         var a = Add<Quitter>("a");
         Add<Quitter>("c", a.transform);

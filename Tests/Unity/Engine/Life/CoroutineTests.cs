@@ -54,7 +54,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void Inner_Routine_RunsBeforeTheOuterContinues()
+    public void NestedCoroutine_Yielded_RunsBeforeTheOuterContinues()
     {
         _owner.StartCoroutine(Outer());
 
@@ -81,7 +81,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void Disabled_Script_ContinuesItsCoroutines()
+    public void Script_Disabled_ContinuesItsCoroutines()
     {
         _owner.StartCoroutine(Count(9, null));
         _owner.enabled = false;
@@ -91,7 +91,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void Inactive_Object_EndsItsCoroutines()
+    public void GameObject_Deactivated_EndsItsCoroutines()
     {
         _owner.StartCoroutine(Count(9, null));
         _owner.gameObject.SetActive(false);
@@ -102,7 +102,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void Destroyed_Script_EndsItsCoroutines()
+    public void Script_Destroyed_EndsItsCoroutines()
     {
         _owner.StartCoroutine(Count(9, null));
         UnityEngine.Object.Destroy(_owner);
@@ -122,7 +122,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void Routine_Throws_IsLoggedAndEnds()
+    public void Coroutine_Throws_IsLoggedAndEnds()
     {
         _owner.StartCoroutine(Throwing());
         Frame(3);

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine.Life;
 
-/// <summary>Objects without a player, as in Unity's edit-mode tests.</summary>
+/// <summary>Tests objects without a player, as in Unity's edit mode.</summary>
 public sealed class EditModeTests
 {
     GameObject _object;
@@ -34,7 +34,7 @@ public sealed class EditModeTests
     }
 
     [Test]
-    public void Script_ExecuteAlways_IsAwakenedAndEnabled()
+    public void Script_ExecuteAlways_ReceivesAwakeAndOnEnable()
     {
         var a = _object.AddComponent<EditModeRecorder>();
         UnityEngine.Object.DestroyImmediate(a);

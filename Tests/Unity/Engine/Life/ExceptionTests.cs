@@ -35,7 +35,7 @@ public sealed class ExceptionTests : PlayerFixture
 
     [TestCase("OnDisable")]
     [TestCase("OnDestroy")]
-    public void End_Throws_ObjectIsStillDestroyed(string message)
+    public void OnDisableOrOnDestroy_Throws_ObjectIsStillDestroyed(string message)
     {
         var thrower = Add<Thrower>("t");
         Thrower.In = message;

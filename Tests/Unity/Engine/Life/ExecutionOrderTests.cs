@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Life;
 public sealed class ExecutionOrderTests : PlayerFixture
 {
     [Test]
-    public void Frame_Scripts_RunByOrderThenByCreation()
+    public void Scripts_InAFrame_RunByExecutionOrderThenByCreation()
     {
         Add<LateRecorder>("late");
         Add<Recorder>("a");
@@ -19,7 +19,7 @@ public sealed class ExecutionOrderTests : PlayerFixture
     }
 
     [Test]
-    public void Enabled_ReenabledLater_KeepsItsOrder()
+    public void Script_DisabledAndEnabledAgain_KeepsItsOrder()
     {
         var early = Add<EarlyRecorder>("early");
         Add<Recorder>("a");
@@ -34,7 +34,7 @@ public sealed class ExecutionOrderTests : PlayerFixture
     }
 
     [Test]
-    public void Scene_Loaded_AwakensByOrder()
+    public void Scene_Loaded_CallsAwakeByExecutionOrder()
     {
         var root = GameObject.Detached("late");
         root.Add(typeof(LateRecorder));

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Life;
 public sealed class LifeCycleTests : PlayerFixture
 {
     [Test]
-    public void AddComponent_ToAnActiveObject_AwakensAndEnablesItImmediately()
+    public void AddComponent_ToAnActiveObject_CallsAwakeAndOnEnableImmediately()
     {
         Add<Recorder>("a");
 
@@ -17,7 +17,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void AddComponent_ToAnInactiveObject_AwakensItOnlyWhenActive()
+    public void AddComponent_ToAnInactiveObject_CallsAwakeOnlyWhenActive()
     {
         var a = new GameObject("a");
         a.SetActive(false);
@@ -29,7 +29,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void SetActive_OffAndOn_AwakensAndStartsOnce()
+    public void SetActive_OffAndOn_CallsAwakeAndStartOnce()
     {
         var a = Add<Recorder>("a");
         Frame();
@@ -43,7 +43,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Enabled_False_StopsOnlyItsFrames()
+    public void Enabled_False_StopsOnlyFrameMessages()
     {
         var a = Add<Recorder>("a");
         Frame();
@@ -144,7 +144,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void OnDisable_ObjectDeactivated_IsCalledAfterwards()
+    public void OnDisable_ObjectDeactivated_SeesTheObjectInactive()
     {
         var a = Add<Recorder>("a");
         var active = true;
@@ -156,7 +156,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Update_AddsAnother_StartsAndLateUpdatesItInTheSameFrame()
+    public void Update_AddsAScript_StartsAndLateUpdatesItInTheSameFrame()
     {
         var a = Add<Recorder>("a");
         Frame();
@@ -182,7 +182,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Update_DisablesThePrevious_CallsEveryOtherOnce()
+    public void Update_DisablesThePreviousScript_CallsAllOtherScriptsOnce()
     {
         var a = Add<Recorder>("a");
         var b = Add<Recorder>("b");
@@ -195,7 +195,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Start_DisablesItself_GetsNoUpdate()
+    public void Start_DisablesItself_ReceivesNoUpdate()
     {
         var a = Add<Recorder>("a");
         Journal.Take();

@@ -41,7 +41,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void Search_BelowAndAbove_SkipsInactiveUnlessRequested()
+    public void GetComponents_BelowAndAbove_SkipInactiveUnlessRequested()
     {
         var top = Add<Recorder>("top");
         var off = Add<Recorder>("off", top.transform);
@@ -73,7 +73,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void Find_ByNameOrPath_FindsActiveOnes()
+    public void GameObjectFind_NameOrPath_FindsOnlyActiveObjects()
     {
         var a = new GameObject("a");
         var b = new GameObject("b");
@@ -86,7 +86,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void Search_ListOfSufficientCapacity_AllocatesNothing()
+    public void GetComponents_ListOfSufficientCapacity_AllocateNothing()
     {
         var top = Add<Recorder>("top");
         Add<Recorder>("leaf", top.transform);

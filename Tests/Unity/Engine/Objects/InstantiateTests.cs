@@ -9,7 +9,7 @@ namespace Nowpose.Unity.Tests.Engine.Objects;
 public sealed class InstantiateTests : PlayerFixture
 {
     [Test]
-    public void Hierarchy_References_InnerPointToTheCopyAndOuterAreKept()
+    public void Instantiate_References_InnerPointToTheCopyAndOuterAreKept()
     {
         var outside = new GameObject("outside").transform;
         var source = Add<Keeper>("a");
@@ -27,7 +27,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Fields_Serialised_AreCopiedAndOthersAreDefault()
+    public void Instantiate_Fields_SerialisedAreCopiedAndOthersHaveDefaults()
     {
         var source = Add<Keeper>("a");
         source.number = 10;
@@ -48,7 +48,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Fields_Null_BecomeEmpty()
+    public void Instantiate_NullFields_BecomeEmpty()
     {
         var copy = Object.Instantiate(Add<Keeper>("a"));
 
@@ -58,7 +58,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Callbacks_OfSerialisation_AreCalledOnSourceAndCopy()
+    public void Instantiate_SerialisationCallbacks_AreCalledOnSourceAndCopy()
     {
         var source = Add<Keeper>("a");
 
@@ -68,7 +68,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_Awake_HasItsFieldsAndTransform()
+    public void Instantiate_AwakeOfTheCopy_SeesItsFieldsAndTransform()
     {
         var parent = new GameObject("p").transform;
         parent.position = Vector3.right;
@@ -85,7 +85,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_UnderAParent_KeepsItsLocalPlaceOrItsWorldPlace()
+    public void Instantiate_WithAParent_KeepsTheLocalOrTheWorldPose()
     {
         var parent = new GameObject("p").transform;
         parent.position = new Vector3(5, 0, 0);
@@ -97,7 +97,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_InactiveOrDisabledObject_KeepsTheState()
+    public void Instantiate_InactiveOrDisabledObject_KeepsTheState()
     {
         var source = Add<Recorder>("a");
         source.enabled = false;
@@ -111,7 +111,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Copy_Tree_PlacesEveryPart()
+    public void Instantiate_Hierarchy_PlacesTheChildrenRelativeToTheCopy()
     {
         var source = new GameObject("a").transform;
         var child = new GameObject("c").transform;
@@ -127,7 +127,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Asset_Copied_IsAnIndependentObject()
+    public void Instantiate_Asset_IsAnIndependentObject()
     {
         var source = ScriptableObject.CreateInstance<RecordingAsset>();
         source.Number = 9;
@@ -140,7 +140,7 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Material_Copied_KeepsItsValues()
+    public void Instantiate_Material_KeepsItsValues()
     {
         var source = new Material((Shader)null) { name = "m", color = Color.red };
 

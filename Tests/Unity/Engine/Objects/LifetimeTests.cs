@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Tests.Engine.Objects;
 public sealed class LifetimeTests : PlayerFixture
 {
     [Test]
-    public void Destroyed_Object_EqualsNullEverywhere()
+    public void Object_Destroyed_EqualsNullEverywhere()
     {
         var a = Add<Recorder>("a");
         var gameObject = a.gameObject;
@@ -22,7 +22,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroyed_TwoObjects_AreEqual()
+    public void TwoObjects_Destroyed_AreEqual()
     {
         var a = new GameObject("a");
         var b = new GameObject("b");
@@ -33,7 +33,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Alive_Object_EqualsItselfOnly()
+    public void Object_NotDestroyed_EqualsOnlyItself()
     {
         var a = new GameObject("a");
         var b = new GameObject("a");
@@ -43,7 +43,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroyed_Members_Throw()
+    public void Members_OfADestroyedObject_Throw()
     {
         var a = Add<Recorder>("a");
         var transform = a.transform;
@@ -114,7 +114,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_NeverActive_GetsNoMessage()
+    public void Destroy_ObjectNeverActive_SendsNoMessage()
     {
         var a = new GameObject("a");
         a.SetActive(false);
@@ -126,7 +126,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_DisabledButAwake_GetsOnDestroyOnly()
+    public void Destroy_DisabledScriptAfterAwake_SendsOnlyOnDestroy()
     {
         var a = Add<Recorder>("a");
         a.enabled = false;
@@ -150,7 +150,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_ChildInUpdate_ParentContinuesWithoutIt()
+    public void Destroy_ChildInUpdate_ParentContinues()
     {
         var parent = new GameObject("p").transform;
         var child = Add<Recorder>("c", parent);
@@ -208,7 +208,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Count_ObjectsCreatedAndDestroyed_IsUnchanged()
+    public void ObjectCount_ObjectsCreatedAndDestroyed_IsUnchanged()
     {
         var before = Player.ObjectCount;
 
@@ -222,7 +222,7 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Name_Component_IsTheNameOfItsObject()
+    public void Name_OfAComponent_IsTheNameOfItsObject()
     {
         var a = Add<Recorder>("a");
         a.name = "b";

@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Tests.Engine.Objects;
 
 public sealed class TransformTests : PlayerFixture
 {
-    // Parent at (1, -2, 4), rotated by Euler (30, 40, 50), scaled by 2. The child's world pose was computed in double precision.
+    // World pose of the child, computed in double precision. The parent is at (1, -2, 4), rotated by Euler (30, 40, 50), and scaled by 2.
     static readonly Vector3 ChildPosition = new(4.296289f, -1.446491f, 10.695379f);
     static readonly Quaternion ChildRotation = new(0.1404333f, 0.680817f, 0.6912966f, 0.1971692f);
 
@@ -25,7 +25,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Pose_InTheWorld_IsParentTimesLocal()
+    public void WorldPose_OfAChild_IsParentTimesLocal()
     {
         AssertAt(_child.position, ChildPosition);
         Assert.That(Quaternion.Angle(_child.rotation, ChildRotation), Is.LessThan(0.01f));
@@ -45,7 +45,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Position_SetInTheWorld_IsThere()
+    public void Position_Set_IsTheWorldPosition()
     {
         _child.position = new Vector3(7, 8, 9);
         _child.rotation = Quaternion.Euler(1, 2, 3);
@@ -65,7 +65,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Grandparent_Turned_GrandchildFollows()
+    public void Grandparent_Rotated_GrandchildFollows()
     {
         var top = new GameObject("top").transform;
         _parent.SetParent(top);
@@ -92,7 +92,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void SetParent_LocalStays_MovesWithTheNewParent()
+    public void SetParent_WorldPositionDoesNotStay_KeepsTheLocalPose()
     {
         _ = _child.position;
 
@@ -128,7 +128,7 @@ public sealed class TransformTests : PlayerFixture
     }
 
     [Test]
-    public void Frames_OfManyRobots_AllocateNothing()
+    public void Transforms_OfManyMovingRobots_AllocateNothing()
     {
         var joints = Enumerable.Range(0, 50).SelectMany(_ => Chain(30)).ToArray();
         Move(joints, 1);

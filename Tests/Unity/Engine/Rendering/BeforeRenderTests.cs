@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Tests.Engine.Rendering;
 public sealed class BeforeRenderTests : PlayerFixture
 {
     [Test]
-    public void Calls_OfAFrame_RunInOrderBetweenLateUpdatesAndCameras()
+    public void Handlers_InAFrame_RunInOrderBetweenLateUpdatesAndCameras()
     {
         Add<Recorder>("a");
         Add<Camera>("c");
@@ -25,7 +25,7 @@ public sealed class BeforeRenderTests : PlayerFixture
     }
 
     [Test]
-    public void Call_RemovesItself_OtherCallsRun()
+    public void Handler_RemovesItself_OtherHandlersRun()
     {
         UnityAction once = null;
         once = () =>
@@ -41,7 +41,7 @@ public sealed class BeforeRenderTests : PlayerFixture
     }
 
     [Test]
-    public void Call_Throws_OtherCallsRun()
+    public void Handler_Throws_OtherHandlersRun()
     {
         Application.onBeforeRender += () => throw new InvalidOperationException("before");
         Application.onBeforeRender += Plain;

@@ -19,7 +19,7 @@ public sealed class CameraTests : PlayerFixture
     }
 
     [Test]
-    public void Frame_WithCameras_CallsAroundEachByDepth()
+    public void RenderCallbacks_SeveralCameras_AreCalledForEachInOrderOfDepth()
     {
         Add<Camera>("second").depth = 2;
         Add<Camera>("first").depth = 1;
@@ -31,7 +31,7 @@ public sealed class CameraTests : PlayerFixture
     }
 
     [Test]
-    public void Delegates_OfTwoPlayers_AreSeparate()
+    public void CameraCallbacks_OfTwoPlayers_AreSeparate()
     {
         Camera.onPreRender += _ => { };
         Assert.That(Player.SubscriberCount, Is.EqualTo(1));
@@ -45,7 +45,7 @@ public sealed class CameraTests : PlayerFixture
     }
 
     [Test]
-    public void Callback_Throws_FrameContinues()
+    public void CameraCallback_Throws_FrameContinues()
     {
         Add<Camera>("c");
         Camera.onPreRender += _ => throw new InvalidOperationException("pre");

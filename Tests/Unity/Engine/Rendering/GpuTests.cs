@@ -33,7 +33,7 @@ public sealed class GpuTests : PlayerFixture
     }
 
     [Test]
-    public void FrameTimings_Requested_ReturnsTheAvailableOnes()
+    public void FrameTimings_Requested_ReturnTheAvailableTimings()
     {
         var timings = new FrameTiming[3];
         FrameTimingManager.CaptureFrameTimings();
@@ -47,7 +47,7 @@ public sealed class GpuTests : PlayerFixture
 
     [TestCase(1)]
     [TestCase(3)]
-    public void Readback_Requested_CompletesAfterItsFrames(int frames)
+    public void Readback_Requested_CompletesAfterTheSetNumberOfFrames(int frames)
     {
         Player.World.Gpu.ReadbackFrames = frames;
         Frame();
@@ -60,7 +60,7 @@ public sealed class GpuTests : PlayerFixture
     }
 
     [Test]
-    public void Readback_NotSupported_EndsWithAnError()
+    public void Readback_NotSupported_CompletesWithAnError()
     {
         Assert.That(SystemInfo.supportsAsyncGPUReadback, Is.False);
 
@@ -70,7 +70,7 @@ public sealed class GpuTests : PlayerFixture
     }
 
     [Test]
-    public void Readback_EveryFrame_HasItsOwnCompletionAndAllocatesNothing()
+    public void Readback_RequestedInEachFrame_CompletesEachAndAllocatesNothing()
     {
         Player.World.Gpu.ReadbackFrames = 1;
         var texture = new Texture2D(1, 1);

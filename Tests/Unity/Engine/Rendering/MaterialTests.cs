@@ -45,7 +45,7 @@ public sealed class MaterialTests : PlayerFixture
     }
 
     [Test]
-    public void PropertyToID_SameName_IsTheSame()
+    public void PropertyToID_SameName_ReturnsTheSameId()
     {
         Assert.That(Shader.PropertyToID("_A"), Is.EqualTo(Shader.PropertyToID("_A")).And.Not.EqualTo(Shader.PropertyToID("_B")));
     }

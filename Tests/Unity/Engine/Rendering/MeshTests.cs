@@ -16,7 +16,7 @@ public sealed class MeshTests : PlayerFixture
     }
 
     [Test]
-    public void Arrays_Read_AreCopies()
+    public void MeshArrays_Read_AreCopies()
     {
         var mesh = Triangle();
         mesh.vertices[0] = Vector3.one;
@@ -25,11 +25,11 @@ public sealed class MeshTests : PlayerFixture
     }
 
     [Test]
-    public void Bounds_OfAMesh_ContainEveryVertex() => Assert.That(
+    public void MeshBounds_AnyMesh_ContainAllVertices() => Assert.That(
         Triangle().bounds, Is.EqualTo(new Bounds(new Vector3(0.0005f, 0.001f, 0), new Vector3(0.001f, 0.002f, 0))));
 
     [Test]
-    public void Bounds_OfARenderer_AreInTheWorld()
+    public void RendererBounds_MovedObject_AreInTheWorld()
     {
         var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
         cube.transform.SetPositionAndRotation(Vector3.right, Quaternion.Euler(0, 45, 0));

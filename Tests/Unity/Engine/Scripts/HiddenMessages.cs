@@ -4,6 +4,6 @@ namespace Nowpose.Unity.Tests.Engine.Scripts;
 
 abstract class HiddenMessages : MonoBehaviour
 {
-    // Unity also calls private messages of a base class.
+    // Private, because Unity also calls private messages of a base class.
     void Update() => Journal.Note("base.Update");
 }

@@ -3,7 +3,7 @@ using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Engine.Scripts;
 
-/// <summary>One field for each rule of Unity's serialisation.</summary>
+/// <summary>A script with one field for each rule of Unity's serialisation.</summary>
 sealed class Keeper : MonoBehaviour, ISerializationCallbackReceiver
 {
     [Serializable]

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine.Scripts;
 
-/// <summary>Notes each message with its object's name, and runs the test's action for it.</summary>
+/// <summary>A script that notes each message with the name of its object, and runs the action that the test has set for the message.</summary>
 class Recorder : MonoBehaviour
 {
     public Dictionary<string, Action> On { get; } = [];

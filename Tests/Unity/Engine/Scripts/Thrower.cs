@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Engine.Scripts;
 
-/// <summary>Throws in the message that the test selects.</summary>
+/// <summary>A script that throws in the message that the test selects.</summary>
 sealed class Thrower : MonoBehaviour
 {
     public static string In { get; set; } = "";

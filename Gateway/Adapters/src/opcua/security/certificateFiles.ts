@@ -5,7 +5,7 @@ import type { Path, YamlFile } from '../../configuration/yamlFile';
 import { fileMessages } from '../../messages/configuration';
 import { opcuaSettingMessages } from '../../messages/opcua';
 
-/** Reports a file that is missing or has no certificate, because no server would match it. */
+/** Reports a file that is missing or contains no certificate, because no server could match it. */
 export function requireCertificate(file: YamlFile, entry: Path, value: string): void {
   try {
     certificateIn(file, entry, readFileSync(besides(file.path, value)));
@@ -14,7 +14,7 @@ export function requireCertificate(file: YamlFile, entry: Path, value: string): 
   }
 }
 
-/** Reports an invalid certificate or key of a user, and a pair that does not match. */
+/** Reports an invalid certificate or key of a user, and a key that does not belong to the certificate. */
 export function requirePair(file: YamlFile, user: Path, { certificate, key }: { certificate: string; key: string }): void {
   const found = certificateIn(file, [...user, 'certificate'], certificate);
   const secret = keyIn(file, [...user, 'key'], key);

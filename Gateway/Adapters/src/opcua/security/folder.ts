@@ -12,8 +12,8 @@ export function folderTrouble(folder: string, error: Error): string {
 }
 
 /**
- * Checks whether certificates can be stored there, without creating anything.
- * @throws Error They cannot be stored.
+ * Checks whether certificates can be stored in a folder. Creates nothing.
+ * @throws Error Certificates cannot be stored in the folder.
  */
 export function tryFolder(folder: string): void {
   for (const part of PARTS) {

@@ -9,7 +9,7 @@ const APPLICATION = 'Nowpose';
 const DAYS = 10 * 365;
 const KEY_BITS = 2048;
 
-/** Name of this application in its certificate and in connections: servers compare the two. */
+/** Gets the URI of this application in its certificate and in connections. Servers compare the two. */
 export const applicationUri = (): string => `urn:${hostname().toLowerCase()}:nowpose:gateway`;
 
 export interface OwnCertificate {
@@ -20,8 +20,8 @@ export interface OwnCertificate {
 }
 
 /**
- * Gets the certificate of this application; created the first time, with a key that only its owner can read.
- * Adapters that start together with one folder agree on the key and certificate that are written first.
+ * Gets the certificate of this application. If there is none, creates a certificate and a key that only its owner can read. If several adapters with
+ * the same folder start at the same time, all of them use the key and certificate that are written first.
  * @throws Error The folder cannot be used, or its key and certificate do not belong together.
  */
 export async function ownCertificate(folder: string): Promise<OwnCertificate> {
@@ -65,7 +65,7 @@ function fits(certificate: Buffer, pem: string): boolean {
   }
 }
 
-/** Writes a complete file, readable only by its owner, unless another program has written it first. */
+/** Creates a file that only its owner can read, unless it exists. The file is complete as soon as it exists. */
 function writeFirst(file: string, content: string | Buffer): void {
   const draft = `${file}.${randomUUID()}`;
   try {

@@ -5,17 +5,17 @@ import { type StatusCode, StatusCodes } from 'node-opcua-client';
 import type { SecuritySettings } from '../settings';
 import { certificateMessages } from '../../messages/opcua';
 
-/** Maximum number of stored rejected certificates, so that an attacker cannot fill the disk. */
+/** Maximum number of rejected certificates that are stored. The limit prevents an attacker from filling the disk. */
 const MOST_REJECTED = 16;
 
 const hash = (algorithm: string, der: Buffer): string => createHash(algorithm).update(der).digest('hex');
 
-/** Gets the thumbprints, which identify certificates in OPC UA tools. */
+/** Gets the thumbprints of a certificate, by which OPC UA tools identify it. */
 export const thumbprints = (der: Buffer): { sha1: string; sha256: string } => ({ sha1: hash('sha1', der), sha256: hash('sha256', der) });
 
 /**
- * The trusted server certificates: those in the folder, the file and the thumbprint of the configuration. A server's own certificate must
- * be in the list; that of its authority is not sufficient. Certificates are never added automatically.
+ * The trusted server certificates: the certificates in the folder, and the file and the thumbprint in the configuration. The server's own certificate
+ * must be in the list; the certificate of its authority is not sufficient. Certificates are never added automatically.
  */
 export class TrustList {
   referenceCounter = 0;
@@ -61,7 +61,7 @@ export class TrustList {
     return this.checkCertificate(certificate);
   }
 
-  // The library may call these; only a person changes the list.
+  // Do nothing, although the library may call them, because only a user may change the list.
   async trustCertificate(): Promise<void> {}
   async rejectCertificate(): Promise<void> {}
   async addIssuer(): Promise<void> {}
@@ -94,7 +94,7 @@ export class TrustList {
   }
 }
 
-// Only the first certificate of a chain is the server's own.
+// Gets the first certificate of a chain, which is the server's own.
 const leaf = (certificate: Buffer | Buffer[]): Buffer => new X509Certificate(Array.isArray(certificate) ? certificate[0] : certificate).raw;
 
 function derOf(file: string): Buffer {

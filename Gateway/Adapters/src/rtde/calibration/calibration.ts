@@ -8,7 +8,7 @@ import { calibrationMessages } from '../../messages/rtde';
 
 const RETRY_MS = 10_000;
 
-/** Publishes the robot description with the calibration of the controller as soon as that can be read. */
+/** Publishes the robot description with the calibration of the controller, as soon as the calibration can be read. */
 export async function publishCalibrated({ configuration, gateway, status, log, stopping }: AdapterContext, settings: RtdeSettings): Promise<void> {
   const { robot, robots } = configuration;
   const [namespace, nominal] = robot === null ? Object.entries(robots)[0] : ['', robot];

@@ -2,21 +2,21 @@ import { connect } from 'node:net';
 import { at, type Peer, unreachable } from '../connection';
 import { calibrationMessages } from '../../messages/rtde';
 
-/** Time for the connection and for the kinematics, which the controller sends with its state several times a second. */
+/** Timeout for the connection and the kinematics, which the controller sends with its state several times per second. */
 const TIMEOUT_MS = 5000;
 
-/** Message and package types in UR's guide to the primary client interface. */
+/** Types of messages and packages from UR's guide to the primary client interface. */
 const ROBOT_STATE = 16;
 const KINEMATICS_INFO = 5;
 
-/** int32 size of the whole message or package, and uint8 type; big-endian. */
+/** Length of the header: int32 size of the whole message or package and uint8 type, big-endian. */
 const HEADER = 5;
 const MAX_SIZE = 65_536;
 
 const JOINTS = 6;
 const CHECKSUMS = 4 * JOINTS;
 
-/** Denavit-Hartenberg parameters of a joint in m and rad, with the corrections of the arm's calibration. */
+/** Denavit-Hartenberg parameters of a joint in m and rad, including the corrections from the arm's calibration. */
 export interface DhJoint {
   theta: number;
   a: number;
@@ -24,7 +24,7 @@ export interface DhJoint {
   alpha: number;
 }
 
-/** Reads the kinematics from the controller's primary client interface. Nothing is sent. */
+/** Reads the kinematics from the controller's primary client interface. Sends nothing. */
 export function readKinematics(peer: Peer, stop: AbortSignal): Promise<DhJoint[]> {
   return new Promise((resolve, reject) => {
     const socket = connect({ host: peer.host, port: peer.port });
@@ -61,7 +61,7 @@ interface Part {
   payload: Buffer;
 }
 
-/** Splits messages, or the packages of a message. The rest is an incomplete one; null if the bytes are not messages. */
+/** Splits bytes into messages, or a message into packages. `rest` is the incomplete part at the end; null if the bytes are invalid. */
 function partsOf(bytes: Buffer): { parts: Part[]; rest: Buffer | null } {
   const parts: Part[] = [];
   let from = 0;
@@ -75,7 +75,7 @@ function partsOf(bytes: Buffer): { parts: Part[]; rest: Buffer | null } {
   return { parts, rest: bytes.subarray(from) };
 }
 
-/** Six checksums, then theta, a, d and alpha of the six joints each. */
+/** Reads the kinematics: six checksums, then theta of the six joints, then a, d and alpha in the same way. */
 function dhOf(payload: Buffer): DhJoint[] {
   const number = (list: number, joint: number): number => payload.readDoubleBE(CHECKSUMS + 8 * (JOINTS * list + joint));
   return Array.from({ length: JOINTS }, (_, i) => ({ theta: number(0, i), a: number(1, i), d: number(2, i), alpha: number(3, i) }));

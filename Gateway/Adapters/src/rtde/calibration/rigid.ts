@@ -1,6 +1,6 @@
 export type Vector = readonly [number, number, number];
 
-/** A pose: the columns of its rotation matrix, and its position in m. */
+/** A pose: the columns x, y and z of its rotation matrix, and its position in m. */
 export interface Rigid {
   x: Vector;
   y: Vector;
@@ -19,7 +19,7 @@ export const plus = (a: Vector, b: Vector, factor = 1): Vector => [a[0] + factor
 
 const turned = ({ x, y, z }: Rigid, [a, b, c]: Vector): Vector => plus(plus(plus([0, 0, 0], x, a), y, b), z, c);
 
-/** Returns the pose of b's frame, if b is given in the frame of a. */
+/** Returns the product of two poses: a pose b that is given in the frame a, in the frame in which a is given. */
 export const times = (a: Rigid, b: Rigid): Rigid => ({ x: turned(a, b.x), y: turned(a, b.y), z: turned(a, b.z), at: plus(a.at, turned(a, b.at)) });
 
 export function inverse({ x, y, z, at }: Rigid): Rigid {
@@ -44,8 +44,11 @@ export function aboutZ(angle: number): Rigid {
   return { ...ORIGIN, x: [cosine, sine, 0], y: [-sine, cosine, 0] };
 }
 
-/** Roll, pitch and yaw of a URDF: rotations about the fixed axes x, y and z, in this order. */
+/** Converts roll, pitch and yaw of a URDF to a pose: rotations about the fixed axes x, y and z, in this order. */
 export const ofRpy = ([roll, pitch, yaw]: Vector): Rigid => times(aboutZ(yaw), times(aboutY(pitch), aboutX(roll)));
 
-/** @remarks The pitch is not near a quarter turn, as in the descriptions of UR's arms. */
+/**
+ * Converts a rotation to roll, pitch and yaw of a URDF.
+ * @remarks Valid for a pitch that is not near a quarter turn, as in the descriptions of UR's arms.
+ */
 export const rpyOf = ({ x, y, z }: Rigid): Vector => [Math.atan2(y[2], z[2]), Math.asin(-x[2]), Math.atan2(x[1], x[0])];

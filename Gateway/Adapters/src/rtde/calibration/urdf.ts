@@ -2,24 +2,24 @@ import type { DhJoint } from './primary';
 import { aboutX, aboutZ, cross, dot, inverse, ofRpy, ORIGIN, plus, type Rigid, rpyOf, shift, times, type Vector } from './rigid';
 import { calibrationMessages } from '../../messages/rtde';
 
-/** The joints of the included descriptions of UR's arms from the base to the flange. The last one is fixed. */
+/** The joints in the included descriptions of UR's arms, from the base to the flange. The last joint is fixed. */
 const CHAIN = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint', 'tool0_joint'];
 
-/** Maximum difference at the tool that a calibration explains, m. A larger one is another robot. */
+/** Maximum difference at the tool in m that a calibration can cause. A larger difference means that the robot is another one. */
 const MAX_DIFFERENCE = 0.03;
 
 const originOf = (joint: string): RegExp => new RegExp(`(<joint name="${joint}"[^]*?<origin) xyz="([^"]*)" rpy="([^"]*)"`);
 
 /**
- * Gives a description of a UR arm the kinematics of one arm.
- * @returns The new description, and the largest difference at the tool in m, over some positions of the joints.
- * @throws Error The kinematics are not those of the described robot.
+ * Replaces the kinematics in the description of a UR arm by the calibrated kinematics of one arm.
+ * @returns The new description, and the maximum difference at the tool in m over several joint positions.
+ * @throws Error The kinematics do not belong to the described robot.
  */
 export function calibrated(urdf: string, joints: DhJoint[]): { urdf: string; difference: number } {
   const nominal = CHAIN.map(joint => poseIn(urdf, joint));
   const own = chainOf(joints, nominal);
   const difference = Math.max(...POSITIONS.map(angles => distance(toolOf(nominal, angles), toolOf(own, angles))));
-  // Not >, because a number from the network may be NaN.
+  // Not written with >, because a number from the network may be NaN.
   if (!(difference <= MAX_DIFFERENCE)) throw new Error(calibrationMessages.otherRobot(1000 * difference));
   const text = CHAIN.reduce((before, joint, i) => {
     const numbers = (vector: Vector): string => vector.map(value => value.toFixed(12)).join(' ');
@@ -35,9 +35,9 @@ function poseIn(urdf: string, joint: string): Rigid {
 }
 
 /**
- * Gets the poses of the joints in each other, and of the flange in the last one. The origin of each joint is the point on its calibrated axis
- * next to its nominal origin, so that links are drawn where they are: with Denavit-Hartenberg parameters alone, the origins of nearly parallel
- * axes may be metres away.
+ * Gets the pose of each joint in the previous joint, and of the flange in the last joint. The origin of a joint is the point on its calibrated axis
+ * that is nearest to its nominal origin, so that links are drawn at their actual places. With Denavit-Hartenberg parameters alone, the origins of
+ * nearly parallel axes may be metres away.
  */
 function chainOf(joints: DhJoint[], nominal: Rigid[]): Rigid[] {
   let axis = ORIGIN;
@@ -54,17 +54,17 @@ function chainOf(joints: DhJoint[], nominal: Rigid[]): Rigid[] {
   return [...chain, times(inverse(before), axis)];
 }
 
-/** Moves a frame by the shortest way, so that its z axis is that of another frame. */
+/** Moves a frame by the shortest way such that its z axis lies on the z axis of another frame. */
 function onAxis(frame: Rigid, { z, at }: Rigid): Rigid {
   const along = dot(plus(frame.at, at, -1), z);
-  // The rotation about the normal of both axes: v + n × v + n × (n × v) / (1 + cos).
+  // Rotates about the normal n of both axes: v + n × v + n × (n × v) / (1 + cos).
   const normal = cross(frame.z, z);
   const scale = 1 / (1 + dot(frame.z, z));
   const turn = (v: Vector): Vector => plus(plus(v, cross(normal, v)), cross(normal, cross(normal, v)), scale);
   return { x: turn(frame.x), y: turn(frame.y), z, at: plus(at, z, along) };
 }
 
-/** Positions of the joints for the comparison, rad. */
+/** Joint positions for the comparison, rad. */
 const POSITIONS = Array.from({ length: 32 }, (_, i) => Array.from({ length: 6 }, (__, joint) => ((joint + 1) * (i + 0.5) * 0.61803) % (2 * Math.PI)));
 
 const toolOf = (chain: Rigid[], angles: number[]): Vector =>

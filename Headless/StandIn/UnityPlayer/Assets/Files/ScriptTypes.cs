@@ -53,7 +53,7 @@ sealed class ScriptTypes
             : throw place.Error(script.Path + " has to hold one class " + script.Name + "; there are " + found.Count);
     }
 
-    /// <summary>Returns the name of the assembly of a script file; null if there is no assembly definition above the file.</summary>
+    /// <summary>Returns the name of the assembly of a script file; null if the folders above have no assembly definition.</summary>
     string AssemblyOf(AssetFile script)
     {
         for (var folder = FolderOf(script.Path); folder.Length > 0; folder = FolderOf(folder))

@@ -24,7 +24,7 @@ interface IReferences
     /// <summary>Returns the reference to the script file of a class.</summary>
     /// <param name="type">Type of a component or ScriptableObject in a script.</param>
     /// <param name="place">Place for error messages.</param>
-    /// <exception cref="AssetException">There is no script file for this class.</exception>
+    /// <exception cref="AssetException">No script file exists for this class.</exception>
     AssetReference ScriptOf(Type type, Place place);
 
     /// <summary>Returns the index of a transform among the children of its parent, or among the roots of the file.</summary>

@@ -11,7 +11,9 @@ namespace Nowpose.Anchoring
 
         const double MaxOffsetMetres = 100;
 
-        /// <summary>Minimum and maximum length of an edge: smaller codes are not readable from a distance, larger codes cannot be printed.</summary>
+        /// <summary>
+        /// Minimum and maximum length of an edge: smaller codes are not readable from a distance, and larger codes cannot be printed.
+        /// </summary>
         const double MinSizeMetres = 0.005, MaxSizeMetres = 5;
 
         /// <param name="payload">Exact text of the code.</param>

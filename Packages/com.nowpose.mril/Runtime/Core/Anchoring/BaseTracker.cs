@@ -113,7 +113,7 @@ namespace Nowpose.Anchoring
             Cell = cell ?? "";
             if (isSameCell && hasAllParts && markers.Count > 0)
             {
-                if (_state == BaseAnchorState.Moved) JudgeMoved();
+                if (_state == BaseAnchorState.Moved) UpdateMoved();
                 _words.Update(this, _now);
                 return;
             }
@@ -122,7 +122,7 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new one.</summary>
+        /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new position.</summary>
         /// <remarks>
         /// If no marker comes into view for a long time, the previous lock is restored. Without any markers, a position restored from an
         /// earlier run is confirmed.
@@ -163,7 +163,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Processes one frame.</summary>
-        /// <param name="sightings">Sightings of all sources; those of other codes are ignored.</param>
+        /// <param name="sightings">Sightings of all sources; sightings of other codes are ignored.</param>
         /// <param name="head">Viewer's head in the room frame, x forward; null when unknown, which omits the checks that depend on it.</param>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
@@ -189,7 +189,7 @@ namespace Nowpose.Anchoring
             {
                 // The deviations were measured in a map that is no longer valid.
                 _wasLost = IsLost;
-                _markers.ForgetSeen();
+                _markers.RemoveSightings();
             }
             if (IsBeingPlaced || !(_place.Follow(Base) is RigidTransform pose)) return;
             if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
@@ -242,13 +242,13 @@ namespace Nowpose.Anchoring
             _hasNewSightings = false;
             if (IsWatching)
             {
-                JudgeMoved();
+                UpdateMoved();
                 if (_state == BaseAnchorState.Moved) return;
             }
             if (_state != BaseAnchorState.Placed && _attempt.Make(now, _markers.All, Base)) LockByMarkers(anchors);
         }
 
-        void JudgeMoved()
+        void UpdateMoved()
         {
             if (_markers.HasMoved) _state = BaseAnchorState.Moved;
             else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;

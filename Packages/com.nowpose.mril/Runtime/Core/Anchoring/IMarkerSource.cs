@@ -10,7 +10,7 @@ namespace Nowpose.Anchoring
         void Read(List<MarkerSighting> markers);
     }
 
-    /// <summary>A source of markers that can report why it has none.</summary>
+    /// <summary>A source of markers that can report why it finds no markers.</summary>
     public interface IMarkerProblem
     {
         /// <summary>The problem in one line; null without a problem. Returns the same object as long as the text does not change.</summary>

@@ -1,6 +1,6 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>Markers whose relative poses differ from those measured at the base.</summary>
+    /// <summary>Markers whose relative poses differ from the relative poses measured at the base.</summary>
     public sealed class MarkerConflict
     {
         internal MarkerConflict(BaseMarker marker, BaseMarker other, double metres, double radians)
@@ -14,7 +14,7 @@ namespace Nowpose.Anchoring
         /// <summary>Returns whether another conflict is between the same markers, regardless of the deviation.</summary>
         public bool IsOf(MarkerConflict other) => other != null && Marker == other.Marker && Other == other.Other;
 
-        /// <summary>The marker that contradicts the others.</summary>
+        /// <summary>The marker that contradicts the other markers.</summary>
         public BaseMarker Marker { get; }
 
         /// <summary>Second marker of the conflict if it is unclear which of the two is wrong; otherwise null.</summary>

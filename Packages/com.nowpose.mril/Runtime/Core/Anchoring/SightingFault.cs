@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring
         /// <summary>The marker is behind the viewer's head, out of view of the cameras.</summary>
         Behind,
 
-        /// <summary>The length of the edge differs from that of the base's marker.</summary>
+        /// <summary>The measured edge length differs from the edge length of the base's marker.</summary>
         OtherSize,
 
         /// <summary>The same code is seen in two places.</summary>

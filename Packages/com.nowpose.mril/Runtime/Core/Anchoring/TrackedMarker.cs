@@ -88,7 +88,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
         internal bool IsReady => _window.Count >= MinSightings && _window.CountOver(_settings.Settle) > 0;
 
-        /// <summary>Whether the sightings are recent enough for a comparison with those of other markers.</summary>
+        /// <summary>Whether the sightings are recent enough for a comparison with sightings of other markers.</summary>
         internal bool IsRecent(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= MaxAge;
 
         /// <summary>Whether the newest estimate shows that the marker is moving.</summary>
@@ -105,11 +105,11 @@ namespace Nowpose.Anchoring
             // The clock was set back, so the earlier sightings have no valid times.
             if (_taken is HeadsetTime last && last - now > SightingGate.Ahead)
             {
-                ForgetSeen();
+                RemoveSightings();
                 (_taken, _twice) = (null, null);
             }
             var fault = SightingGate.Judge(sighting, Marker, now, head, _settings);
-            if (fault == SightingFault.None) fault = JudgePlace(sighting, now, belongs);
+            if (fault == SightingFault.None) fault = CheckPlace(sighting, now, belongs);
             if (fault != SightingFault.None)
             {
                 // A repeated report of the same sighting counts once.
@@ -121,7 +121,7 @@ namespace Nowpose.Anchoring
             if (_taken is HeadsetTime taken && sighting.LastSeen <= taken) return false;
             Fault = SightingFault.None;
             // After a gap the marker may be elsewhere, and the gap does not count as observation time.
-            if (_window.Count > 0 && sighting.LastSeen - _window.Newest > _settings.Oldest + _settings.Oldest) ForgetSeen();
+            if (_window.Count > 0 && sighting.LastSeen - _window.Newest > _settings.Oldest + _settings.Oldest) RemoveSightings();
             _taken = sighting.LastSeen;
             _id = sighting.Id;
             _pose = sighting.Pose;
@@ -144,7 +144,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Removes the sightings and their results.</summary>
-        internal void ForgetSeen()
+        internal void RemoveSightings()
         {
             _window.Clear();
             Watch.Clear();
@@ -154,7 +154,7 @@ namespace Nowpose.Anchoring
         /// <summary>Resets the marker for a new search.</summary>
         internal void Restart()
         {
-            ForgetSeen();
+            RemoveSightings();
             IsPart = IsContradicted = HasMoved = false;
         }
 
@@ -193,14 +193,14 @@ namespace Nowpose.Anchoring
             mean.Inliers >= MinSightings && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians
             && mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
-        SightingFault JudgePlace(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? belongs)
+        SightingFault CheckPlace(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? belongs)
         {
             var isOther = _id != null && sighting.Id != _id && IsFresh(now) && _pose.DistanceTo(sighting.Pose) > ApartMetres;
             if (isOther && belongs is RigidTransform place)
             {
                 // If there are two prints with the same code, the print nearer to the expected position is monitored.
                 if (place.DistanceTo(sighting.Pose) >= place.DistanceTo(_pose)) return SightingFault.TwoPlaces;
-                ForgetSeen();
+                RemoveSightings();
                 return SightingFault.None;
             }
             if (isOther)

@@ -11,7 +11,7 @@ namespace Nowpose.Counter
     /// </remarks>
     sealed class CounterPairing
     {
-        /// <summary>Number of readings. An interrupt disturbs one or a few of them, never all.</summary>
+        /// <summary>Number of readings. An interrupt disturbs one or a few readings, never all.</summary>
         const int Brackets = 32;
 
         readonly long _frequency, _targetFrequency, _count, _reading;

@@ -48,7 +48,7 @@ namespace Nowpose.Kinematics
         /// <param name="position">Position of a sample, in rad or m.</param>
         public void Add(int joint, double position)
         {
-            // Number of consecutive samples that contradict the current state.
+            // Counts the consecutive samples that contradict the current state.
             _inARow[joint] = IsOutside(_joints[joint], position) == _isBeyond[joint] ? 0 : _inARow[joint] + 1;
             if (_inARow[joint] < (_isBeyond[joint] ? SamplesToForget : SamplesToFind)) return;
             _inARow[joint] = 0;

@@ -28,7 +28,7 @@ namespace Nowpose.Kinematics
         /// <summary>Frame of the shape in the frame of the link.</summary>
         public RigidTransform Origin { get; }
 
-        /// <summary>Full extent along the shape's own axes in metres (diameters, not radii); for a mesh its scale, without unit.</summary>
+        /// <summary>Full extent along the shape's own axes in metres (diameters, not radii); for a mesh, the dimensionless scale.</summary>
         public (double X, double Y, double Z) Size { get; }
 
         /// <summary>Mesh file as named in the URDF (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>

@@ -65,7 +65,7 @@ namespace Nowpose.Kinematics
             Offset = offset;
         }
 
-        /// <summary>Name of the joint that is mimicked. It is a moving joint, and may mimic another one.</summary>
+        /// <summary>Name of the joint that is mimicked. It is a moving joint, and may mimic another joint.</summary>
         public string Master { get; }
 
         public double Multiplier { get; }

@@ -61,7 +61,7 @@ namespace Nowpose.Kinematics
         /// <summary>Returns an index in <see cref="MovingJoints"/>, -1 if there is no such joint or it is fixed.</summary>
         public int IndexOfMovingJoint(string name) => _movingIndices.TryGetValue(name, out var index) ? index : -1;
 
-        /// <summary>Computes the position of each mimic joint without a given position from that of its master; allocates nothing.</summary>
+        /// <summary>Computes the position of each mimic joint without a given position from the position of its master; allocates nothing.</summary>
         /// <param name="positions">One per moving joint, in rad or m.</param>
         /// <param name="given">One per moving joint: whether its position is given and must not be changed.</param>
         public void CompleteMimics(Span<double> positions, ReadOnlySpan<bool> given)

@@ -5,7 +5,7 @@ using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Colours by material name. A visual may define a material that other visuals use, so all are collected first.</summary>
+    /// <summary>Colours by material name. A visual may define a material that other visuals use, so all materials are collected first.</summary>
     sealed class UrdfMaterials
     {
         readonly UrdfSource _source;
@@ -17,7 +17,7 @@ namespace Nowpose.Kinematics
             foreach (var material in root.Descendants(root.Name.Namespace + "material"))
             {
                 var name = (string)material.Attribute("name");
-                if (IsOfTheRobot(material, root) && name != null && Inline(material) is VisualColour colour)
+                if (IsRobotMaterial(material, root) && name != null && Inline(material) is VisualColour colour)
                     _colours[name] = colour;
             }
         }
@@ -32,7 +32,7 @@ namespace Nowpose.Kinematics
         }
 
         // The <material> elements of gazebo contain a name as text and belong to another format.
-        static bool IsOfTheRobot(XElement material, XElement root) =>
+        static bool IsRobotMaterial(XElement material, XElement root) =>
             material.Parent == root || material.Parent.Name.LocalName == "visual" && material.Parent.Parent.Parent == root;
 
         VisualColour? Inline(XElement material)

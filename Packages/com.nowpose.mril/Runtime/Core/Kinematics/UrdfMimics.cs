@@ -44,7 +44,7 @@ namespace Nowpose.Kinematics
             follower.MovingIndex, byName[follower.Mimic.Master].Joint.MovingIndex, follower.Mimic.Multiplier, follower.Mimic.Offset);
     }
 
-    /// <summary>One mimic joint with indices instead of names. In a model, masters precede their followers.</summary>
+    /// <summary>A mimic joint with indices instead of names. In a model, masters precede their followers.</summary>
     readonly struct MimicStep
     {
         public MimicStep(int joint, int master, double multiplier, double offset)

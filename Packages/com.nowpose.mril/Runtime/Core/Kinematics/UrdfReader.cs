@@ -12,7 +12,7 @@ namespace Nowpose.Kinematics
     public static class UrdfReader
     {
         /// <param name="text">The whole document, with xacro already expanded.</param>
-        /// <param name="sourceName">Name in error messages, usually the file's.</param>
+        /// <param name="sourceName">Name in error messages, usually the file name.</param>
         /// <exception cref="InputException">
         /// The text does not describe a robot that can be computed; the message names the line, the element and the error.
         /// </exception>

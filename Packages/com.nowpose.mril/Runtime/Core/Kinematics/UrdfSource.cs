@@ -8,7 +8,7 @@ using Nowpose.Messages;
 
 namespace Nowpose.Kinematics
 {
-    /// <summary>Reads attributes of one URDF, and creates error messages with its name and the line.</summary>
+    /// <summary>Reads attributes of one URDF, and creates error messages with the name of the source and the line.</summary>
     sealed class UrdfSource
     {
         const int MaxDepth = 100;
@@ -93,7 +93,7 @@ namespace Nowpose.Kinematics
         static XmlReader Reader(string text) => XmlReader.Create(
             new StringReader(text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit, XmlResolver = null });
 
-        // For each node that XDocument adds, it walks up to the root, so a nesting of 100 000 levels would take minutes.
+        // XDocument walks up to the root for each node that it adds, so a nesting of 100 000 levels would take minutes.
         void RequireShallow(XmlReader reader)
         {
             while (reader.Read())
@@ -106,7 +106,7 @@ namespace Nowpose.Kinematics
         InputException Malformed(string text, XmlException e)
         {
             var isDtd = e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase);
-            // The reader reports a line before that of the document type.
+            // The reader reports a line before the line of the document type.
             var line = isDtd ? 1 + text.Take(text.IndexOf("<!DOCTYPE", StringComparison.Ordinal)).Count(c => c == '\n') : e.LineNumber;
             var reason = isDtd ? UrdfMessages.DocumentType : "not well-formed XML: " + e.Message;
             return new InputException(_name + ":" + Math.Max(1, line) + ": " + reason, e);

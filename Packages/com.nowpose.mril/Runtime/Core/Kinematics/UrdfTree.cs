@@ -24,7 +24,7 @@ namespace Nowpose.Kinematics
                 if (!_links.TryAdd(link.Name, link)) throw source.Error(link.Element, UrdfMessages.LinkTwice);
             foreach (var joint in joints) Connect(joint);
             _below = joints.ToLookup(joint => joint.Joint.ParentLink, StringComparer.Ordinal);
-            Links = FromTheRootDown(Root(links));
+            Links = OrderFromRoot(Root(links));
             var reached = new HashSet<string>(Links.Select(link => link.Name), StringComparer.Ordinal);
             if (Array.Find(links, link => !reached.Contains(link.Name)) is UrdfLink unreached) throw Cycle(unreached);
         }
@@ -67,7 +67,7 @@ namespace Nowpose.Kinematics
             return roots[0];
         }
 
-        RobotLink[] FromTheRootDown(UrdfLink root)
+        RobotLink[] OrderFromRoot(UrdfLink root)
         {
             var links = new List<RobotLink>();
             var open = new Stack<(UrdfLink Link, RobotJoint Joint, int Parent)>();

@@ -16,7 +16,7 @@ namespace Nowpose.Latency
 
         /// <summary>
         /// Number of samples whose time stamp is later than their arrival. A few at the start result from the error of the clock estimate;
-        /// more of them mean that a source does not stamp with the control clock.
+        /// a larger number means that a source does not stamp with the control clock.
         /// </summary>
         public long NegativeCount { get; private set; }
 

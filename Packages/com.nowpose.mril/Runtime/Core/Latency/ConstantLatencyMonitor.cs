@@ -17,7 +17,7 @@ namespace Nowpose.Latency
         /// <summary>Too few frames were measured with the current source.</summary>
         TooFewFrames,
 
-        /// <summary>The limit was found with another source of the render time and does not apply to this one.</summary>
+        /// <summary>The limit was found with another source of the render time and does not apply to the current source.</summary>
         OtherSource,
 
         /// <summary>The render time is beyond the calibrated range, and the calibration found no limit in it.</summary>

@@ -1,6 +1,6 @@
 namespace Nowpose.Latency
 {
-    /// <summary>Provides the display time of each frame, for example as predicted by a headset's runtime.</summary>
+    /// <summary>Provides the display time of each frame, for example the prediction of a headset's runtime.</summary>
     /// <remarks>
     /// The display time is the middle of the interval in which the frame is shown, like OpenXR's predicted display time. An
     /// implementation converts times of other clocks, such as OpenXR's own or the performance counter, to the headset clock.

@@ -30,7 +30,9 @@ namespace Nowpose.Latency
         /// <summary>Render time that the selected source delivered in the newest completed frame; null if it delivered none.</summary>
         public TimeSpan? RenderTime { get; private set; }
 
-        /// <summary>Reports a render time that became known in this frame. If one source reports several, the last one is used.</summary>
+        /// <summary>
+        /// Reports a render time that became known in this frame. If a source reports several render times in a frame, the last is used.
+        /// </summary>
         /// <param name="candidate">Index of the source in the constructor's list.</param>
         /// <param name="renderTime">Zero and negative values are ignored: drivers that do not measure report zero.</param>
         public void Report(int candidate, TimeSpan renderTime)
@@ -45,15 +47,15 @@ namespace Nowpose.Latency
             var before = Source;
             for (var i = 0; i < _candidates.Length; i++) _candidates[i].Count();
             if (_inUse != None && _candidates[_inUse].Times == 0) _inUse = None;
-            var better = FirstThatGivesTimes();
+            var better = BestActive();
             if (better != None && _candidates[better].Times >= TimesToTrust) _inUse = better;
             RenderTime = _inUse == None ? null : _candidates[_inUse].Newest;
             for (var i = 0; i < _candidates.Length; i++) _candidates[i].Newest = null;
             return Source != before;
         }
 
-        // A source that has just started prevents the selection of a worse source but does not replace the selected one.
-        int FirstThatGivesTimes()
+        // A source that has just started prevents the selection of a worse source but does not replace the selected source.
+        int BestActive()
         {
             var end = _inUse == None ? _candidates.Length : _inUse;
             for (var i = 0; i < end; i++)

@@ -37,7 +37,7 @@ namespace Nowpose.Latency
             return index >= 0;
         }
 
-        /// <summary>All names except the empty one, separated by commas, for messages.</summary>
+        /// <summary>All names except the empty name, separated by commas, for messages.</summary>
         public static string All => string.Join(", ", Names, 1, Names.Length - 1);
     }
 

@@ -7,8 +7,8 @@ namespace Nowpose.Motion
     /// <summary>Creates a cycle from a robot's limits: long swings of the first joint between short dips of the other joints.</summary>
     static class DerivedWaypoints
     {
-        // Distance to either side of a joint's middle position, in rad or m: enough for the first joint to reach full speed, and less for the
-        // others, as in a real task. Tables and walls are unknown and not considered.
+        // Distance to either side of a joint's middle position, in rad or m: enough for the first joint to reach full speed, and less for
+        // the other joints, as in a real task. Tables and walls are unknown and not considered.
         const double Swing = 1.2;
         const double Dip = 0.5;
         const double Stroke = 0.1;
@@ -16,7 +16,7 @@ namespace Nowpose.Motion
         // Maximum share of a joint's range, which leaves a margin at both ends.
         const double RangeShare = 0.4;
 
-        // For each waypoint, the swing of the first joint and the dip of the others, relative to the distances above.
+        // For each waypoint, the swing of the first joint and the dip of the other joints, relative to the distances above.
         static readonly (double Swing, double Dip)[] Cycle =
         {
             (0, 0), (-1, 0.3), (-1, 1), (-1, 0.3), (1, -0.2), (1, -1), (1, -0.2),
@@ -43,7 +43,7 @@ namespace Nowpose.Motion
             return positions;
         }
 
-        // Returns zero if it is within the range with margins, because the URDF was drawn in that pose.
+        // Returns zero if zero is within the range with margins, because the URDF was drawn in that pose.
         static double Middle(JointLimits limits)
         {
             if (double.IsInfinity(limits.Lower) || double.IsInfinity(limits.Upper))

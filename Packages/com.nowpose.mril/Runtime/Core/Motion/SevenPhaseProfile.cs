@@ -83,12 +83,12 @@ namespace Nowpose.Motion
             var root = Math.Cbrt(stroke);
             var withoutPlateau = root * root * Math.Cbrt(jerk / 4);
             if (withoutPlateau * jerk <= acceleration * acceleration) return withoutPlateau;
-            // With a phase of constant acceleration: stroke = v²/a + v a/j, solved in the form without cancellation.
+            // With a phase of constant acceleration: stroke = v²/a + v a/j, solved in a form that avoids cancellation.
             var jerkTime = acceleration / jerk;
             return 2 * stroke / (jerkTime + Math.Sqrt(jerkTime * jerkTime + 4 * stroke / acceleration));
         }
 
-        // The second half of the move mirrors the first, so only the first is computed.
+        // The second half of the move mirrors the first half, so only the first half is computed.
         double Covered(double t)
         {
             if (t >= _rampTime) return _peakVelocity * (t - _rampTime / 2);

@@ -14,10 +14,10 @@ namespace Nowpose.Motion
             "arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5", "gripper_finger_joint_l",
         };
 
-        // In rad. Joints 2 to 4 point the gripper straight down. The palm is at these distances from joint 1's axis and heights above
-        // the base: pick 220 and 90 mm, above it 220 and 150 mm, place 200 and 110 mm, above it 200 and 150 mm. The arm is
-        // upright at 1.1345, -2.5482, 1.7890. It points forward at joint 1 = 2.9671, and turns 1.3 rad to one side for the
-        // pick and 1.5 rad to the other for the place.
+        // Joint positions, rad. Joints 2 to 4 point the gripper straight down. Distance of the palm from joint 1's axis and height above
+        // the base: 220 and 90 mm at the pick, 220 and 150 mm above the pick, 200 and 110 mm at the place, 200 and 150 mm above the place.
+        // The arm is upright at 1.1345, -2.5482, 1.7890. It points forward at joint 1 = 2.9671, and turns 1.3 rad to one side for the pick
+        // and 1.5 rad to the other for the place.
         static readonly double[] Home = { 2.9671, 0.8345, -1.3482, 2.9890, 2.9234 };
         static readonly double[] AbovePick = { 1.6671, 1.4863, -1.4741, 3.5047, 2.9234 };
         static readonly double[] Pick = { 1.6671, 1.5160, -1.0670, 3.0678, 2.9234 };

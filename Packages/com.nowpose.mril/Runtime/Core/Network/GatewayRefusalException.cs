@@ -9,7 +9,7 @@ namespace Nowpose.Network
         public GatewayRefusalException(string message) : base(message) { }
         public GatewayRefusalException(string message, Exception innerException) : base(message, innerException) { }
 
-        /// <summary>Whether the gateway rejected the headset's token, or the headset has none.</summary>
+        /// <summary>Whether the gateway rejected the headset's token, or the headset has no token.</summary>
         public bool IsOfToken { get; private set; }
 
         /// <summary>Creates an exception from the HTTP status of the answer to the WebSocket request.</summary>

@@ -20,7 +20,7 @@ namespace Nowpose.Network
 
         /// <summary>Receives poses of the cell's frames.</summary>
         /// <param name="message">See <see cref="Received"/>.</param>
-        /// <param name="isStationary">Whether the poses are those of stationary frames.</param>
+        /// <param name="isStationary">Whether the poses belong to stationary frames.</param>
         /// <param name="arrival">Time at which the last byte of the message was read.</param>
         void FramesReceived(TransformsMessage message, bool isStationary, HeadsetTime arrival);
 
@@ -49,7 +49,7 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
-        /// <summary>Gets the displayed joints, up to twenty times a second; null if there are no new ones.</summary>
+        /// <summary>Gets the displayed joints, up to twenty times a second; null if there are no new joints.</summary>
         JointStateMessage Displayed();
 
         /// <summary>Gets the headset's state, once a second; null if there is none to publish.</summary>

@@ -36,7 +36,7 @@ namespace Nowpose.Network
         /// <summary>One line for the user; while waiting, the reason of the failure.</summary>
         public string Detail { get; }
 
-        /// <summary>Whether the connection waits because the gateway rejects the headset's token, or the headset has none.</summary>
+        /// <summary>Whether the connection waits because the gateway rejects the headset's token, or the headset has no token.</summary>
         public bool IsTokenRefused { get; }
 
         public static LinkStatus Waiting(string reason) => new LinkStatus(LinkState.Waiting, reason);

@@ -16,7 +16,7 @@ namespace Nowpose.Network
         /// <summary>The message as received. Valid only during the call, because the next message uses the same memory.</summary>
         public ReadOnlyMemory<byte> Utf8 { get; }
 
-        /// <summary>Reason why the message was dropped; <see cref="DropReason.None"/> if it was not.</summary>
+        /// <summary>Reason why the message was dropped; <see cref="DropReason.None"/> if it was not dropped.</summary>
         public DropReason Dropped { get; }
 
         /// <summary>Time at which the last byte of the message was read from the socket.</summary>

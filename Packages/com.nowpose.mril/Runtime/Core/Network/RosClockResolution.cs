@@ -14,7 +14,7 @@ namespace Nowpose.Network
         /// <summary>Minimum number of answers in a measurement. With this many, a common divisor larger than the step is very unlikely.</summary>
         const int MinAnswers = 16;
 
-        /// <summary>Minimum number of changes in a measurement: one complete standstill lies between the first two.</summary>
+        /// <summary>Minimum number of changes in a measurement: one complete standstill lies between the first two changes.</summary>
         const int MinChanges = 2;
 
         static readonly TimeSpan MeasuredEvery = new TimeSpan(20 * TimeSpan.TicksPerSecond);

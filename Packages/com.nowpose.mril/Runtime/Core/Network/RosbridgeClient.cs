@@ -74,7 +74,7 @@ namespace Nowpose.Network
         /// <summary>Ends the connection. Returns at once and does not wait for the socket; messages in flight may still arrive.</summary>
         public void Dispose()
         {
-            // On the thread pool, because cancelling closes sockets on the calling thread.
+            // Runs on the thread pool, because cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 
@@ -98,7 +98,7 @@ namespace Nowpose.Network
             }
         }
 
-        /// <summary>Awaits a task and catches every exception, because an uncaught one would end the session silently.</summary>
+        /// <summary>Awaits a task and catches every exception, because an uncaught exception would end the session silently.</summary>
         /// <returns>The task's exception; null if the task ended normally.</returns>
         static async Task<Exception> EndOfAsync(Task task)
         {
@@ -120,17 +120,17 @@ namespace Nowpose.Network
             using (var end = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token))
             {
                 await OpenAsync(link).ConfigureAwait(false);
-                // The connection may lead to another gateway, or to an older one that does not report its version.
+                // The connection may lead to another gateway, or to an older gateway that does not report its version.
                 _listener.VersionReceived(null);
                 var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
-                var tending = TendAsync(sender, end.Token);
-                var asking = _rosTime == null ? tending : _rosTime.RunAsync(sender, end.Token);
-                var all = new[] { receiving, subscribing, tending, asking, WatchAsync(end.Token) };
+                var publishing = PublishAsync(sender, end.Token);
+                var exchanging = _rosTime == null ? publishing : _rosTime.RunAsync(sender, end.Token);
+                var all = new[] { receiving, subscribing, publishing, exchanging, WatchAsync(end.Token) };
                 var first = await Task.WhenAny(all).ConfigureAwait(false);
                 end.Cancel();
                 link.Dispose();
-                foreach (var one in all) await EndOfAsync(one).ConfigureAwait(false);
+                foreach (var task in all) await EndOfAsync(task).ConfigureAwait(false);
                 // The first task that ends cancels the others. If the receiver exceeded a limit, or the gateway closed the connection, that is the
                 // cause, even if a task that sends failed first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
@@ -187,7 +187,8 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                // Only after a message, because a server that accepts and closes at once would otherwise be called five times a second.
+                // Resets the backoff only after a message. Otherwise, the client would call a server that closes each connection at once
+                // five times a second.
                 _status = LinkStatus.Connected;
                 backoff.Reset();
                 MarkReceived(received.Arrival);
@@ -234,7 +235,7 @@ namespace Nowpose.Network
             }
         }
 
-        async Task TendAsync(LinkSender sender, CancellationToken cancel)
+        async Task PublishAsync(LinkSender sender, CancellationToken cancel)
         {
             await AdvertiseAsync(sender, cancel).ConfigureAwait(false);
             var next = _clock.Now + DiagnosticsInterval;
@@ -264,7 +265,7 @@ namespace Nowpose.Network
                     RosbridgeWriter.PublishDiagnostics(RosTopics.Diagnostics, diagnostics, RosTimeForm.Sec), cancel).ConfigureAwait(false);
         }
 
-        // Separate from the tasks that send, because a send over a lost connection may never complete.
+        // Runs separately from the tasks that send, because a send over a lost connection may never complete.
         async Task WatchAsync(CancellationToken cancel)
         {
             while (true)

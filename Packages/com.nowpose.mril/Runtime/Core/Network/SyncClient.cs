@@ -46,7 +46,7 @@ namespace Nowpose.Network
         /// <summary>Ends the connection and the thread. Returns at once and does not wait for the socket.</summary>
         public void Dispose()
         {
-            // On the thread pool, because cancelling closes sockets on the calling thread.
+            // Runs on the thread pool, because cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
 

@@ -65,7 +65,7 @@ namespace Nowpose.Network
             var end = _clock.Now + ProtocolLimits.SyncReplyTimeout;
             for (var got = 0; got < _reply.Length;)
             {
-                // One deadline for the whole frame, so that single bytes at long intervals do not extend it.
+                // Uses one deadline for the whole frame, so that single bytes at long intervals do not extend the timeout.
                 var left = (end - _clock.Now).TotalMilliseconds;
                 if (left <= 0) throw new IOException("no reply within " + ProtocolLimits.SyncReplyTimeout.TotalSeconds + " s");
                 _stream.ReadTimeout = (int)Math.Ceiling(left);

@@ -29,7 +29,7 @@ namespace Nowpose.Network
         {
             // Cancels only the waiting, because cancelling the receive would abort the WebSocket and prevent an orderly close.
             await _reader.ReceiveAsync(take, cancel).OrCancelled(cancel).ConfigureAwait(false);
-            // Repeats the received close code, or sends the normal one if none was received (RFC 6455, 5.5.1).
+            // Repeats the received close code, or sends the code for a normal closure if none was received (RFC 6455, 5.5.1).
             await CloseOutputAsync(_socket.CloseStatus ?? WebSocketCloseStatus.NormalClosure).ConfigureAwait(false);
         }
 

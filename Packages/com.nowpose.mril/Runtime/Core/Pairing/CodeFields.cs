@@ -47,7 +47,7 @@ namespace Nowpose.Pairing
             var isNumber = long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var value)
                 && (text.Length == 1 || text[0] != '0');
             if (isNumber && value >= min && value <= max) return value;
-            // A value that is not a number may contain anything, so the message does not repeat it.
+            // A value that is not a number may contain any text, so the message does not repeat it.
             throw Fault(isNumber ? PairingCodeMessages.OutOfRange(key, value, min, max) : PairingCodeMessages.NotWhole(key, min, max));
         }
 

@@ -62,8 +62,8 @@ namespace Nowpose.Pairing
         }
 
         /// <summary>
-        /// Adds a cell, or replaces the cell of the same name, and makes it the cell in use. Removes the least recently added cell if there are
-        /// too many.
+        /// Adds a cell, or replaces the cell of the same name, and makes the given cell the cell in use. Removes the least recently added
+        /// cell if there are too many.
         /// </summary>
         public PairedCells Use(PairedCell cell) => new PairedCells(
             Without(cell.Cell)._cells.Reverse().Take(MaxCount - 1).Reverse().Append(cell), cell.Cell);

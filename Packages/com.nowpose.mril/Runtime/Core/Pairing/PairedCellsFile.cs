@@ -4,7 +4,8 @@ using Nowpose.Messages;
 namespace Nowpose.Pairing
 {
     /// <summary>
-    /// Loads and saves paired cells. Saving is atomic: after a failure, the file is either the complete old one or the complete new one.
+    /// Loads and saves paired cells. Saving is atomic: after a failure, the path holds either the complete old file or the complete new
+    /// file.
     /// </summary>
     static class PairedCellsFile
     {
@@ -12,7 +13,7 @@ namespace Nowpose.Pairing
         const string What = PairedCellMessages.List;
 
         /// <summary>Loads the cells; none if the file is missing. Renames a file that cannot be used, and reports the problem.</summary>
-        /// <param name="problem">The problem in one line; null unless there is one.</param>
+        /// <param name="problem">The problem in one line; null if there is none.</param>
         public static PairedCells Load(string path, out string problem)
         {
             problem = null;

@@ -18,7 +18,7 @@ namespace Nowpose.Pairing
         Unknown,
     }
 
-    /// <summary>Common form of the codes that pair a headset with a gateway: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
+    /// <summary>Common format of the codes that pair a headset with a gateway: "nowpose:KIND/VERSION?a=…&amp;b=…" in printable ASCII.</summary>
     static class PairingCode
     {
         /// <summary>Start of every pairing code; other codes are ignored.</summary>

@@ -36,7 +36,7 @@ namespace Nowpose.Pairing
             Cells = cells;
             _exchange = new CodeExchange(headsetName, send);
             if (cells.Used != null) _changes = PairingChange.Applied;
-            Words = CalmWords;
+            Words = StatusWords;
         }
 
         public PairedCells Cells { get; private set; }
@@ -70,7 +70,7 @@ namespace Nowpose.Pairing
         {
             _now = now;
             var seen = _seen.Read(text, now, out var fault);
-            if (fault != null) FailForNow(fault);
+            if (fault != null) FailTemporarily(fault);
             if (seen?.Cell != null) SeeCell(seen);
             else if (seen?.Token != null) SeeToken(seen.Token, now);
         }
@@ -163,18 +163,18 @@ namespace Nowpose.Pairing
         {
             if (!known.IsFull)
             {
-                Learn(known.With(seen.Cell));
+                Store(known.With(seen.Cell));
                 return;
             }
-            if (!seen.IsTooManyReported) FailForNow(PairingMessages.TooMany(known.Cell));
+            if (!seen.IsTooManyReported) FailTemporarily(PairingMessages.TooMany(known.Cell));
             seen.IsTooManyReported = true;
         }
 
-        void Learn(PairedCell cell)
+        void Store(PairedCell cell)
         {
             var used = Cells.Used;
             Cells = Cells.Use(cell);
-            // A new marker of another robot does not make that robot the robot in use.
+            // A new marker of another robot does not change which robot is in use.
             if (used != null && used.Cell != cell.Cell) Cells = Cells.Use(used);
             Change(PairingChange.Applied | PairingChange.Kept);
         }
@@ -258,11 +258,11 @@ namespace Nowpose.Pairing
         {
             ClearProblem();
             if (cell.Cell == Cells.Used?.Cell) IsTokenRefused = false;
-            Learn(cell.WithToken(token));
+            Store(cell.WithToken(token));
             _changes |= PairingChange.Paired;
             // A gateway's token is valid for all its cells.
             foreach (var other in Cells.All)
-                if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Learn(other.WithToken(token));
+                if (other.Token == null && other.Newest.HasSameGateway(cell.Newest)) Store(other.WithToken(token));
             SetWords(PairingMessages.Paired(cell.Cell));
         }
 
@@ -273,7 +273,7 @@ namespace Nowpose.Pairing
             Change(PairingChange.Problem);
         }
 
-        void FailForNow(string problem)
+        void FailTemporarily(string problem)
         {
             Fail(problem);
             _faultUntil = _now + PairingLimits.FaultShown;
@@ -291,7 +291,7 @@ namespace Nowpose.Pairing
         void Change(PairingChange change)
         {
             _changes |= change;
-            SetWords(Question ?? Problem ?? CalmWords);
+            SetWords(Question ?? Problem ?? StatusWords);
         }
 
         void SetWords(string words)
@@ -301,6 +301,6 @@ namespace Nowpose.Pairing
             _changes |= PairingChange.Words;
         }
 
-        string CalmWords => PairingMessages.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
+        string StatusWords => PairingMessages.Calm(_exchange.Cell, Cells.Used, _isTokenRefused);
     }
 }

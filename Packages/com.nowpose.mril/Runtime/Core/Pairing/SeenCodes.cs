@@ -26,7 +26,7 @@ namespace Nowpose.Pairing
             if (kind == PairingCodeKind.Foreign) return null;
             if (text.Length > PairingCode.MaxLength)
             {
-                // Not stored, because otherwise the source of the text would determine how much memory is used.
+                // The text is not stored, because otherwise its source would determine how much memory is used.
                 if (!_isOversizedReported) fault = PairingCodeMessages.CodeTooLong(text.Length, PairingCode.MaxLength);
                 _isOversizedReported = true;
                 return null;

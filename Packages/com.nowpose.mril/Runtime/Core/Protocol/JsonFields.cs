@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Reads the values that the protocol's fields have: names, optional texts and counts, finite numbers, arrays of numbers.</summary>
+    /// <summary>
+    /// Reads the types of values that occur in the protocol's fields: names, optional texts and counts, finite numbers, arrays of numbers.
+    /// </summary>
     static class JsonFields
     {
         /// <summary>Reads a name: a text that is not empty and not longer than the protocol allows.</summary>

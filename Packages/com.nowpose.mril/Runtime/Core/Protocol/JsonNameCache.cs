@@ -7,7 +7,7 @@ namespace Nowpose.Protocol
     /// </summary>
     sealed class JsonNameCache
     {
-        /// <summary>Maximum length of a cached name: that of a valid name, with 3 bytes of UTF-8 per UTF-16 code unit.</summary>
+        /// <summary>Maximum length of a cached name in bytes: a valid name has at most 3 bytes of UTF-8 per UTF-16 code unit.</summary>
         const int MaxBytes = 3 * ProtocolLimits.NameLength;
 
         readonly (byte[] Utf8, string Text)[] _table;

@@ -3,7 +3,7 @@ using System.Buffers.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>A number of a JSON text: its digits and its length.</summary>
+    /// <summary>A number in a JSON text: its digits and its length.</summary>
     readonly ref struct JsonNumber
     {
         /// <summary>Maximum number of digits that always fit into 64 bits.</summary>
@@ -88,7 +88,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        // Leading zeros do not count as digits of the number. Returns the number of digits including them.
+        // Reads digits; leading zeros do not increase the count. Returns the number of digits read, including leading zeros.
         static int Digits(ReadOnlySpan<byte> text, ref int at, ref ulong digits, ref int count)
         {
             var start = at;

@@ -78,7 +78,7 @@ namespace Nowpose.Protocol
 
         public bool BeginArray() => Begin('[');
 
-        /// <summary>Advances to the value of the next known field; skips others. Returns false at the end of the object.</summary>
+        /// <summary>Advances to the value of the next known field; skips unknown fields. Returns false at the end of the object.</summary>
         /// <param name="seen">Bit mask of the fields found so far; initially 0.</param>
         public bool NextField(JsonNames known, ref int seen, out int field)
         {
@@ -140,7 +140,7 @@ namespace Nowpose.Protocol
             return Fault == DropReason.None;
         }
 
-        /// <summary>Skips a value if the next bytes are exactly those of a value that was read before.</summary>
+        /// <summary>Skips a value if the next bytes are equal to the bytes of an earlier value.</summary>
         public bool TryTake(ReadOnlySpan<byte> value)
         {
             if (!_text.Slice(_at).StartsWith(value)) return false;

@@ -15,7 +15,7 @@ namespace Nowpose.Protocol
             if (!TryTake(ref certificate, out var tag, out var body, out _) || tag != Sequence ||
                 !TryTake(ref body, out tag, out var fields, out _) || tag != Sequence)
                 return false;
-            // [version], then serial number, signature algorithm, issuer, validity, subject.
+            // Order of the fields: [version], serial number, signature algorithm, issuer, validity, subject.
             var before = fields.Length > 0 && fields[0] == ExplicitVersion ? 6 : 5;
             for (var i = 0; i < before; i++)
             {

@@ -3,7 +3,7 @@ using System.Buffers.Binary;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>Kind of a sync frame; the values are those on the wire.</summary>
+    /// <summary>Kind of a sync frame; the values are the bytes on the wire.</summary>
     enum SyncFrameKind : byte
     {
         /// <summary>t1 from the headset.</summary>

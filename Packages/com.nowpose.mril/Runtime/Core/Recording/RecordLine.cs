@@ -1,6 +1,5 @@
 using System;
 using Nowpose.Latency;
-using Nowpose.Latency.Reprojection;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;

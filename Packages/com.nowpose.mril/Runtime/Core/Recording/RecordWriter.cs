@@ -16,7 +16,7 @@ namespace Nowpose.Recording
         /// <summary>Space that is reserved for the line with the reason for the end of the file.</summary>
         const int LastLineBytes = 100;
 
-        static readonly TimeSpan Pace = TimeSpan.FromMilliseconds(50);
+        static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
 
         /// <summary>Maximum duration of the data that are lost if the process crashes.</summary>
         static readonly TimeSpan FlushInterval = TimeSpan.FromSeconds(1);
@@ -81,7 +81,7 @@ namespace Nowpose.Recording
                 using (var stream = _settings.Open()) WriteAll(stream);
                 _state = _problem == null ? RecordingState.Closed : RecordingState.Full;
             }
-            // Catches every exception: an uncaught one would end the application.
+            // Catches every exception: an uncaught exception would end the application.
             catch (Exception failure)
             {
                 _problem = "recording " + _settings.Path + " has stopped: " + failure.Message.Replace('\r', ' ').Replace('\n', ' ');
@@ -96,7 +96,7 @@ namespace Nowpose.Recording
             for (var isLast = false; !isLast;)
             {
                 isLast = _isStopping;
-                // Read before the ring is emptied, because later flush requests may refer to later records.
+                // Counts the requests before the ring is emptied, because later requests may refer to later records.
                 var asked = _flushes.Count;
                 if (!TryDrain(stream))
                 {
@@ -104,7 +104,7 @@ namespace Nowpose.Recording
                     break;
                 }
                 if (asked > 0 || _sinceFlush.Elapsed >= FlushInterval) Flush(stream, asked);
-                if (!isLast) Rest();
+                if (!isLast) Wait();
             }
             _line.Begin("end").Add("reason", _problem == null ? "closed" : "full").End();
             Put(stream);
@@ -155,10 +155,10 @@ namespace Nowpose.Recording
         }
 
         // Records do not wake the thread, because a wake-up would cost the frame a system call.
-        void Rest()
+        void Wait()
         {
             lock (_gate)
-                if (!_isStopping && _flushes.IsEmpty) Monitor.Wait(_gate, Pace);
+                if (!_isStopping && _flushes.IsEmpty) Monitor.Wait(_gate, PollInterval);
         }
 
         void CompleteFlushes()

@@ -219,7 +219,7 @@ namespace Nowpose.Recording
             readonly SessionIntake _intake;
             readonly string _prefix;
 
-            /// <param name="isMain">Whether it is the robot of the header, whose joints have no prefix.</param>
+            /// <param name="isMain">Whether the robot is the robot of the header, whose joints have no prefix.</param>
             public RobotTraffic(SessionRecorder recorder, SessionRobot robot, bool isMain)
             {
                 _recorder = recorder;

@@ -16,7 +16,7 @@ namespace Nowpose.Recording
             "rtt_ms", "l_app_ms", "l_app_p95_ms", "l_visu_ms", "horizon_ms", "render_ms", "samples", "dropped", "current_share",
         };
 
-        /// <summary>Number of values before the first error: those with a name, and the reason.</summary>
+        /// <summary>Number of values before the first error: the values with a name, and the reason.</summary>
         static readonly int BeforeErrors = Names.Length + 1;
 
         string[] _joints = Array.Empty<string>();

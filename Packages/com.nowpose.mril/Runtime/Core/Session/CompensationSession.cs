@@ -80,14 +80,15 @@ namespace Nowpose.Session
         public SessionSettings Settings { get; }
 
         /// <summary>
-        /// Message if the gateway's version is incompatible with this version; null if not, or if unknown. Set on the socket's thread.
+        /// Message if the gateway's version is incompatible with this version; null if the versions are compatible or the gateway's version
+        /// is unknown. Set on the socket's thread.
         /// </summary>
         internal string VersionMismatch { get; set; }
 
-        /// <summary>Newest valid URDF text of the robot from the gateway; null before one is received. Thread-safe.</summary>
+        /// <summary>Newest valid URDF text of the robot from the gateway; null before the first. Thread-safe.</summary>
         public string RobotDescription => _main.Description.Text;
 
-        /// <summary>Robot model of <see cref="RobotDescription"/>; null before one is received. Thread-safe.</summary>
+        /// <summary>Robot model of <see cref="RobotDescription"/>; null before the first description. Thread-safe.</summary>
         public RobotModel DescribedRobot => _main.Description.Model;
 
         /// <summary>Result of comparing <see cref="Robot"/> with the gateway's description. Thread-safe.</summary>
@@ -136,7 +137,7 @@ namespace Nowpose.Session
         /// <summary>Profile of <see cref="Visualisation"/>; null if the value was set as a number. Thread-safe.</summary>
         public LatencyProfile Profile => _display.Profile;
 
-        /// <summary>Constant-latency range of the profile, or else of the settings; null if neither has one. Thread-safe.</summary>
+        /// <summary>Constant-latency range of the profile, or else of the settings; null if neither has a range. Thread-safe.</summary>
         public ConstantLatencyRange Range => _display.Range;
 
         /// <summary>

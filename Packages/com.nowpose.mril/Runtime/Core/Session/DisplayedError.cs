@@ -32,7 +32,7 @@ namespace Nowpose.Session
 
         public double HoldRms { get; }
 
-        /// <summary>95th percentile for the hold, as <see cref="P95"/>.</summary>
+        /// <summary>95th percentile of the error of the held pose, as accurate as <see cref="P95"/>.</summary>
         public double HoldP95 { get; }
 
         /// <summary>

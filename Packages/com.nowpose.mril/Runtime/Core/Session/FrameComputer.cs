@@ -39,7 +39,7 @@ namespace Nowpose.Session
             else _tracks.Hold();
             var state = StateAt(moment, isJointReportedMissing);
             Frame.Set(moment, moment.DisplayTime - _tracks.Newest, state);
-            // Only after the state is determined, because a pose that is held on purpose must not count as stale.
+            // Holds the joints only after the state is determined, because a pose that is held on purpose must not count as stale.
             if (state == PoseState.OutsideRange && Frame.OutsideRange == OutsideRangeResponse.Hold) _tracks.Hold();
             _kinematics.Compute(_tracks.Positions, _linkPoses);
             _isHeldComputed = false;

@@ -66,7 +66,9 @@ namespace Nowpose.Session
         /// </summary>
         public event Action<int> Restarted;
 
-        /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
+        /// <param name="joints">
+        /// Index among the robot's moving joints for each joint of the message; negative for a joint that the robot does not have.
+        /// </param>
         /// <returns>Reason why the message was dropped; <see cref="DropReason.None"/> if at least one joint used its sample.</returns>
         public DropReason Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {

@@ -7,7 +7,7 @@ namespace Nowpose.Session
     /// <summary>Maps the joint names of messages to the robot's joints. Caches the results for recent arrays of names. Single-threaded.</summary>
     sealed class MessageJoints
     {
-        /// <summary>Cache size, the same as that of <see cref="RosbridgeReader"/>.</summary>
+        /// <summary>Number of cached arrays of names, the same as in <see cref="RosbridgeReader"/>.</summary>
         const int Capacity = 4;
 
         readonly RobotModel _robot;

@@ -1,6 +1,8 @@
 namespace Nowpose.Session
 {
-    /// <summary>Whether the displayed pose is the current one of the robot. Any state except <see cref="Current"/> must look different.</summary>
+    /// <summary>
+    /// State of the displayed pose relative to the robot's current pose. Any state except <see cref="Current"/> must look different.
+    /// </summary>
     public enum PoseState
     {
         /// <summary>A joint between base and tool has not received a sample yet and is shown at zero.</summary>
@@ -20,8 +22,8 @@ namespace Nowpose.Session
         Held,
 
         /// <summary>
-        /// The render time is outside the constant-latency range, so that frames appear later than calibrated, by an unknown amount. The pose
-        /// is computed like a current pose, unless the settings require a held one, see <see cref="OutsideRangeResponse"/>.
+        /// The render time is outside the constant-latency range, so that frames appear later than calibrated, by an unknown amount. The
+        /// pose is computed like a current pose, unless the settings require a held pose, see <see cref="OutsideRangeResponse"/>.
         /// </summary>
         OutsideRange,
 

@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Whether the displayed robot is the one that the gateway describes.</summary>
+    /// <summary>Result of comparing the displayed robot with the gateway's description.</summary>
     enum RobotDescriptionMatch
     {
         /// <summary>The gateway has not sent a valid description.</summary>
@@ -25,7 +25,7 @@ namespace Nowpose.Session
 
         public ReceivedDescription(RobotModel displayed) => _displayed = displayed;
 
-        /// <summary>URDF text; null before one is received.</summary>
+        /// <summary>URDF text of the newest valid description; null before the first.</summary>
         public string Text => _newest.Text;
 
         public RobotModel Model => _newest.Model;
@@ -35,8 +35,8 @@ namespace Nowpose.Session
         /// <summary>Error of the newest text, in one line; null if the text is valid.</summary>
         public string Fault => _fault;
 
-        /// <summary>Reads a description, unless it is the current one: the gateway sends it again after each reconnection.</summary>
-        /// <returns>False if the description cannot be read; the previous one is kept.</returns>
+        /// <summary>Reads a description. Skips the current description, which the gateway sends again after each reconnection.</summary>
+        /// <returns>False if the description cannot be read; the previous description is kept.</returns>
         public bool Receive(string urdf)
         {
             string fault = null;

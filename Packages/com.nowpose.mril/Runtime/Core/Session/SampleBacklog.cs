@@ -3,7 +3,9 @@ using System.Collections.Concurrent;
 
 namespace Nowpose.Session
 {
-    /// <summary>Queues messages until the next frame, and selects those to process. Allocates nothing after construction; single-threaded.</summary>
+    /// <summary>
+    /// Queues messages until the next frame, and selects the messages to process. Allocates nothing after construction; single-threaded.
+    /// </summary>
     /// <remarks>
     /// After a delay of the network or of a frame, a thousand messages may wait. A joint's sample takes about 40 µs with the default
     /// predictor, so a thousand messages of seven joints take a quarter of a second, which would delay the next frame again.
@@ -15,7 +17,7 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Number of newest samples of each joint that are processed if more messages wait: 6 ms for seven joints. Predictions use fewer
-        /// samples, and joints that are sent rarely, such as a gripper, lose none.
+        /// samples, and a joint that is sent rarely, such as a gripper, loses no samples.
         /// </summary>
         const int NewestOfAJoint = 20;
 

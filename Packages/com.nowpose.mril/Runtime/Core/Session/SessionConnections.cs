@@ -5,7 +5,9 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Connections of a session: one for the clock and one for joint positions, or one for both with ROS time.</summary>
+    /// <summary>
+    /// Connections of a session: one for the clock and one for joint positions. With ROS time, a single connection serves both purposes.
+    /// </summary>
     /// <remarks>Connect and disconnect on one thread; properties can be read on any thread.</remarks>
     sealed class SessionConnections : IDisposable
     {

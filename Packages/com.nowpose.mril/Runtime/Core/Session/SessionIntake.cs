@@ -17,7 +17,7 @@ namespace Nowpose.Session
         /// </summary>
         const int QueueLength = 1000;
 
-        /// <summary>Queue capacity in plans. Drops the oldest when full, as newer plans replace older ones.</summary>
+        /// <summary>Queue capacity in plans. Drops the oldest when full, because newer plans replace older plans.</summary>
         const int PlanQueueLength = 16;
 
         readonly ConcurrentQueue<SampleArrival> _arrivals = new ConcurrentQueue<SampleArrival>();
@@ -56,15 +56,15 @@ namespace Nowpose.Session
         /// Raised for each message with its drop reason, <see cref="DropReason.None"/> if it was used. Raised within
         /// <see cref="CompensationSession.Tick"/>, or on the receiving thread if the queue is full.
         /// </summary>
-        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
+        /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
-        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings do
-        /// not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if the
-        /// message has none of the robot's joints or the queue is full.
+        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings
+        /// do not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if
+        /// the message contains no joint of the robot or the queue is full.
         /// </summary>
-        /// <remarks>The rules for handlers are those of <see cref="SampleTaken"/>.</remarks>
+        /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<PlanArrival, DropReason> PlanJudged;
 
         /// <summary>Number of used messages.</summary>
@@ -103,7 +103,7 @@ namespace Nowpose.Session
                 var mayBeKept = HasSampleHandler;
                 if (_backlog.IsSelected(i)) Take(_backlog[i], clock);
                 else Judged(_backlog[i], DropReason.SlowReader);
-                // Checked before and after because handlers may be added and removed on other threads.
+                // Checks for handlers before and after the call, because other threads may add and remove them.
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();

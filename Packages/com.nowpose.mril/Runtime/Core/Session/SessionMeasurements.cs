@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Copies the measurements of a session's parts into its statistics. Allocates nothing; as thread-safe as the parts.</summary>
+    /// <summary>Copies the measurements of a session's parts into its statistics. Allocates nothing; thread-safe only if the parts are.</summary>
     sealed class SessionMeasurements
     {
         const double MillimetresPerMetre = 1000;

@@ -8,7 +8,7 @@ namespace Nowpose.Session
 {
     /// <summary>
     /// How the robot is displayed while the render time is outside the constant-latency range, where frames appear later than calibrated.
-    /// The state is always <see cref="PoseState.OutsideRange"/>, and text and stripes distinguish the pose from a current one.
+    /// The state is always <see cref="PoseState.OutsideRange"/>, and text and stripes distinguish the pose from a current pose.
     /// </summary>
     public enum OutsideRangeResponse
     {

@@ -96,8 +96,8 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors
-        /// that these samples cannot show: those of the clock's offset and of L_visu. Null while L_visu may differ from the calibrated one:
-        /// <see cref="Range"/> is outside, or a limit is known but cannot be monitored.
+        /// that these samples cannot show: errors of the clock's offset and of L_visu. Null while L_visu may differ from the calibrated
+        /// value: <see cref="Range"/> is outside, or a limit is known but cannot be monitored.
         /// </summary>
         public DisplayedError? ToolError { get; internal set; }
 
@@ -142,8 +142,8 @@ namespace Nowpose.Session
         internal RobotDescriptionMatch RobotDescriptionMatch { get; set; }
 
         /// <summary>
-        /// First joint with samples outside its limits, so that it is drawn at the limit; null if there is none. The description may belong to
-        /// another robot, or the samples may have another unit.
+        /// First joint with samples outside its limits, which is drawn at the limit; null if there is no such joint. The description may
+        /// belong to another robot, or the samples may have another unit.
         /// </summary>
         public JointBeyondLimits BeyondLimits { get; internal set; }
 

@@ -16,14 +16,14 @@ namespace Nowpose.Session
         SettledFlag _isSynchronised, _isInRange, _isFresh;
         bool _isDisplayTimeInconsistent, _isDisplayTimeImplausible;
 
-        public SessionWatch() => Forget();
+        public SessionWatch() => Reset();
 
         /// <summary>Returns the changes of a frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
             Changed(
                 frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeInconsistent, frame.IsDisplayTimeImplausible);
 
-        /// <summary>Returns the changes of a frame that is given by its properties.</summary>
+        /// <summary>Returns the changes of a frame, from the frame's properties.</summary>
         /// <param name="at">Start of the frame, not earlier than that of the previous frame.</param>
         /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
         /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which does not flicker.</param>
@@ -54,11 +54,11 @@ namespace Nowpose.Session
         public SessionChange End()
         {
             var wasSynchronised = _isSynchronised.Value == true;
-            Forget();
+            Reset();
             return wasSynchronised ? SessionChange.Lost : SessionChange.None;
         }
 
-        void Forget()
+        void Reset()
         {
             _isSynchronised = new SettledFlag(false);
             _isInRange = new SettledFlag(null);

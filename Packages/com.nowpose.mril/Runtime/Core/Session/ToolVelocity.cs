@@ -7,7 +7,7 @@ namespace Nowpose.Session
     /// <remarks>The velocity applies to the midpoint between the two newest frames. Allocates nothing; not thread-safe.</remarks>
     sealed class ToolVelocity
     {
-        /// <summary>Minimum interval. A shorter one means that the same frame was computed again; the difference would be noise.</summary>
+        /// <summary>Minimum interval. A shorter interval means that the same frame was computed again; the difference would be noise.</summary>
         static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(5);
 
         /// <summary>Maximum interval. The mean velocity over a longer interval is not the current velocity.</summary>

@@ -11,7 +11,7 @@ namespace Nowpose.Session
     /// </remarks>
     sealed class VisualisationNudge
     {
-        /// <summary>Maximum offset, larger than the error of a calibration; a larger one requires a new calibration.</summary>
+        /// <summary>Maximum offset, larger than the error of a calibration; a larger offset requires a new calibration.</summary>
         public const double MaxMs = 50;
 
         static readonly double MaxVisuMs = LatencyProfile.MaxVisuMs;
@@ -32,7 +32,7 @@ namespace Nowpose.Session
             get => _ms;
             set
             {
-                _ms = Allowed(value);
+                _ms = Clamp(value);
                 if (_session != null) Apply();
             }
         }
@@ -41,40 +41,40 @@ namespace Nowpose.Session
         public bool IsIdle => _session != null && _session.IsLightPredicted;
 
         /// <summary>Applies the offset to a new session, and detects a new calibration. Call it once per frame.</summary>
-        /// <param name="session">Null while there is no session; the offset then applies to the next one.</param>
+        /// <param name="session">Null while there is no session; the offset then applies to the next session.</param>
         public void Follow(CompensationSession session)
         {
-            var isOurs = session == _session && (session == null || IsAsApplied);
+            var isApplied = session == _session && (session == null || IsUnchanged);
             _session = session;
-            if (session == null || isOurs) return;
+            if (session == null || isApplied) return;
             var isKnown = _hasBegun && session.Visualisation.Length == _calibrated.Length;
             _calibrated = session.Visualisation;
             _profile = session.Profile;
             // An offset that was chosen for another L_visu does not apply to this L_visu.
             if (_hasBegun && !isKnown) _ms = 0;
-            _ms = Allowed(_ms);
+            _ms = Clamp(_ms);
             _hasBegun = true;
             Apply();
         }
 
-        bool IsAsApplied => _session.Visualisation.Length == _applied && _session.Profile == (_ms == 0 ? _profile : null);
+        bool IsUnchanged => _session.Visualisation.Length == _applied && _session.Profile == (_ms == 0 ? _profile : null);
 
         void Apply()
         {
             if (_ms != 0) _session.Visualisation = VisualisationLatency.FromMilliseconds(_calibrated.Length.TotalMilliseconds + _ms);
-            else if (!IsCalibrated) GoBack();
+            else if (!IsCalibrated) RestoreCalibration();
             _applied = _session.Visualisation.Length;
         }
 
         bool IsCalibrated => _session.Visualisation.Length == _calibrated.Length && _session.Profile == _profile;
 
-        void GoBack()
+        void RestoreCalibration()
         {
             if (_profile != null) _session.Calibrate(_profile);
             else _session.Visualisation = _calibrated;
         }
 
-        double Allowed(double ms)
+        double Clamp(double ms)
         {
             if (double.IsNaN(ms)) return 0;
             var kept = Math.Max(-MaxMs, Math.Min(MaxMs, ms));

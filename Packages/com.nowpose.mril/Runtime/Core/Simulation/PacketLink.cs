@@ -22,7 +22,7 @@ namespace Nowpose.Simulation
         }
 
         /// <summary>Sends a packet.</summary>
-        /// <param name="now">Time of sending, not before that of the previous packet.</param>
+        /// <param name="now">Time of sending, not before the time of the previous packet.</param>
         /// <param name="arrival">Time at which the packet leaves the link at the far end.</param>
         /// <returns>False if the packet is lost.</returns>
         public bool TrySend(HeadsetTime now, out HeadsetTime arrival)

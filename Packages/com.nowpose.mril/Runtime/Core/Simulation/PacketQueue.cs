@@ -7,7 +7,7 @@ namespace Nowpose.Simulation
     sealed class PacketQueue<T>
     {
         readonly PacketLink _link;
-        // Sorted by arrival; packets that arrive together are in the order in which they were sent.
+        // Packets sorted by arrival; packets that arrive at the same time are in the order in which they were sent.
         readonly List<(HeadsetTime Arrival, T Packet)> _underWay = new List<(HeadsetTime Arrival, T Packet)>(256);
 
         public PacketQueue(PacketLink link) => _link = link;
@@ -15,7 +15,7 @@ namespace Nowpose.Simulation
         /// <summary>Arrival time of the next packet; null if none is in transit.</summary>
         public HeadsetTime? NextArrival => _underWay.Count == 0 ? (HeadsetTime?)null : _underWay[0].Arrival;
 
-        /// <param name="now">Time of sending, not before that of the previous packet.</param>
+        /// <param name="now">Time of sending, not before the time of the previous packet.</param>
         /// <returns>False if the link lost the packet.</returns>
         public bool TrySend(HeadsetTime now, T packet)
         {

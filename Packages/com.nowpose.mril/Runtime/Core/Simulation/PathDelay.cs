@@ -22,7 +22,7 @@ namespace Nowpose.Simulation
 
         public TimeSpan Next()
         {
-            // The parameter of MathNet's gamma distribution is a rate, that of the profile a scale.
+            // MathNet's gamma distribution has a rate parameter; the profile has a scale parameter.
             var ms = _profile.BaseMs + Gamma.Sample(_random, _profile.GammaShape, 1 / _profile.GammaScaleMs);
             _inSpike = _random.NextDouble() < (_inSpike ? SpikeContinuation : _spikeChance);
             if (_inSpike)

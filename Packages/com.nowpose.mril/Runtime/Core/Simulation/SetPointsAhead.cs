@@ -14,7 +14,9 @@ namespace Nowpose.Simulation
         /// <summary>Time span of the set-points of a message, in s.</summary>
         const double Span = 1;
 
-        /// <summary>Interval of the set-points, in s: that of a usual motion planner's time parameterisation, or finer.</summary>
+        /// <summary>
+        /// Interval of the set-points, in s. The time parameterisation of a usual motion planner uses this interval or a longer one.
+        /// </summary>
         const double Step = 0.05;
 
         /// <summary>Step of the difference quotients for velocity and acceleration, in s.</summary>

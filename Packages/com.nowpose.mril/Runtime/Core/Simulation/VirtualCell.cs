@@ -61,8 +61,8 @@ namespace Nowpose.Simulation
         public TimeSpan? PlanLag { get; set; }
 
         /// <summary>Passes the messages that have arrived to the session. Allocates only the messages.</summary>
-        /// <param name="now">Current time, not before that of the last call.</param>
-        /// <param name="session">The session, which may differ from that of the last call.</param>
+        /// <param name="now">Current time, not before the time in the last call.</param>
+        /// <param name="session">The session, which may differ from the session in the last call.</param>
         public void Run(HeadsetTime now, CompensationSession session)
         {
             var from = now - MaxPause;

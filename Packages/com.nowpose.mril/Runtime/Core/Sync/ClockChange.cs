@@ -5,16 +5,16 @@ namespace Nowpose.Sync
     {
         None,
 
-        /// <summary>The exchange is inconsistent with the earlier ones. One or two more are needed to determine the cause.</summary>
+        /// <summary>The exchange is inconsistent with earlier exchanges. One or two more exchanges are needed to determine the cause.</summary>
         Suspected,
 
         /// <summary>
-        /// The resolution of the control clock has changed. Its time stamps are early by half the resolution on average, so that no line fits
-        /// both these exchanges and the earlier ones.
+        /// The resolution of the control clock has changed. Its time stamps are early by half the resolution on average, so that no line
+        /// fits both the new and the earlier exchanges.
         /// </summary>
         Resolution,
 
-        /// <summary>A clock stepped by less than a round-trip time. The clocks are still those of the same machines.</summary>
+        /// <summary>A clock stepped by less than a round-trip time. The clocks still belong to the same machines.</summary>
         ShortStep,
 
         /// <summary>A clock stepped, perhaps because another machine now provides the control clock.</summary>

@@ -12,7 +12,7 @@ namespace Nowpose.Sync
         /// <param name="holdoverAfterSeconds">
         /// Time without exchanges after which a coarse or synchronised clock goes into holdover, s. The default is ten missed exchanges.
         /// </param>
-        /// <param name="stepMarginMs">Minimum amount by which an exchange must contradict the earlier ones to indicate a step, ms.</param>
+        /// <param name="stepMarginMs">Minimum amount by which an exchange must contradict earlier exchanges to indicate a step, ms.</param>
         /// <param name="restartAfterSeconds">
         /// Time without exchanges after which the estimate restarts, s, because the headset may have slept and the skew may have changed.
         /// </param>

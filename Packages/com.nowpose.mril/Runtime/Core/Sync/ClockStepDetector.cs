@@ -10,7 +10,7 @@ namespace Nowpose.Sync
     /// </summary>
     sealed class ClockStepDetector
     {
-        /// <summary>Number of consecutive exchanges that must contradict the earlier ones and agree with each other to indicate a change.</summary>
+        /// <summary>Number of consecutive exchanges that must contradict earlier exchanges and agree with each other to indicate a change.</summary>
         const int InARow = 3;
 
         readonly TimeSpan _margin;

@@ -9,7 +9,7 @@ namespace Nowpose.Sync
         /// <summary>Minimum number of exchanges of a coarse clock. Fewer exchanges do not show the scatter of their delays.</summary>
         const int ExchangesToBeCoarse = 5;
 
-        /// <summary>Number of contradicting exchanges after which the clock is converging. A single one may be an error.</summary>
+        /// <summary>Number of contradicting exchanges after which the clock is converging. A single contradicting exchange may be an error.</summary>
         const int SuspectsToConverge = 2;
 
         /// <summary>

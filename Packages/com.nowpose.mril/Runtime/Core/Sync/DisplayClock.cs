@@ -35,7 +35,7 @@ namespace Nowpose.Sync
 
         /// <summary>Returns the clock model for a frame.</summary>
         /// <param name="believed">The synchroniser's model at <paramref name="now"/>.</param>
-        /// <param name="now">Start of the frame. If it is before that of the last call, the last model is returned and nothing changes.</param>
+        /// <param name="now">Start of the frame. If it is before the start in the last call, the last model is returned and nothing changes.</param>
         public ClockModel Follow(in ClockModel believed, HeadsetTime now)
         {
             IsRestarted = believed.Steps != _shown.Steps || believed.IsKnown != _shown.IsKnown;

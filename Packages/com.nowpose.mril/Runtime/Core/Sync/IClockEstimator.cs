@@ -11,12 +11,12 @@ namespace Nowpose.Sync
         /// <summary>Possible error of the offset due to changes of the path that were not recognised, in addition to the standard error.</summary>
         TimeSpan PathChangeError { get; }
 
-        /// <param name="exchange">A checked exchange that is newer than all previous ones.</param>
+        /// <param name="exchange">A checked exchange that is newer than all previous exchanges.</param>
         void Add(in SyncExchange exchange);
 
         /// <summary>Removes the estimate of the offset after a clock step or a long time without exchanges.</summary>
         /// <param name="skewUncertainty">
-        /// Standard deviation of the change of the skew, dimensionless; small if the clocks are still those of the same machines. An estimator
+        /// Standard deviation of the change of the skew, dimensionless; small if the clocks still belong to the same machines. An estimator
         /// may ignore it.
         /// </param>
         void Restart(double skewUncertainty);

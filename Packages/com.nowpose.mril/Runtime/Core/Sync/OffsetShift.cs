@@ -5,15 +5,17 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Exchanges since the first one that violates a bound, relative to the line and the bounds before it. They show whether the other bound
-    /// has moved by the same amount, as it does in a clock step. Single-threaded; allocates nothing after construction.
+    /// Exchanges since the first exchange that violates a bound, relative to the line and the bounds before that exchange. They show
+    /// whether the opposite bound has moved by the same amount, which indicates a clock step. Single-threaded; allocates nothing after
+    /// construction.
     /// </summary>
     sealed class OffsetShift
     {
-        /// <summary>Minimum number of exchanges that determine a step, and minimum number of them that must violate the bound.</summary>
+        /// <summary>Minimum number of exchanges from which a step is determined.</summary>
         public const int MinExchanges = 15;
 
-        const int Violations = 3;
+        /// <summary>Minimum number of these exchanges that must violate the bound.</summary>
+        const int MinViolations = 3;
 
         /// <summary>Maximum number of exchanges, three seconds at the quick pace. If they do not confirm a step, the path has changed.</summary>
         const int MaxExchanges = 60;
@@ -43,7 +45,7 @@ namespace Nowpose.Sync
         /// <param name="sign">1 to detect a rise of the offset, which violates the lower bound; −1 to detect a fall.</param>
         public OffsetShift(int sign) => _sign = sign;
 
-        /// <summary>Exchanges since the first one that violates the bound; empty if none does.</summary>
+        /// <summary>Exchanges since the first exchange that violates the bound; empty if none does.</summary>
         public List<SyncExchange> Since => _since;
 
         /// <summary>Maximum violation of the bound, s; zero while no exchange violates it.</summary>
@@ -72,7 +74,7 @@ namespace Nowpose.Sync
             if (violation > margin) _violations++;
             _broken = Math.Max(_broken, violation);
             _other = Math.Min(_other, _sign > 0 ? above - _past.Upper : _past.Lower - below);
-            if (_since.Count < MinExchanges || _violations < Violations) return false;
+            if (_since.Count < MinExchanges || _violations < MinViolations) return false;
             // The best packet of a larger group is less late.
             var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * MinExchanges / _since.Count;
             return _other - byChance > Math.Max(margin, CommonShare * _broken)

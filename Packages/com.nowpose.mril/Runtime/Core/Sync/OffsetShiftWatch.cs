@@ -18,7 +18,7 @@ namespace Nowpose.Sync
         /// Age in exchanges after which an exchange contributes to the bounds, and minimum number of older exchanges. Newer exchanges do not
         /// contribute, because a step whose first exchanges are late would otherwise move the bounds in small parts.
         /// </summary>
-        const int Guard = 2 * OffsetShift.MinExchanges, MinPast = 30;
+        const int MinAge = 2 * OffsetShift.MinExchanges, MinPast = 30;
 
         /// <summary>Maximum standard error of the skew with which a bound can be extrapolated over a minute.</summary>
         const double MaxSkewError = 25e-6;
@@ -45,7 +45,7 @@ namespace Nowpose.Sync
         {
             if (line.Exchanges == 0) Reset();
             if (line.Exchanges == 0 || line.SkewError > MaxSkewError) return false;
-            envelope.Fill(_past, line, Guard - 1);
+            envelope.Fill(_past, line, MinAge - 1);
             if (_past.Count < MinPast) return false;
             var hasRisen = _rise.Judge(exchange, line, _past);
             var hasFallen = _fall.Judge(exchange, line, _past);

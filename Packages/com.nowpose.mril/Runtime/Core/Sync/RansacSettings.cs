@@ -3,7 +3,7 @@ using Nowpose.Messages;
 
 namespace Nowpose.Sync
 {
-    /// <summary>Constants of the paper's estimator; the defaults are those of Fig. 8.</summary>
+    /// <summary>Constants of the paper's estimator; the defaults are the values of Fig. 8.</summary>
     public sealed class RansacSettings
     {
         public static readonly RansacSettings Paper = new RansacSettings();

@@ -5,10 +5,10 @@ namespace Nowpose.Sync
     {
         None,
 
-        /// <summary>The sequence number of the reply differs from that of the request.</summary>
+        /// <summary>The reply and the request have different sequence numbers.</summary>
         WrongSequence,
 
-        /// <summary>The echoed t1 differs from that of the request.</summary>
+        /// <summary>The echoed t1 differs from the t1 of the request.</summary>
         WrongEcho,
 
         /// <summary>t3 is before t2: the server sent before it received.</summary>
@@ -26,10 +26,10 @@ namespace Nowpose.Sync
         /// <summary>The data is not a protocol frame: wrong magic, version or kind. Ends the connection.</summary>
         NotAFrame,
 
-        /// <summary>The exchange contradicts the recent ones: a possible clock step, or an inconsistent server. It is set aside.</summary>
+        /// <summary>The exchange contradicts recent exchanges: a possible clock step, or an inconsistent server. It is set aside.</summary>
         Contradiction,
 
-        /// <summary>t4 is not after that of the previous exchange: a log out of order, or a repeated line.</summary>
+        /// <summary>t4 is not after the t4 of the previous exchange: a log out of order, or a repeated line.</summary>
         NotNewer,
     }
 }

@@ -27,13 +27,13 @@ namespace Nowpose.Unity.Calibration
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
         /// <summary>
-        /// Reasons why the search skipped the places before the one with the result (all places if there is no result), one line each.
+        /// Reasons why the search skipped the places before the one with the result (all places without a result), one line each.
         /// </summary>
         public IReadOnlyList<string> Refusals => _refusals;
 
         /// <summary>Searches for the first profile that is valid for this device.</summary>
         /// <param name="from">Name of the place with the profile, or of the last place that was searched.</param>
-        /// <returns>Null if there is no valid profile.</returns>
+        /// <returns>Null if no profile is valid.</returns>
         public LatencyProfile Find(out string from)
         {
             _refusals.Clear();

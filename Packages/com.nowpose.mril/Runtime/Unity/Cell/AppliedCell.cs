@@ -12,7 +12,7 @@ namespace Nowpose.Unity.Cell
     {
         PairedCell _connected, _anchored;
 
-        /// <summary>Connects the session to the gateway of the cell; disconnects it if there is no cell that is ready.</summary>
+        /// <summary>Connects the session to the gateway of the cell; disconnects it if no cell is ready.</summary>
         /// <returns>False if the session has no settings yet. Call this method again in the next frame.</returns>
         public bool Connect(MrilSession session, PairedCell cell, string headsetName)
         {

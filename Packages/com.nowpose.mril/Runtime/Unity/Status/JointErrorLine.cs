@@ -17,7 +17,7 @@ namespace Nowpose.Unity.Status
 
         /// <summary>
         /// Returns a text like "arm_joint_1 92 ± 3 %, …", in the order from the base. A joint whose error is unknown, for example because it is at
-        /// rest, has no number. Empty if there are no joints.
+        /// rest, has no number. Empty for a robot without joints.
         /// </summary>
         public string Of(IReadOnlyList<JointError> joints)
         {

@@ -30,8 +30,8 @@ namespace Nowpose.Unity.Status
             _describe = joint => joint.DescriptionSince(TimeOf(joint));
         }
 
-        /// <summary>Returns the line; null if there are no joints to list.</summary>
-        /// <param name="statistics">Statistics of the session; null if there is no session.</param>
+        /// <summary>Returns the line; null if the list is empty.</summary>
+        /// <param name="statistics">Statistics of the session; null if no session exists.</param>
         public string Of(SessionStatistics statistics)
         {
             _chosen.Clear();
@@ -43,7 +43,7 @@ namespace Nowpose.Unity.Status
             return _text = _chosen.Count == 0 ? null : JointStatusText.Of(_chosen, _describe);
         }
 
-        // Before the first sample of any joint, the panel's row for the pose already says so.
+        // Before the first sample of any joint, the panel's row for the pose already contains this information.
         bool IsDescribed(in JointStatus joint, long samples) => joint.IsMissing == _isOfMissing && (samples > 0 || joint.Since.HasValue);
 
         string TimeOf(in JointStatus joint)
@@ -62,7 +62,7 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        // A joint has an age only while the clock is known. The tolerance is needed because the gateway may calculate the start of a state anew for
+        // A joint has an age only while the clock is known. The tolerance is needed because the gateway may calculate the start of a state again for
         // each report.
         static bool IsSame(in JointStatus a, in JointStatus b) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
             && a.Age.HasValue == b.Age.HasValue && !((a.Since - b.Since)?.Duration() > Tolerance);

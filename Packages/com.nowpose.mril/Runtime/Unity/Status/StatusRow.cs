@@ -19,7 +19,7 @@ namespace Nowpose.Unity.Status
         /// <summary>Objects and signals of the cell. The row takes no space if the scene shows none.</summary>
         Objects,
 
-        /// <summary>Description of a problem, or other text, in the full width above the rows. It takes no space if there is no text.</summary>
+        /// <summary>Description of a problem, or other text, in the full width above the rows. It takes no space while it is empty.</summary>
         Message,
     }
 }

@@ -81,10 +81,10 @@ namespace Nowpose.Unity.Status
             !string.IsNullOrEmpty(_values[(int)row]) || !string.IsNullOrEmpty(_notes[(int)row]);
 
         /// <summary>Updates all texts.</summary>
-        /// <param name="statistics">Statistics of the session; null if there is no session.</param>
+        /// <param name="statistics">Statistics of the session; null if no session exists.</param>
         /// <param name="settings">Settings of the session; null if they are unknown.</param>
         /// <param name="robot">Name of the robot; null if it is unknown.</param>
-        /// <param name="problem">Reason why the session could not start; null if there is no problem.</param>
+        /// <param name="problem">Reason why the session could not start; null if no problem is known.</param>
         /// <param name="anchor">Anchor of the base; null if there is none.</param>
         /// <param name="pairing">Pairing of the session; null if there is none.</param>
         /// <param name="parts">Shown objects and signals of the cell; null if there are none.</param>
@@ -137,7 +137,7 @@ namespace Nowpose.Unity.Status
         }
 
         /// <param name="error">The error of the tool; null if it is unknown.</param>
-        /// <param name="withheld">Reason why the error is unknown; empty if there is no particular reason.</param>
+        /// <param name="withheld">Reason why the error is withheld; empty if it is not withheld.</param>
         void UpdateError(DisplayedError? error, string withheld)
         {
             var uncertainty = error?.ReductionUncertainty;

@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core
             Assert.That(() => pairing.ToTarget(count), Throws.Nothing);
         }
 
-        // On Windows this reads the real counters; other systems have none.
+        // On Windows, this test reads the real counters. Other systems have no such counter.
         [Test]
         public void TryMeasure_ThisDevice_PairsOrReturnsTheFault()
         {

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core
         public ICounter Counter { get; }
         public ICounter Stopwatch { get; }
 
-        /// <summary>Length of the pause after a reading in s, as a function of the reading's index; 0 for none.</summary>
+        /// <summary>Function that returns the length in s of the pause after the reading with the given index; 0 for no pause.</summary>
         public Func<int, double> PauseAfter { get; set; } = _ => 0;
 
         public int Readings { get; private set; }

@@ -24,7 +24,8 @@ namespace Nowpose.Tests.Core
         [Test]
         public void Profile_AllSevenPhases_EqualsTheManualCalculation()
         {
-            // Jerk for 0.1 s up to 5000 mm/s², 0.1 s constant, 0.1 s back: 1000 mm/s after 0.3 s and 150 mm. Then 200 mm of cruise in 0.2 s.
+            // The acceleration rises to 5000 mm/s² in 0.1 s, stays constant for 0.1 s and falls in 0.1 s. The speed is then 1000 mm/s, after
+            // 150 mm. The cruise takes 0.2 s for 200 mm.
             var profile = new SevenPhaseProfile(500, 1000, 5000, 50000);
 
             Assert.That(profile.Duration, Is.EqualTo(0.8).Within(1e-14));
@@ -39,9 +40,9 @@ namespace Nowpose.Tests.Core
             Assert.That(profile.AccelerationAt(0.75), Is.EqualTo(-2500).Within(1e-8));
         }
 
-        // No cruise: v²/a + v a/j = d, so T = 2 (v/a + a/j) = a/j + sqrt((a/j)² + 4 d/a).
+        // Without cruise, v²/a + v a/j = d, so T = 2 (v/a + a/j) = a/j + sqrt((a/j)² + 4 d/a).
         [TestCase(200, 0.1 + 0.4123105625617661)]
-        // Jerk only: 4 (d / 2j)^(1/3).
+        // With constant jerk only, T = 4 (d / 2j)^(1/3).
         [TestCase(10, 0.18566355334451112)]
         public void Duration_ShortStroke_EqualsTheClosedForm(double distance, double expected)
         {
@@ -67,7 +68,7 @@ namespace Nowpose.Tests.Core
             Assert.That(profile.PositionAt(end), Is.EqualTo(move[0]));
             Assert.That(profile.PositionAt(end + 1), Is.EqualTo(move[0]));
             Assert.That(profile.PositionAt(end - instant), Is.EqualTo(move[0]).Within(1e-12 * Math.Abs(move[0])));
-            // The jerk is at its limit at the end of the last phase.
+            // Until the end, the jerk is at its limit. It determines the velocity and the acceleration that remain at this instant.
             Assert.That(profile.VelocityAt(end - instant), Is.EqualTo(0).Within(move[3] * instant * instant));
             Assert.That(profile.AccelerationAt(end - instant), Is.EqualTo(0).Within(move[3] * instant * 1.1));
             Assert.That(profile.VelocityAt(end + 1), Is.EqualTo(0));

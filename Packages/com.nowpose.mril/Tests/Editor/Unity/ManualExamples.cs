@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>The code of the manual's pages, compiled here. A test of the repository checks that both are the same.</summary>
+    /// <summary>Compiles the code of the manual's pages. A test of the repository checks that the pages contain the same code.</summary>
     static class ManualExamples
     {
         internal static void Follow(MrilSession session, RobotRig rig, GameObject warning, Transform lamp)

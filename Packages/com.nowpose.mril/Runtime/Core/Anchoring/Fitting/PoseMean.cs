@@ -22,7 +22,7 @@ namespace Nowpose.Anchoring.Fitting
         const int Rounds = 4;
 
         /// <summary>Maximum difference between the two halves, in its standard errors. Noise alone exceeds it once in 100 000 cases.</summary>
-        const double Sure = 3;
+        const double MaxStandardErrors = 3;
 
         readonly double _shiftMetres, _shiftRadians;
 
@@ -58,7 +58,8 @@ namespace Nowpose.Anchoring.Fitting
         /// <param name="metres">Difference that is always allowed, even with little scatter.</param>
         /// <param name="radians">Angle difference that is always allowed.</param>
         public bool IsSteady(double metres, double radians) =>
-            _shiftMetres <= Math.Max(metres, 2 * Sure * ErrorMetres) && _shiftRadians <= Math.Max(radians, 2 * Sure * ErrorRadians);
+            _shiftMetres <= Math.Max(metres, 2 * MaxStandardErrors * ErrorMetres)
+            && _shiftRadians <= Math.Max(radians, 2 * MaxStandardErrors * ErrorRadians);
 
         /// <param name="count">Number of newest poses to use; one or more.</param>
         public static PoseMean Of(PoseWindow window, int count, PoseMeanSpace space)

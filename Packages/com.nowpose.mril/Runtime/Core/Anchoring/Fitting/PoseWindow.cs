@@ -28,10 +28,10 @@ namespace Nowpose.Anchoring.Fitting
 
         public void Clear() => Count = 0;
 
-        /// <param name="back">0 for the newest pose, 1 for the one before, and so on.</param>
+        /// <param name="back">0 for the newest pose, 1 for the previous pose, and so on.</param>
         public ref readonly RigidTransform PoseOf(int back) => ref _poses[(_next - 1 - back + Capacity) % Capacity];
 
-        /// <param name="back">0 for the newest pose, 1 for the one before, and so on.</param>
+        /// <param name="back">0 for the newest pose, 1 for the previous pose, and so on.</param>
         public HeadsetTime TimeOf(int back) => _times[(_next - 1 - back + Capacity) % Capacity];
 
         /// <summary>Returns how many of the newest poses are needed to span at least the given time; 0 if all poses together span less.</summary>

@@ -14,7 +14,7 @@ namespace Nowpose.Anchoring.Tracking
         static readonly TimeSpan InView = TimeSpan.FromSeconds(1);
 
         /// <summary>Time without a report of any code after which the camera may not be working.</summary>
-        static readonly TimeSpan Blind = TimeSpan.FromSeconds(10);
+        static readonly TimeSpan CameraTimeout = TimeSpan.FromSeconds(10);
 
         readonly AnchoringSettings _settings;
         Subject _shown;
@@ -86,8 +86,8 @@ namespace Nowpose.Anchoring.Tracking
         Subject Look(BaseTracker tracker, HeadsetTime now)
         {
             var since = tracker.LastReport is HeadsetTime reported && reported > _searching.Value ? reported : _searching.Value;
-            var isBlind = tracker.SourceProblem == null && now - since > Blind;
-            return new Subject(Kind.Looking, tracker.SourceProblem, count: isBlind ? 1 : 0);
+            var isCameraSuspect = tracker.SourceProblem == null && now - since > CameraTimeout;
+            return new Subject(Kind.Looking, tracker.SourceProblem, count: isCameraSuspect ? 1 : 0);
         }
 
         static Subject Move(BaseTracker tracker)

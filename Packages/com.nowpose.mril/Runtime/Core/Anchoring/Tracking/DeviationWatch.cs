@@ -15,7 +15,7 @@ namespace Nowpose.Anchoring.Tracking
         const double SdPerMedian = 1.4826, MedianPerMean = 1.2533;
 
         /// <summary>Minimum excess over the limit, in sd of the median, so that the state does not alternate for a marker at the limit.</summary>
-        const double Sure = 3;
+        const double MinStandardErrors = 3;
 
         /// <summary>Maximum age of the poses. If there are fewer than the minimum number, poses up to the second age are used, too.</summary>
         static readonly TimeSpan Recent = TimeSpan.FromMilliseconds(600), Oldest = TimeSpan.FromSeconds(5);
@@ -55,7 +55,7 @@ namespace Nowpose.Anchoring.Tracking
 
         /// <summary>Whether the deviation exceeds the limits by more than its own uncertainty.</summary>
         public bool IsBeyond(double metres, double radians) =>
-            IsKnown && (Metres > metres + Sure * _metresSd || Radians > radians + Sure * _radiansSd);
+            IsKnown && (Metres > metres + MinStandardErrors * _metresSd || Radians > radians + MinStandardErrors * _radiansSd);
 
         /// <summary>Whether the deviation is clearly within the limits.</summary>
         public bool IsWithin(double metres, double radians) => IsKnown && Metres < 0.7 * metres && Radians < 0.7 * radians;

@@ -7,9 +7,9 @@ namespace Nowpose.Anchoring.Tracking
     sealed class EasedPose
     {
         /// <summary>Number of time constants in the configured duration, after which 2 % of the difference remain.</summary>
-        const double Constants = 4;
+        const double TimeConstants = 4;
 
-        /// <summary>Differences below these are not visible.</summary>
+        /// <summary>Differences below these values are not visible.</summary>
         const double NearMetres = 1e-6, NearRadians = 1e-6;
 
         /// <summary>Maximum time step, so that the motion continues after a pause from where it was interrupted.</summary>
@@ -42,7 +42,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             if (_ease <= TimeSpan.Zero) return 1;
             if (passed > MaxFrameTime) passed = MaxFrameTime;
-            return passed > TimeSpan.Zero ? 1 - Math.Exp(-Constants * passed.Ticks / _ease.Ticks) : 0;
+            return passed > TimeSpan.Zero ? 1 - Math.Exp(-TimeConstants * passed.Ticks / _ease.Ticks) : 0;
         }
     }
 }

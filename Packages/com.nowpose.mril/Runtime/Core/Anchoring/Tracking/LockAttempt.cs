@@ -13,7 +13,7 @@ namespace Nowpose.Anchoring.Tracking
         static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(250);
 
         /// <summary>Waiting time for markers that come into view a few frames later.</summary>
-        static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(80);
+        static readonly TimeSpan WaitingTime = TimeSpan.FromMilliseconds(80);
 
         readonly AnchoringSettings _settings;
         readonly PoseMeanSpace _space = new PoseMeanSpace();
@@ -49,7 +49,7 @@ namespace Nowpose.Anchoring.Tracking
             if (locked is RigidTransform known) AddParts(markers, known);
             var agreement = MarkerAgreement.Of(_estimates, _settings);
             Conflict = null;
-            if (!agreement.IsGood && !LeaveOut(agreement)) return false;
+            if (!agreement.IsGood && !TryExclude(agreement)) return false;
             Fitted = agreement.Fitted;
             for (var i = 0; i < _estimated.Count; i++) _estimated[i].Join(_estimates[i].From(Fitted.Inverse));
             return true;
@@ -91,7 +91,7 @@ namespace Nowpose.Anchoring.Tracking
         bool IsWorthWaiting(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)
         {
             _ready ??= now;
-            if (now - _ready.Value >= Patience) return false;
+            if (now - _ready.Value >= WaitingTime) return false;
             for (var i = 0; i < markers.Count; i++)
                 if (markers[i].IsOpen && !_estimated.Contains(markers[i]) && markers[i].IsFresh(now)) return true;
             return false;
@@ -108,7 +108,7 @@ namespace Nowpose.Anchoring.Tracking
         }
 
         /// <returns>Whether the remaining markers are sufficient.</returns>
-        bool LeaveOut(in MarkerAgreement agreement)
+        bool TryExclude(in MarkerAgreement agreement)
         {
             var isClear = agreement.Wrong >= 0;
             var wrong = _estimated[isClear ? agreement.Wrong : 0];

@@ -11,9 +11,9 @@ namespace Nowpose.Anchoring.Tracking
     readonly struct MarkerAgreement
     {
         /// <summary>
-        /// Fraction of a marker's position error that appears in its own misfit. A fit distributes the error over the markers, one half each
-        /// for two markers. An angle error of a print appears completely in its own misfit, because mainly the positions determine the rotation
-        /// of the base.
+        /// Fraction of a marker's position error that appears in its own misfit. A fit distributes the error over the markers, half to each
+        /// of two markers. An angle error of a print appears completely in its own misfit, because mainly the positions determine the
+        /// rotation of the base.
         /// </summary>
         const double Shared = 0.5;
 
@@ -36,10 +36,10 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Index of the marker that the other markers contradict; −1 if there is none or if it cannot be determined.</summary>
         public int Wrong { get; }
 
-        /// <summary>Base from all markers except the wrong one.</summary>
+        /// <summary>Base from all markers except the wrong marker.</summary>
         public RigidTransform Fitted { get; }
 
-        /// <summary>Deviation of the wrong marker, or of the markers from each other if the wrong one is unknown, in metres.</summary>
+        /// <summary>Deviation of the wrong marker, or of the markers from each other if the wrong marker is unknown, in metres.</summary>
         public double Metres { get; }
 
         public double Radians { get; }

@@ -51,9 +51,9 @@ namespace Nowpose.Anchoring.Tracking
             foreach (var marker in _markers) marker.Restart();
         }
 
-        public void ForgetSeen()
+        public void RemoveSightings()
         {
-            foreach (var marker in _markers) marker.ForgetSeen();
+            foreach (var marker in _markers) marker.RemoveSightings();
         }
 
         /// <param name="payload">Null for the base itself.</param>

@@ -7,7 +7,7 @@ namespace Nowpose.Anchoring.Tracking
     readonly struct RelockedFrom
     {
         /// <summary>Time without a marker in view after which the search ends.</summary>
-        static readonly TimeSpan Patience = TimeSpan.FromSeconds(15);
+        static readonly TimeSpan SearchTimeout = TimeSpan.FromSeconds(15);
 
         readonly HeadsetTime _since;
 
@@ -26,9 +26,9 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Returns whether no marker has been in view for that time.</summary>
         public bool IsOver(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)
         {
-            if (now - _since < Patience) return false;
+            if (now - _since < SearchTimeout) return false;
             for (var i = 0; i < markers.Count; i++)
-                if (markers[i].LastSeen is HeadsetTime seen && now - seen < Patience) return false;
+                if (markers[i].LastSeen is HeadsetTime seen && now - seen < SearchTimeout) return false;
             return true;
         }
     }

@@ -29,10 +29,10 @@ namespace Nowpose.Anchoring.Tracking
             if (age > settings.Oldest || age < -Ahead) return SightingFault.Old;
             if (marker.SizeMetres > 0 && sighting.SizeMetres > 0
                 && Math.Abs(sighting.SizeMetres - marker.SizeMetres) > MaxSizeDeviation * marker.SizeMetres) return SightingFault.OtherSize;
-            return head is RigidTransform eyes ? JudgeView(pose, eyes, settings) : SightingFault.None;
+            return head is RigidTransform eyes ? CheckView(pose, eyes, settings) : SightingFault.None;
         }
 
-        static SightingFault JudgeView(in RigidTransform pose, in RigidTransform head, AnchoringSettings settings)
+        static SightingFault CheckView(in RigidTransform pose, in RigidTransform head, AnchoringSettings settings)
         {
             double x = head.X - pose.X, y = head.Y - pose.Y, z = head.Z - pose.Z;
             var distance = PoseNumbers.Length(x, y, z);

@@ -9,7 +9,7 @@ namespace Nowpose.Latency.Calibration
         const int Window = 30;
 
         /// <summary>Maximum difference between the speeds of the two halves of the window: relative, or in mm/s, whichever is larger.</summary>
-        const double Alike = 0.1, AlikeMmPerS = 3;
+        const double MaxDifference = 0.1, MaxDifferenceMmPerS = 3;
 
         readonly double[] _seconds = new double[Window], _mm = new double[Window];
         ControlTime _epoch, _newest;
@@ -25,7 +25,7 @@ namespace Nowpose.Latency.Calibration
             {
                 if (_count < Window) return false;
                 var (older, newer) = (Slope(0, Window / 2), Slope(Window / 2, Window / 2));
-                return Math.Abs(newer - older) <= Math.Max(AlikeMmPerS, Alike * Math.Abs(Slope(0, Window)));
+                return Math.Abs(newer - older) <= Math.Max(MaxDifferenceMmPerS, MaxDifference * Math.Abs(Slope(0, Window)));
             }
         }
 

@@ -11,7 +11,7 @@ namespace Nowpose.Latency.Calibration
         const double MinSpeedMmPerS = 20;
 
         /// <summary>Maximum deviation of a mark's speed from the mean, relative to the mean.</summary>
-        const double SameSpeed = 0.1;
+        const double MaxSpeedDeviation = 0.1;
 
         readonly double _usedVisuMs;
         readonly List<(double OffsetMm, double SpeedMmPerS)> _marks = new List<(double, double)>();
@@ -30,7 +30,7 @@ namespace Nowpose.Latency.Calibration
         {
             if (!(Math.Abs(speedMmPerS) >= MinSpeedMmPerS))
                 throw new InputException(NudgeMessages.TooSlow(speedMmPerS, MinSpeedMmPerS));
-            if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > SameSpeed * Speed)
+            if (_marks.Count > 0 && Math.Abs(Math.Abs(speedMmPerS) - Speed) > MaxSpeedDeviation * Speed)
                 throw new InputException(NudgeMessages.OtherSpeed(Math.Abs(speedMmPerS), Speed));
             _marks.Add((offsetMm, speedMmPerS));
         }
@@ -53,7 +53,8 @@ namespace Nowpose.Latency.Calibration
             }
         }
 
-        // Both directions have equal weight regardless of their number of marks, because the half difference uses the mean of each.
+        // Both directions have equal weight regardless of their number of marks, because half the difference of the directions is computed
+        // from the mean of each direction.
         double Speed
         {
             get

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Latency.DisplayTime
 {
-    /// <summary>Detects a lasting difference between the display times that a runtime predicts and the calibrated ones.</summary>
+    /// <summary>Detects a lasting difference between the display times that a runtime predicts and the calibrated display times.</summary>
     /// <remarks>
     /// Such a difference means that either the calibration is for other conditions (another mode of the display, another version of the
     /// runtime) or the prediction is incomplete. Single frames with a bad prediction are ignored. Allocates nothing; not thread-safe.
@@ -15,7 +15,7 @@ namespace Nowpose.Latency.DisplayTime
         static readonly TimeSpan MaxDifference = TimeSpan.FromMilliseconds(5);
 
         /// <summary>Hysteresis: the difference must fall below this value before the times count as consistent again.</summary>
-        static readonly TimeSpan Agreeing = TimeSpan.FromMilliseconds(4);
+        static readonly TimeSpan ConsistentBelow = TimeSpan.FromMilliseconds(4);
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 
@@ -42,7 +42,7 @@ namespace Nowpose.Latency.DisplayTime
             _newest = frameStart;
             _recent.Add(predictedMinusCalibrated);
             if (!(Difference is TimeSpan median)) return;
-            var contradictsState = IsInconsistent ? median.Duration() < Agreeing : median.Duration() > MaxDifference;
+            var contradictsState = IsInconsistent ? median.Duration() < ConsistentBelow : median.Duration() > MaxDifference;
             if (!contradictsState) _since = null;
             else if (frameStart - (_since ??= frameStart) >= Lasting) Toggle();
         }

@@ -62,8 +62,8 @@ namespace Nowpose.Latency.DisplayTime
 
         /// <summary>Returns the display time of a frame.</summary>
         /// <param name="isComparable">
-        /// False when a comparison with the calibration is not meaningful: the render time shows that L_visu is not the calibrated one,
-        /// or the frame is computed a second time.
+        /// False when a comparison with the calibration is not meaningful: the render time shows that L_visu differs from the calibrated
+        /// value, or the frame is computed a second time.
         /// </param>
         public HeadsetTime LightOf(HeadsetTime frameStart, bool isComparable)
         {

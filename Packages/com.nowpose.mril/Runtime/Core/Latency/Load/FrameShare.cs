@@ -14,7 +14,7 @@ namespace Nowpose.Latency.Load
         /// Divisor: a shorter step lowers the expected duration by the difference divided by this value, because the next step may be long
         /// again.
         /// </summary>
-        const int Patience = 8;
+        const int DecreaseDivisor = 8;
 
         readonly TimeSpan _share;
         readonly TimeSpan[] _expected;
@@ -45,7 +45,7 @@ namespace Nowpose.Latency.Load
         {
             _hasWorked = true;
             var shorter = _expected[kind] - length;
-            _expected[kind] = shorter > TimeSpan.Zero ? _expected[kind] - shorter / Patience : length;
+            _expected[kind] = shorter > TimeSpan.Zero ? _expected[kind] - shorter / DecreaseDivisor : length;
         }
     }
 }

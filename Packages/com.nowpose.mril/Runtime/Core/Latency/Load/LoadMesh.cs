@@ -24,7 +24,7 @@ namespace Nowpose.Latency.Load
 
         const int MinPatchVertices = 3;
 
-        static readonly int[] FromTheMiddle = SortedByDistance();
+        static readonly int[] CentreOutwards = SortedByDistance();
 
         /// <summary>Returns the number of patches of a load. The last patch may be incomplete.</summary>
         /// <exception cref="InputException">The number is below 0 or above <see cref="MaxVertices"/>.</exception>
@@ -42,7 +42,7 @@ namespace Nowpose.Latency.Load
         /// <param name="vertices">Number of vertices of the whole load.</param>
         public static LoadPatch PatchOf(int patch, int vertices)
         {
-            var place = FromTheMiddle[patch];
+            var place = CentreOutwards[patch];
             return new LoadPatch(
                 Math.Min(PatchVertices, vertices - patch * PatchVertices),
                 (float)(place % PatchColumns) / PatchColumns - 0.5f,

@@ -50,7 +50,7 @@ namespace Nowpose.Latency.Load
         }
 
         /// <summary>
-        /// Writes the triangles whose last vertex is the given one into the index array. The winding is clockwise when seen along +z.
+        /// Writes the triangles whose last vertex is the given vertex into the index array. The winding is clockwise when seen along +z.
         /// </summary>
         /// <param name="indices">Indices of the whole patch, length <see cref="Indices"/> or more.</param>
         public void WriteTriangles(int vertex, int[] indices)

@@ -10,13 +10,13 @@ namespace Nowpose.Latency.Sweep
         const int MinLoads = 3;
 
         /// <summary>Minimum significant rise, in standard errors.</summary>
-        const double Certainty = 4;
+        const double MinStandardErrors = 4;
 
         /// <summary>Minimum rise, relative to the render time at low loads. A smaller rise cannot be separated from the scatter of frames.</summary>
         const double MinRise = 0.1;
 
         /// <summary>Rise, relative to the render time at low loads, that cannot be drift within a short sweep.</summary>
-        const double PlainRise = 0.5;
+        const double ClearRise = 0.5;
 
         /// <param name="visits">Visits in chronological order, with three different loads or more.</param>
         SweepPass(IReadOnlyList<SweepVisit> visits, SweepDrift drift)
@@ -29,7 +29,7 @@ namespace Nowpose.Latency.Sweep
             LowVertices = low.Average(visit => visit.Vertices);
             HighVertices = high.Average(visit => visit.Vertices);
             var variance = drift.Error * drift.Error + low.Concat(high).Sum(visit => visit.RenderError * visit.RenderError) / (third * third);
-            NeededMs = Math.Max(MinRise * Math.Abs(LowMs), Certainty * Math.Sqrt(variance));
+            NeededMs = Math.Max(MinRise * Math.Abs(LowMs), MinStandardErrors * Math.Sqrt(variance));
         }
 
         /// <summary>Mean render time at the lowest third of the loads, ms.</summary>
@@ -54,38 +54,38 @@ namespace Nowpose.Latency.Sweep
         /// </summary>
         public static List<SweepPass> Of(IReadOnlyList<SweepVisit> visits)
         {
-            var ways = Ways(visits).Where(IsEnough).ToList();
-            if (ways.Count == 0 && IsEnough(visits)) ways.Add(visits.ToList());
-            var isUpAndDown = ways.Any(IsUp) && !ways.All(IsUp);
-            return ways.ConvertAll(way => isUpAndDown ? new SweepPass(way, SweepDrift.None) : WithoutDrift(way, SweepDrift.Of(visits)));
+            var runs = RunsOf(visits).Where(IsEnough).ToList();
+            if (runs.Count == 0 && IsEnough(visits)) runs.Add(visits.ToList());
+            var isUpAndDown = runs.Any(IsUp) && !runs.All(IsUp);
+            return runs.ConvertAll(run => isUpAndDown ? new SweepPass(run, SweepDrift.None) : WithoutDrift(run, SweepDrift.Of(visits)));
         }
 
-        // A short sweep measures drift inaccurately, and its drift is far smaller than a clear rise.
-        static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> way, SweepDrift drift)
+        // Subtracts the drift, unless the rise is clear and the drift is measured too inaccurately, as in a short sweep.
+        static SweepPass WithoutDrift(IReadOnlyList<SweepVisit> run, SweepDrift drift)
         {
-            var asIs = new SweepPass(way, SweepDrift.None);
-            var isPlain = asIs.RiseMs >= Math.Max(asIs.NeededMs, PlainRise * Math.Abs(asIs.LowMs));
-            return isPlain && Certainty * drift.Error > asIs.RiseMs / 2 ? asIs : new SweepPass(way, drift);
+            var unchanged = new SweepPass(run, SweepDrift.None);
+            var isClear = unchanged.RiseMs >= Math.Max(unchanged.NeededMs, ClearRise * Math.Abs(unchanged.LowMs));
+            return isClear && MinStandardErrors * drift.Error > unchanged.RiseMs / 2 ? unchanged : new SweepPass(run, drift);
         }
 
         static bool IsEnough(IReadOnlyList<SweepVisit> visits) => visits.Select(visit => visit.Vertices).Distinct().Count() >= MinLoads;
 
         /// <summary>Splits visits into runs of one direction. A load at which the direction changes belongs to both runs.</summary>
-        static IEnumerable<List<SweepVisit>> Ways(IReadOnlyList<SweepVisit> visits)
+        static IEnumerable<List<SweepVisit>> RunsOf(IReadOnlyList<SweepVisit> visits)
         {
-            var way = new List<SweepVisit>();
+            var run = new List<SweepVisit>();
             foreach (var visit in visits)
             {
-                if (way.Count >= 2 && visit.Vertices > way[way.Count - 1].Vertices != IsUp(way))
+                if (run.Count >= 2 && visit.Vertices > run[run.Count - 1].Vertices != IsUp(run))
                 {
-                    yield return way;
-                    way = new List<SweepVisit> { way[way.Count - 1] };
+                    yield return run;
+                    run = new List<SweepVisit> { run[run.Count - 1] };
                 }
-                way.Add(visit);
+                run.Add(visit);
             }
-            yield return way;
+            yield return run;
         }
 
-        static bool IsUp(IReadOnlyList<SweepVisit> way) => way[1].Vertices > way[0].Vertices;
+        static bool IsUp(IReadOnlyList<SweepVisit> run) => run[1].Vertices > run[0].Vertices;
     }
 }

@@ -10,7 +10,7 @@ namespace Nowpose.Latency.Sweep
 
         public SweepRun(SweepPlan plan) => _plan = plan ?? throw new ArgumentNullException(nameof(plan));
 
-        /// <summary>Number of completed loads, which is the index of the current one.</summary>
+        /// <summary>Number of completed loads, which is the index of the current load.</summary>
         public int Index { get; private set; }
 
         public bool IsDone => Index == _plan.Loads.Count;
@@ -21,8 +21,8 @@ namespace Nowpose.Latency.Sweep
         /// <summary>Adds a finished frame.</summary>
         /// <param name="start">Start of the frame.</param>
         /// <param name="isReady">
-        /// Whether the frame showed the complete load and its control time is known. The time of a load starts with the first such frame
-        /// and restarts after any other frame.
+        /// Whether the frame showed the complete load and the control time of the frame is known. The time of a load starts with the first
+        /// such frame and restarts after any other frame.
         /// </param>
         /// <returns>Whether the load changes from now on or the sweep is done.</returns>
         public bool Advance(HeadsetTime start, bool isReady)

@@ -37,7 +37,7 @@ namespace Nowpose.Latency.Sweep
         /// <summary>Variance of <see cref="Drift"/>, (ms/s)².</summary>
         public double DriftVariance { get; }
 
-        /// <summary>Returns the visits in chronological order, without those that have too few render times.</summary>
+        /// <summary>Returns the visits in chronological order, without visits that have too few render times.</summary>
         /// <param name="rows">Rows of the sweep, one or more.</param>
         /// <param name="source">Source of the render times; times of other sources are ignored.</param>
         /// <param name="fewest">Minimum number of render times of a visit, 3 or more.</param>

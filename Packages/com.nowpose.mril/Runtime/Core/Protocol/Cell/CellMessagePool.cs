@@ -7,7 +7,8 @@ namespace Nowpose.Protocol.Cell
         where T : class
     {
         /// <summary>
-        /// Maximum number of kept messages. A source at 1 kHz sends 17 per frame at 60 Hz; further ones, after a stall, are discarded.
+        /// Maximum number of kept messages. A source at 1 kHz sends 17 per frame at 60 Hz; the pool discards further messages, for example
+        /// after a stall.
         /// </summary>
         const int Capacity = 32;
 

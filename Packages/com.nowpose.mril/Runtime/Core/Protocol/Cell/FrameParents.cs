@@ -25,7 +25,7 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Returns the parent of a frame; null if none is known.</summary>
         public string this[string child] => _parents.TryGetValue(child, out var parent) ? parent : null;
 
-        /// <summary>Sets the parent of a frame, unless that violates a limit. In that case the previous parent is kept.</summary>
+        /// <summary>Sets the parent of a frame. If the new parent would violate a limit, the previous parent is kept.</summary>
         public DropReason TrySet(string child, string parent)
         {
             var isKnown = _parents.TryGetValue(child, out var present);

@@ -15,7 +15,7 @@ namespace Nowpose.Session.Cell
         public bool Add(T message, HeadsetTime at, out T dropped) => Add(message, at, out dropped, out _);
 
         /// <param name="dropped">The oldest message, if the queue was full.</param>
-        /// <param name="droppedAt">Its arrival.</param>
+        /// <param name="droppedAt">Arrival time of the dropped message.</param>
         /// <returns>Whether a message was dropped.</returns>
         public bool Add(T message, HeadsetTime at, out T dropped, out HeadsetTime droppedAt)
         {

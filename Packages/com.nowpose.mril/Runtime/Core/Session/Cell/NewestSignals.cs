@@ -28,7 +28,7 @@ namespace Nowpose.Session.Cell
         readonly Dictionary<string, ArrivedSignal> _values = new Dictionary<string, ArrivedSignal>(StringComparer.Ordinal);
 
         /// <summary>Keeps a value unless the kept value of the same signal has a later stamp.</summary>
-        /// <returns>Reason why the given or the kept value was dropped; <see cref="DropReason.None"/> if neither was.</returns>
+        /// <returns>Reason why the given or the kept value was dropped; <see cref="DropReason.None"/> if neither value was dropped.</returns>
         public DropReason Keep(in ArrivedSignal arrived)
         {
             lock (_gate)

@@ -12,7 +12,7 @@ namespace Nowpose.Session.Cell
     /// <summary>Receives the frames of a session's cell, predicts them to the display time, and determines their states.</summary>
     sealed class SessionFrames
     {
-        /// <summary>Queue capacity for tracked frames, in messages. They wait for a display frame with a known control time.</summary>
+        /// <summary>Queue capacity for tracked frames, in messages. Messages wait for a display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
         /// <summary>Queue capacity for stationary frames, in messages: one per frame, because each pose is sent only once.</summary>
@@ -49,7 +49,7 @@ namespace Nowpose.Session.Cell
         /// <summary>Returns whether a frame of the cell has the name of the robot's root link. Such a frame places the robot's base.</summary>
         public bool HasBaseOf(SessionRobot robot) => Find(robot.Root) != null;
 
-        /// <summary>Predicts a frame from now on, whether a pose of it has been received or not.</summary>
+        /// <summary>Predicts a frame from now on, even if no pose of the frame has been received yet.</summary>
         public void Need(string name) => _needed.Need(name);
 
         /// <summary>Places a stationary frame manually until a source publishes it, and shows it from now on.</summary>
@@ -61,14 +61,14 @@ namespace Nowpose.Session.Cell
             return _needed.Add(pose.ToTransform(default, FrameParents.World, name), isStationary: true);
         }
 
-        /// <summary>Returns a frame; null if no pose of it has been received since <see cref="Need"/>.</summary>
+        /// <summary>Returns a frame; null if no pose of the frame has been received since <see cref="Need"/>.</summary>
         public CellFrame Find(string name)
         {
             var index = Tree.IndexOf(name);
             return index < 0 ? null : Tree[index];
         }
 
-        /// <summary>Returns the state of a frame's displayed pose, with the same states as for a robot's pose.</summary>
+        /// <summary>Returns the state of a frame's displayed pose. The states have the same meaning as for a robot's pose.</summary>
         /// <param name="frame">A frame of <see cref="Tree"/>; null for an unknown frame.</param>
         public PoseState StateOf(CellFrame frame)
         {

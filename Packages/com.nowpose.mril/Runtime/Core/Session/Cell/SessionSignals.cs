@@ -13,7 +13,7 @@ namespace Nowpose.Session.Cell
     /// <summary>Signals of a session's cell, with their values at the display time and their faults.</summary>
     sealed class SessionSignals
     {
-        /// <summary>Queue capacity in messages. They wait for a display frame with a known control time.</summary>
+        /// <summary>Queue capacity in messages. Messages wait for a display frame with a known control time.</summary>
         const int QueueLength = 1000;
 
         readonly Arrivals<SignalsMessage> _arrivals = new Arrivals<SignalsMessage>(QueueLength);

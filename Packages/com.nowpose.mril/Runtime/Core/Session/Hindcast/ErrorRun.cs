@@ -3,7 +3,10 @@ using System;
 namespace Nowpose.Session.Hindcast
 {
     /// <summary>Errors of one quantity over a run of any length. Allocates nothing after construction.</summary>
-    /// <remarks>When the maximum number of batches is reached, adjacent batches are merged: batches become larger, not more.</remarks>
+    /// <remarks>
+    /// When the maximum number of batches is reached, adjacent batches are merged, so that the batches become larger and their number stays
+    /// limited.
+    /// </remarks>
     sealed class ErrorRun
     {
         const int MaxBatches = 32;

@@ -10,8 +10,8 @@ namespace Nowpose.Session.Hindcast
     /// </summary>
     /// <remarks>
     /// The true pose at a display time is the forward kinematics of the joints on the curves through their surrounding samples. It is
-    /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as
-    /// those of the clock or of L_visu. Allocates nothing after construction; single-threaded.
+    /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as errors
+    /// of the clock or of L_visu. Allocates nothing after construction; single-threaded.
     /// </remarks>
     sealed class HindcastMonitor
     {
@@ -31,7 +31,7 @@ namespace Nowpose.Session.Hindcast
         bool _hasRunBegun;
         ErrorWithheldReason _withheldOfRun;
 
-        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer one is unknown.</param>
+        /// <param name="maximumGap">Maximum interval between samples; the motion within a longer interval is unknown.</param>
         public HindcastMonitor(RobotModel robot, TimeSpan maximumGap)
         {
             _robot = robot;
@@ -65,7 +65,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Reason why the current errors are withheld.</summary>
         public ErrorWithheldReason Withheld { get; private set; }
 
-        /// <summary>Reason why the errors of the run are withheld: that of the first frame that cannot be scored.</summary>
+        /// <summary>Reason why the errors of the run are withheld, which is the reason of the first frame that cannot be scored.</summary>
         public ErrorWithheldReason WithheldOfRun => _hasRunBegun ? _withheldOfRun : Withheld;
 
         bool IsKnown => _now.HasValue && Withheld == ErrorWithheldReason.None;
@@ -96,7 +96,9 @@ namespace Nowpose.Session.Hindcast
         }
 
         /// <summary>Adds received samples, which determine the true positions of earlier frames.</summary>
-        /// <param name="joints">Indices of the message's joints among the robot's moving joints; negative for others.</param>
+        /// <param name="joints">
+        /// Index among the robot's moving joints for each joint of the message; negative for a joint that the robot does not have.
+        /// </param>
         public void Add(JointStateMessage message, ReadOnlySpan<int> joints)
         {
             for (var i = 0; i < joints.Length; i++)

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Estimates by which fraction the compensation reduces the error of the hold, and the uncertainty of that fraction.</summary>
+    /// <summary>Estimates the fraction by which the compensation reduces the error of the hold, and the uncertainty of this fraction.</summary>
     /// <remarks>
     /// The errors of neighbouring frames are similar, so frames are not independent. Batches of about one second are nearly independent.
     /// The jackknife omits one batch at a time and evaluates the change of the reduction. It is suitable for a ratio of sums, to which

@@ -15,7 +15,10 @@ namespace Nowpose.Session.Hindcast
         public double Position { get; }
     }
 
-    /// <summary>Motion of a joint between two consecutive samples: the cubic through these samples, the one before and the one after.</summary>
+    /// <summary>
+    /// Motion of a joint between two consecutive samples: the cubic through these two samples, the sample before them and the sample after
+    /// them.
+    /// </summary>
     readonly struct TruthSpan
     {
         readonly double _length, _before;
@@ -24,7 +27,10 @@ namespace Nowpose.Session.Hindcast
         /// <param name="before">Sample before the span; if it is unknown, the curve is a parabola.</param>
         /// <param name="start">Sample at the start of the span.</param>
         /// <param name="end">Sample at the end of the span, later than the start.</param>
-        /// <param name="after">Sample after the span; if it is unknown, the curve is a parabola. If both are unknown, it is a straight line.</param>
+        /// <param name="after">
+        /// Sample after the span; if it is unknown, the curve is a parabola. If the samples before and after are both unknown, the curve is
+        /// a straight line.
+        /// </param>
         public TruthSpan(in TruthSample before, in TruthSample start, in TruthSample end, in TruthSample after)
         {
             Start = start.At;
@@ -47,9 +53,10 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>Returns the position at a time within the span.</summary>
         /// <param name="uncertainty">
-        /// Half the difference between two parabolas through the span: one includes the sample before it, the other the sample after it. It is
-        /// about the error of the cubic where the motion has a kink, and more than its error where the motion is smooth. With only one of these
-        /// samples, the difference between the parabola and the straight line.
+        /// Half the difference between two parabolas through the span: one includes the sample before it, the other the sample after it.
+        /// This value is about the error of the cubic where the motion has a kink, and more than its error where the motion is smooth. If
+        /// only one of these two samples is known, half the difference is replaced by the difference between the parabola and the straight
+        /// line.
         /// </param>
         public double At(ControlTime time, out double uncertainty)
         {

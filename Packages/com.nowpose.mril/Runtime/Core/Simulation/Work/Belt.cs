@@ -27,7 +27,7 @@ namespace Nowpose.Simulation.Work
         /// <param name="stations">Number of steps from one pose to the other.</param>
         /// <param name="maxSeconds">Maximum duration of a step, s; the belt becomes faster if necessary.</param>
         /// <param name="isRing">
-        /// Whether the belt runs around the world's origin. It takes the longer way round, because the robot swings along the shorter one.
+        /// Whether the belt runs around the world's origin. It takes the longer way round, because the robot swings along the shorter way.
         /// </param>
         public Belt(in RigidTransform from, in RigidTransform to, int stations, double maxSeconds, bool isRing)
         {
@@ -36,7 +36,7 @@ namespace Nowpose.Simulation.Work
             _stations = stations;
             _way = new Vector3D(to.X - from.X, to.Y - from.Y, to.Z - from.Z);
             _startAngle = Math.Atan2(from.Y, from.X);
-            _angle = isRing ? OtherWay(Math.Atan2(to.Y, to.X) - _startAngle) : 0;
+            _angle = isRing ? LongerWay(Math.Atan2(to.Y, to.X) - _startAngle) : 0;
             _startRadius = RadiusOf(from);
             _radius = RadiusOf(to) - _startRadius;
             _turn = (UnitQuaternion.Of(from).Inverse * UnitQuaternion.Exp(new Vector3D(0, 0, -_angle)) * UnitQuaternion.Of(to)).Log();
@@ -64,7 +64,7 @@ namespace Nowpose.Simulation.Work
             return rotation.At(x, y, _from.Z + share * _way.Z);
         }
 
-        static double OtherWay(double angle)
+        static double LongerWay(double angle)
         {
             angle = Math.IEEERemainder(angle, 2 * Math.PI);
             return angle > 0 ? angle - 2 * Math.PI : angle + 2 * Math.PI;

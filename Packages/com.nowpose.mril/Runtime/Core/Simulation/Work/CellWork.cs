@@ -88,7 +88,7 @@ namespace Nowpose.Simulation.Work
             return passed < _held ? robot.Base * robot.ToolAt(seconds) * robot.InTool : OnBelt(robot, passed);
         }
 
-        /// <summary>Returns points on the upper side of the belt from a robot to the next one, in the world.</summary>
+        /// <summary>Returns points on the upper side of the belt from a robot to the next robot, in the world.</summary>
         public IEnumerable<RigidTransform> BeltBehind(int robot)
         {
             const int points = 48;

@@ -42,7 +42,7 @@ namespace Nowpose.Simulation.Work
             }
         }
 
-        // Changes of signals are never lost, because a stream repeats them.
+        // Changes of signals are never lost, because a stream retransmits lost packets.
         void Take(HeadsetTime at, in VirtualCellSettings settings)
         {
             var spread = settings.LatencyMax - settings.LatencyMin;

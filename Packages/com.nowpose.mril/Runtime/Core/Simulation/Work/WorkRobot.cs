@@ -12,7 +12,7 @@ namespace Nowpose.Simulation.Work
         readonly RobotModel _robot;
 
         /// <param name="index">Index among the robots.</param>
-        /// <param name="count">Number of robots. A single robot has no namespace and stands at the origin; a second one faces the first.</param>
+        /// <param name="count">Number of robots. A single robot has no namespace and stands at the origin; a second robot faces the first.</param>
         /// <param name="distance">Distance between two robots, as a multiple of the distance at which they grip.</param>
         public WorkRobot(RobotModel robot, IGrippingMotion motion, int index, int count, double distance)
         {

@@ -8,12 +8,14 @@ namespace Nowpose.Sync.Envelope
     /// bounds. It needs no outlier rejection, and its accuracy increases with the number of exchanges.
     /// </summary>
     /// <remarks>
-    /// An offset of Eq. (5) in the paper averages a request with its reply and is wrong if either is late. This estimator uses the two
-    /// separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
+    /// An offset of Eq. (5) in the paper averages a request with its reply and is wrong if either of them is late. This estimator uses
+    /// requests and replies separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
     /// </remarks>
     sealed class EnvelopeClockEstimator : IClockEstimator
     {
-        /// <summary>Maximum number of exchanges and their maximum age, s: three minutes at five per second. Older ones add no accuracy.</summary>
+        /// <summary>
+        /// Maximum number of exchanges and their maximum age, s: three minutes at five per second. Older exchanges add no accuracy.
+        /// </summary>
         const int History = 900;
         const double HistorySeconds = 180;
 

@@ -110,8 +110,8 @@ namespace Nowpose.Sync.Envelope
             // A single exchange contains no information about the slope.
             var known = Math.Max(_xx - _xz * _xz / zz, MinShare * slopeWeight);
             // Distance to the slope that the data alone would give, because the prior shifts the slope.
-            var pull = slopeWeight / known * Math.Abs(Curve.Slope - slopePrior);
-            SlopeError = ErrorFactor * Math.Sqrt(1 / known) + pull;
+            var priorShift = slopeWeight / known * Math.Abs(Curve.Slope - slopePrior);
+            SlopeError = ErrorFactor * Math.Sqrt(1 / known) + priorShift;
         }
 
         /// <summary>Weighted means of one side.</summary>

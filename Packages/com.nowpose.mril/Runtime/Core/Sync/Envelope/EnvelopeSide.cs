@@ -14,7 +14,7 @@ namespace Nowpose.Sync.Envelope
     sealed class EnvelopeSide
     {
         /// <summary>Quantile of the blocks from which e is measured, and quantile of e that gives the scale s.</summary>
-        const double PunctualShare = 0.75, ScaleShare = 0.4;
+        const double QuartileShare = 0.75, ScaleShare = 0.4;
 
         /// <summary>Minimum scale, s: without it, a few equal time stamps would outweigh all other bounds.</summary>
         const double MinScale = 3e-6;
@@ -25,7 +25,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const double UnsampledShare = 0.1;
 
-        /// <summary>Factor of age² in a, 1/s: a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
+        /// <summary>Factor k in a = k·age², 1/s: allows for a change of the skew by 2 ppm within 50 s that slope and bend cannot follow.</summary>
         const double AgeGrowth = 2e-8;
 
         /// <summary>
@@ -37,7 +37,7 @@ namespace Nowpose.Sync.Envelope
         /// Exponent of the number of blocks by which the scatter of the round trips is divided. The quotient is added to the scale, because few
         /// bounds may agree by chance, and a line through three late packets can be steep.
         /// </summary>
-        const double YouthPower = 1.5;
+        const double CountPower = 1.5;
 
         readonly int _sign;
         readonly double[] _x, _y, _behind, _recency, _weights;
@@ -103,10 +103,10 @@ namespace Nowpose.Sync.Envelope
                 _behind[i] = _sign * (_y[i] - curve.At(_x[i]));
                 _recency[i] = double.IsInfinity(_scale) ? 1 : 1 / (1 + Square(growth * _x[i] * _x[i] / _scale));
             }
-            var punctual = _quantile.Of(_behind, _recency, Count, PunctualShare);
-            for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, punctual - _behind[i]);
+            var quartile = _quantile.Of(_behind, _recency, Count, QuartileShare);
+            for (var i = 0; i < Count; i++) _behind[i] = Math.Max(0, quartile - _behind[i]);
             _scale = _quantile.Of(_behind, _recency, Count, ScaleShare) + MinScale + UnsampledShare * unsampled
-                + scatter / Math.Pow(Count, YouthPower);
+                + scatter / Math.Pow(Count, CountPower);
 
             growth = Growth();
             for (var i = 0; i < Count; i++)

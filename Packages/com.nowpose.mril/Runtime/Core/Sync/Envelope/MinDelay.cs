@@ -7,14 +7,13 @@ namespace Nowpose.Sync.Envelope
     /// the bounds of that direction comparable across the change.
     /// </summary>
     /// <remarks>
-    /// A longer minimum delay makes all bounds of its direction late. Uncorrected, these bounds would move the offset by half the
-    /// change and, while they replace the older ones, would look like a change of the skew. The clock rates do not change, so the
-    /// excess over the earlier minimum delay is added to each bound, and the offset and the skew are unchanged.
-    /// A delay that is shorter than all earlier ones replaces the reference, and the offset moves by half the difference.
-    /// In both cases the error is half the difference of the changes of the two directions. Until a change is recognised, the fit may follow it
-    /// by 1.2 times this amount. A change too small to separate from a wrong skew moves the offset by half of it, and widens the error if the
-    /// other direction shows that the path has changed.
-    /// Allocates nothing after construction.
+    /// A longer minimum delay makes all bounds of its direction late. Uncorrected, these bounds would move the offset by half the change
+    /// and, while they replace the older bounds, would look like a change of the skew. The clock rates do not change, so the excess over
+    /// the earlier minimum delay is added to each bound, and the offset and the skew are unchanged. A delay that is shorter than all
+    /// earlier delays replaces the reference, and the offset moves by half the difference. In both cases the error is half the difference
+    /// of the changes of the two directions. Until a change is recognised, the fit may follow it by 1.2 times this amount. A change too
+    /// small to separate from a wrong skew moves the offset by half of it, and widens the error if the other direction shows that the path
+    /// has changed. Allocates nothing after construction.
     /// </remarks>
     sealed class MinDelay
     {
@@ -36,9 +35,9 @@ namespace Nowpose.Sync.Envelope
         static readonly TimeSpan MinDurationExpected = TimeSpan.FromSeconds(3);
 
         /// <summary>
-        /// Maximum relative increase of the median lateness of a window over that of the earlier exchanges, times the square root of the
-        /// window's length. A larger increase means that the delays scatter more. About two standard errors of the median of exponential
-        /// delays.
+        /// Maximum relative increase of the median lateness of a window over the median lateness of the earlier exchanges, times the square
+        /// root of the window's length. A larger increase means that the delays scatter more. About two standard errors of the median of
+        /// exponential delays.
         /// </summary>
         const double MaxScatterGrowth = 3;
 
@@ -91,7 +90,7 @@ namespace Nowpose.Sync.Envelope
         double _excess, _excessError, _referenceError, _hiddenError;
         int _count, _sinceChange, _sinceHidden, _sinceShorter, _looks;
 
-        /// <param name="sign">1 for the bounds below the offset, from requests; −1 for those above it, from replies.</param>
+        /// <param name="sign">1 for the bounds below the offset, from requests; −1 for the bounds above it, from replies.</param>
         public MinDelay(int sign, BoundsHistory history)
         {
             _sign = sign;
@@ -162,15 +161,15 @@ namespace Nowpose.Sync.Envelope
         // Reduces the excess if the newest bound is tighter than the data prove, because its correction is then too large.
         void ReduceExcess(int count)
         {
-            var broken = Math.Min(_excess, _tightness[0] - Tightest(1, count));
-            if (broken <= 0) return;
+            var violation = Math.Min(_excess, _tightness[0] - Tightest(1, count));
+            if (violation <= 0) return;
             // A remaining excess below half the minimum change is only the lateness of single exchanges.
-            if (_excess - broken < MinChange / 2) broken = _excess;
+            if (_excess - violation < MinChange / 2) violation = _excess;
             // A small violation means that the excess was overestimated, a large one that the path changed again with this exchange.
-            var isEstimate = broken < 3 * _excessError;
-            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -broken);
-            _excessError *= 1 - broken / _excess;
-            _excess -= broken;
+            var isEstimate = violation < 3 * _excessError;
+            Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
+            _excessError *= 1 - violation / _excess;
+            _excess -= violation;
             if (!isEstimate) _sinceChange = 1;
         }
 
@@ -235,8 +234,8 @@ namespace Nowpose.Sync.Envelope
             _referenceError += more / 2;
         }
 
-        // Until a change is confirmed, relaxes a bound that is tighter than the earlier ones to their level. The change then affects the offset
-        // and not the skew.
+        // Until a change is confirmed, relaxes a bound that is tighter than the earlier bounds to the level of the earlier bounds. The
+        // change then affects the offset and not the skew.
         bool FindShorter(int count, double skewError, double resolution)
         {
             var earlier = Math.Min(count, ShorterWindow + MaxEarlier);

@@ -4,8 +4,8 @@ namespace Nowpose.Sync.Envelope
 {
     /// <summary>Interval of the offsets that are consistent with the recent exchanges; valid for any network.</summary>
     /// <remarks>
-    /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3, widened by half the resolution that the
-    /// control clock stated in it. A server that follows another clock states its own error bound. The bounds of the true offset are
+    /// No packet arrives before it was sent, so each exchange proves t1 − t2 ≤ Φ ≤ t4 − t3, widened by half the resolution that the control
+    /// clock stated in that exchange. A server that follows another clock states its own error bound. The bounds of the true offset are
     /// therefore wider by the maximum error bound stated in that exchange or later. An older bound is extrapolated to the present with the
     /// estimated skew and widened by the error of the skew. The resulting interval is about as long as the minimum recent round-trip time.
     /// </remarks>
@@ -29,12 +29,12 @@ namespace Nowpose.Sync.Envelope
 
         public void Reset() => _history.Clear();
 
-        /// <summary>Returns whether an exchange is consistent with the recent ones within a margin; false after a clock step.</summary>
+        /// <summary>Returns whether an exchange is consistent with recent exchanges within a margin; false after a clock step.</summary>
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
         {
-            var proof = new OffsetBounds(exchange);
+            var bounds = new OffsetBounds(exchange);
             var (lower, upper) = At(exchange.T4, line, includeServerError: false);
-            return proof.Lower - proof.HalfResolution <= upper + margin.Ticks && proof.Upper + proof.HalfResolution >= lower - margin.Ticks;
+            return bounds.Lower - bounds.HalfResolution <= upper + margin.Ticks && bounds.Upper + bounds.HalfResolution >= lower - margin.Ticks;
         }
 
         /// <summary>
@@ -48,7 +48,9 @@ namespace Nowpose.Sync.Envelope
             return new TimeSpan(Math.Max(Math.Abs(upper - offset), Math.Abs(offset - lower)));
         }
 
-        /// <summary>Returns the server's error bound for a line through the recent exchanges: the mean bound, but at least the newest.</summary>
+        /// <summary>
+        /// Returns the server's error bound for a line through the recent exchanges: the mean bound, but at least the newest bound.
+        /// </summary>
         public TimeSpan ServerErrorBound()
         {
             if (_history.Count == 0) return default;
@@ -57,7 +59,7 @@ namespace Nowpose.Sync.Envelope
             return new TimeSpan(Math.Max(_history[0].ServerErrorBound, (long)(sum / _history.Count)));
         }
 
-        /// <summary>Replaces the contents of a corridor with the bounds relative to the line, without those of the newest exchanges.</summary>
+        /// <summary>Replaces the contents of a corridor with the bounds relative to the line, without the bounds of the newest exchanges.</summary>
         /// <param name="newest">Number of newest exchanges to omit; the result may be empty.</param>
         public void Fill(OffsetCorridor corridor, in ClockLine line, int newest)
         {
@@ -73,17 +75,17 @@ namespace Nowpose.Sync.Envelope
             long lower = long.MinValue / 2, upper = long.MaxValue / 2, serverError = 0;
             for (var i = 0; i < _history.Count; i++)
             {
-                ref readonly var proof = ref _history[i];
+                ref readonly var bounds = ref _history[i];
                 // Starts with the newest: a server that states a larger error now may have had it since an earlier exchange.
-                if (includeServerError) serverError = Math.Max(serverError, proof.ServerErrorBound);
-                var margin = proof.HalfResolution + serverError;
-                lower = Math.Max(lower, Carried(proof.Lower, now - proof.Sent, line.Skew, -skewError) - margin);
-                upper = Math.Min(upper, Carried(proof.Upper, now - proof.Received, line.Skew, skewError) + margin);
+                if (includeServerError) serverError = Math.Max(serverError, bounds.ServerErrorBound);
+                var margin = bounds.HalfResolution + serverError;
+                lower = Math.Max(lower, Extrapolated(bounds.Lower, now - bounds.Sent, line.Skew, -skewError) - margin);
+                upper = Math.Min(upper, Extrapolated(bounds.Upper, now - bounds.Received, line.Skew, skewError) + margin);
             }
             return (lower, upper);
         }
 
-        static long Carried(long bound, TimeSpan age, double skew, double widening) =>
+        static long Extrapolated(long bound, TimeSpan age, double skew, double widening) =>
             bound + (long)(age.Ticks * skew) + (long)(Math.Abs(age.Ticks) * widening);
     }
 }

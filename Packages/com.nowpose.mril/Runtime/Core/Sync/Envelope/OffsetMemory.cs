@@ -3,9 +3,9 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Detects that the estimate has moved away from the extrapolation of an earlier estimate by more than its error, which indicates
-    /// a change of the path too small or too slow to be recognised. One of the two estimates is wrong by about that amount, so the
-    /// estimated error increases by it until the estimate restarts. Allocates nothing after construction.
+    /// Detects that the estimate has moved away from the extrapolation of an earlier estimate by more than the error of the estimate, which
+    /// indicates a change of the path that is too small or too slow to be recognised. One of the two estimates is wrong by about that
+    /// amount, so the estimated error increases by the same amount until the estimate restarts. Allocates nothing after construction.
     /// </summary>
     sealed class OffsetMemory
     {

@@ -27,9 +27,9 @@ namespace Nowpose.Sync.Envelope
             var shortest = ClockTicks.Seconds(late.Sent - early.Received);
             var longest = ClockTicks.Seconds(late.Received - early.Sent);
             if (!(shortest > 0)) return new ProvenSkew(double.NegativeInfinity, double.PositiveInfinity);
-            var fell = (late.Lower - early.Upper - resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
-            var rose = (late.Upper - early.Lower + resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
-            return new ProvenSkew(fell / shortest, rose / longest);
+            var minRise = (late.Lower - early.Upper - resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
+            var maxRise = (late.Upper - early.Lower + resolution.Ticks) / (double)TimeSpan.TicksPerSecond;
+            return new ProvenSkew(minRise / shortest, maxRise / longest);
         }
 
         /// <summary>Returns the possible skew that is nearest to <paramref name="skew"/>.</summary>
@@ -37,10 +37,10 @@ namespace Nowpose.Sync.Envelope
 
         static OffsetBounds Quickest(BoundsHistory history, int from, int to)
         {
-            var quickest = history[from];
+            var tightest = history[from];
             for (var i = from + 1; i < to; i++)
-                if (history[i].Upper - history[i].Lower < quickest.Upper - quickest.Lower) quickest = history[i];
-            return quickest;
+                if (history[i].Upper - history[i].Lower < tightest.Upper - tightest.Lower) tightest = history[i];
+            return tightest;
         }
     }
 }

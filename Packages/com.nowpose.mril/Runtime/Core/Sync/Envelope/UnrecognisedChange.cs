@@ -7,10 +7,10 @@ namespace Nowpose.Sync.Envelope
     /// the scatter of the delays. Allocates nothing after construction.
     /// </summary>
     /// <remarks>
-    /// The tightest bounds of the newest exchanges are compared with those of all earlier ones, for every time at which the path may have
-    /// changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little effect. The
-    /// offset follows a longer path in proportion to the weight of the exchanges since the change. A path that has become shorter shows
-    /// that the offset was wrong by half of the change.
+    /// The tightest bounds of the newest exchanges are compared with the tightest bounds of all earlier exchanges, for every time at which
+    /// the path may have changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little
+    /// effect. The offset follows a longer path in proportion to the weight of the exchanges since the change. A path that has become
+    /// shorter shows that the offset was wrong by half of the change.
     /// </remarks>
     sealed class UnrecognisedChange
     {
@@ -92,7 +92,7 @@ namespace Nowpose.Sync.Envelope
 
         HeadsetTime SentAt(int exchanges) => _history[Math.Min(exchanges, _history.Count) - 1].Sent;
 
-        // Adds the lateness of the newest blocks relative to all earlier ones, and the usual lateness of a single block.
+        // Adds the lateness of the newest blocks relative to all earlier blocks, and the usual lateness of a single block.
         void AddLateness(MinDelay delay, int blocks)
         {
             var newest = double.NegativeInfinity;
@@ -113,8 +113,9 @@ namespace Nowpose.Sync.Envelope
             if (blocks > 0) _usual += earlier - sum / blocks;
         }
 
-        // Returns the fraction of a change by which the offset has moved, if these newest exchanges are after the change. If one of the two sides
-        // has a step before the part f of its points, the line fitted to both ends f/2 + 3f(1 − f)/2 of the step away from the line without it.
+        // Returns the fraction of a change by which the offset has moved, if exactly the given number of newest exchanges is after the
+        // change. If the newest fraction f of one side's points is shifted by a step, a line fitted to both sides moves at its end by f/2 +
+        // 3f(1 − f)/2 of the step.
         double Followed(int newest)
         {
             var since = ClockTicks.Seconds(SentAt(newest) - _history[0].Received);

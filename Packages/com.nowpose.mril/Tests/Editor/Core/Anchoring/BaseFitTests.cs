@@ -86,7 +86,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // Three markers in a plane also fit their mirror image. The fit must not return a reflection.
         [Test]
-        public void Of_PositionsFarOff_ReturnsARotationNotAReflection([Range(1, 10)] int seed)
+        public void Of_LargePositionErrors_ReturnsARotationNotAReflection([Range(1, 10)] int seed)
         {
             var random = new Random(seed);
             double Some() => random.NextDouble() - 0.5;

@@ -127,7 +127,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_ClockGoesBack_CountsTheMarkerAgain()
+        public void Tick_ClockGoesBack_StillCountsSightings()
         {
             var tracker = new BaseTracker(new AnchoringSettings());
             tracker.Use("", new[] { new BaseMarker("a", RigidTransform.Identity) });

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Anchoring
         public List<Anchor> Held { get; } = new List<Anchor>();
         public bool IsReady { get; set; } = true;
 
-        /// <summary>The state of an anchor directly after its creation.</summary>
+        /// <summary>State of an anchor directly after its creation.</summary>
         public SpatialAnchorState StateAtFirst { get; set; } = SpatialAnchorState.Tracking;
 
         public ISpatialAnchor Hold(in RigidTransform pose) => Add(new Anchor(this) { Pose = pose, State = StateAtFirst });

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_OriginOrNoPose_DoesNotMoveALockedBase()
+        public void Tick_PoseAtTheOriginOrInvalid_DoesNotMoveALockedBase()
         {
             var poses = new[]
             {

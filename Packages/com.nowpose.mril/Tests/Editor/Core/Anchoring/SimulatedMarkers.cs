@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Anchoring
         /// <summary>Selects the codes that are in view. By default, all codes are in view.</summary>
         public Func<string, bool> IsInView { get; set; } = _ => true;
 
-        /// <summary>Changes a sighting before it is reported; by default it is unchanged.</summary>
+        /// <summary>Function that changes a sighting before the device reports it. By default, sightings are not changed.</summary>
         public Func<MarkerSighting, MarkerSighting> Change { get; set; } = sighting => sighting;
 
         /// <summary>True poses, in the base frame, of markers that are not at their measured place.</summary>

@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Kinematics
         {
             var pose = RigidTransform.FromXyzRpy(1, 2, 3, Math.PI / 2, Math.PI / 2, Math.PI / 2);
 
-            // Computed by hand: x → x → −z → −z; y → z → x → y; z → −y → −y → x.
+            // Images of the axes after the turns about x, y and z, computed by hand: x → x → −z → −z; y → z → x → y; z → −y → −y → x.
             Assert.That(pose.ToRowMajor16(), Is.EqualTo(new[]
             {
                 0.0, 0, 1, 1,

@@ -98,7 +98,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void CompleteMimics_MimicGiven_KeepsItAndCompletesItsMimics()
+        public void CompleteMimics_MimicPositionGiven_KeepsItAndCompletesTheJointsThatFollowIt()
         {
             var model = UrdfFiles.Robot("odd_axes");
             var positions = new double[model.MovingJoints.Count];

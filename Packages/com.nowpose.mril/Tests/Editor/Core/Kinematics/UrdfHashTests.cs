@@ -18,11 +18,11 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<robot name=\"r\">\r<link name=\"a\"/>\r</robot>")]
         [TestCase("\uFEFF<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\n")]
         [TestCase(" \t\r\n<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\r\n\r\n")]
-        public void Of_TextAfterTransport_IsEqual(string travelled)
+        public void Of_LineEndsOrOuterWhitespaceChanged_IsEqual(string changed)
         {
-            Assert.That(UrdfHash.Of(travelled), Is.EqualTo(UrdfHash.Of(Text)));
-            Assert.That(UrdfHash.Of(travelled) == UrdfHash.Of(Text));
-            Assert.That(UrdfHash.Of(travelled).GetHashCode(), Is.EqualTo(UrdfHash.Of(Text).GetHashCode()));
+            Assert.That(UrdfHash.Of(changed), Is.EqualTo(UrdfHash.Of(Text)));
+            Assert.That(UrdfHash.Of(changed) == UrdfHash.Of(Text));
+            Assert.That(UrdfHash.Of(changed).GetHashCode(), Is.EqualTo(UrdfHash.Of(Text).GetHashCode()));
         }
 
         [TestCase("<robot name=\"r\">\n<link name=\"b\"/>\n</robot>")]
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Default_AnyText_Differs()
+        public void Default_ComparedWithTheHashOfEmptyText_Differs()
         {
             Assert.That(default(UrdfHash), Is.EqualTo(new UrdfHash()));
             Assert.That(default(UrdfHash), Is.Not.EqualTo(UrdfHash.Of("")));

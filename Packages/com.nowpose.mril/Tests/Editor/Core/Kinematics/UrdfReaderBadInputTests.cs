@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Kinematics
             Joint("j", "b", "c") + "\n" + Joint("k", "c", "b"), "r.urdf:4: joint 'k': link 'b' is above itself: the joints form a cycle");
 
         [Test]
-        public void Read_LinkJoinedToItself_IsACycle() => RefusesJoints(
+        public void Read_LinkJoinedToItself_IsRefusedAsACycle() => RefusesJoints(
             Joint("i", "a", "b") + Joint("j", "c", "c"), "joint 'j': link 'c' is above itself");
 
         [Test]

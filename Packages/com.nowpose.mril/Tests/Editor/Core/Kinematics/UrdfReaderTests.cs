@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Read_AxisMissing_IsX()
+        public void Read_AxisMissing_ReturnsTheXAxis()
         {
             Assert.That(Joint("revolute", "").Axis, Is.EqualTo((1.0, 0.0, 0.0)));
         }

@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency
             return (flips / minutes, singleFlips / minutes);
         }
 
-        // Returns the number of frames until the state is outside, at maxFrames 60, for 1000 seeds in ascending order.
+        // Returns the number of frames until the state is outside, at most 60, for 1000 seeds in ascending order.
         static int[] FramesToLeave(double renderMs) => Enumerable.Range(1, 1000).Select(seed =>
         {
             var monitor = Monitor();
@@ -137,7 +137,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(9.3, 37, true, TestName = "Add_ClearlyInsideForThirtyFrames_IsInsideAgain")]
         [TestCase(9.3, 36, false, TestName = "Add_ClearlyInsideForTwentyNineFrames_IsStillOutside")]
-        [TestCase(9.5, 2000, false, TestName = "Add_JustInsideForLong_IsStillOutside")]
+        [TestCase(9.5, 2000, false, TestName = "Add_JustInsideForALongTime_IsStillOutside")]
         public void Add_AfterTheLoadFell_HasTheExpectedState(double renderMs, int frames, bool isInside)
         {
             var monitor = Monitor(10);

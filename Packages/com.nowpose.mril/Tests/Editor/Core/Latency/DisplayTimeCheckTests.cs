@@ -86,8 +86,8 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(10, false)]
         public void Add_GapAfterFewDeviatingFrames_CountsOnlyIfShort(double gapSeconds, bool isInconsistent)
         {
-            // The median exceeds the threshold from the 31st deviating frame on: half a second before the gap. Together with the less than half a
-            // second after the gap, this is not enough unless the gap counts.
+            // The median exceeds the threshold from the 31st deviating frame on, half a second before the gap. The frames after the gap last less
+            // than half a second, so the deviation reaches the required second only if the gap counts.
             Frames(60, 0);
             Frames(60, 20);
             _start += gapSeconds;

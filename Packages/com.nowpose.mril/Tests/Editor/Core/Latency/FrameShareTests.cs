@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Frames_ScatteringSteps_ExceedTheShareByAtMostTheScatter()
+        public void Frames_StepsOfVaryingLength_ExceedTheShareByAtMostTheVariation()
         {
             var random = new Random(4);
 

@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(1, 0)]
         [TestCase(2, 0)]
         [TestCase(50_002, 50_000)]
-        public void Vertices_TooFewForATriangle_AreNone(int vertices, int drawn)
+        public void Vertices_TooFewForATriangle_AreNotDrawn(int vertices, int drawn)
         {
             Assert.That(PatchesOf(vertices).Sum(patch => patch.Vertices), Is.EqualTo(drawn));
             Assert.That(LoadMesh.DrawnOf(vertices), Is.EqualTo(drawn));
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(-1)]
         [TestCase(2_000_001)]
-        public void Vertices_OutOfRange_ThrowInOneLine(int vertices)
+        public void Vertices_OutOfRange_ThrowsWithTheAllowedRange(int vertices)
         {
             Assert.That(
                 () => LoadMesh.PatchesOf(vertices),

@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_SourceReportsOccasionally_DoesNotFlap()
+        public void EndFrame_BetterSourceReportsIrregularly_ChangesTheSourceOnce()
         {
             for (var i = 0; i < 200; i++)
             {

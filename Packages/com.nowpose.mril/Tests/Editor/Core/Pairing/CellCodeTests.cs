@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Pairing
     public class CellCodeTests
     {
         [Test]
-        public void Parse_AllFields_ReadsEach()
+        public void Parse_AllFields_ReturnsEachField()
         {
             var code = CellCode.Parse(Whole);
 
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Pairing
         {
             var pose = CellCode.Parse(Whole).Marker.ToPose().ToRowMajor16();
 
-            // A quarter turn about the base's z: the marker's x axis is the base's y axis.
+            // The marker is turned by 90° about the base's z axis, so the marker's x axis is the base's y axis.
             var expected = new[] { 0, -1, 0, 0.25, 1, 0, 0, -0.1, 0, 0, 1, 0.02, 0, 0, 0, 1 };
             for (var i = 0; i < 16; i++) Assert.That(pose[i], Is.EqualTo(expected[i]).Within(1e-12), "element " + i);
         }

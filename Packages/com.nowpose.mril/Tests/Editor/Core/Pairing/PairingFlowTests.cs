@@ -91,7 +91,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Refuse_OtherCellInView_AsksAboutItAfterADelay()
+        public void Refuse_OtherCellInView_AsksAboutTheOtherCellAfterADelay()
         {
             _pairing.Frame(Cell, Other);
             _pairing.Flow.Refuse();

@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Pairing
         static readonly DateTime ValidTo = new DateTime(2026, 11, 20, 15, 0, 0, DateTimeKind.Utc);
 
         [Test]
-        public void Parse_AllFields_ReadsEach()
+        public void Parse_AllFields_ReturnsEachField()
         {
             var code = TokenCode.Parse(Whole);
 

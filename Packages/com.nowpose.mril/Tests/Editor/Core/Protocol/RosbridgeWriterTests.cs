@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TopicMessages_ReadBack_HaveTheirOp()
+        public void TopicMessages_ReadBack_ReturnTheirOperation()
         {
             Assert.That(Read(RosbridgeWriter.Unsubscribe("/a", "1")).Op, Is.EqualTo(RosbridgeOp.Unsubscribe));
             Assert.That(Read(RosbridgeWriter.Advertise("/a", "t/T", "1")).Op, Is.EqualTo(RosbridgeOp.Advertise));

@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Recording
 
         public SessionRecorder Recorder { get; }
 
-        /// <summary>The text of the file after the recording has ended.</summary>
+        /// <summary>Gets the text of the file, which is complete after the recording has ended.</summary>
         public string Text => Encoding.UTF8.GetString(_bytes.ToArray());
 
         public List<JObject> Lines => Text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(Read).ToList();

@@ -9,7 +9,10 @@ namespace Nowpose.Tests.Core.Session
 {
     public class DisplayTimeSourceTests
     {
-        /// <summary>True L_visu: alternates between two and three refreshes every half second. Only the display's runtime has this value.</summary>
+        /// <summary>
+        /// Returns the true L_visu in ms. It alternates between two and three refreshes every half second, and only the display's runtime
+        /// reports it.
+        /// </summary>
         static double TrueMs(double seconds) => (int)(seconds * 2) % 2 == 0 ? 33.3 : 50;
 
         sealed class Runtime : IDisplayTimeSource

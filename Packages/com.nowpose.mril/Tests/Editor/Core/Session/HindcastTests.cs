@@ -161,18 +161,18 @@ namespace Nowpose.Tests.Core.Session
 
             var values = session.Listener.Diagnostics().Values.ToDictionary(v => v.Key, v => double.TryParse(v.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var n) ? n : double.NaN);
 
-            // One metre of arm, 1/√2 rad/s on average and 100 ms of latency give 71 mm.
+            // An arm of 1 m, an RMS angular speed of 1/√2 rad/s and a latency of 100 ms result in an error of 71 mm.
             Assert.That(values["error_mm_hold"], Is.EqualTo(71).Within(5));
             Assert.That(values["error_mm"], Is.LessThan(5));
             Assert.That(values["reduction"], Is.EqualTo(1 - values["error_mm"] / values["error_mm_hold"]).Within(0.001).And.GreaterThan(0.9));
             Assert.That(values["error_mm_p95"], Is.InRange(values["error_mm"], 3 * values["error_mm"]));
-            Assert.That(values["error_mm_hold_p95"], Is.EqualTo(100).Within(5), "at full speed");
+            Assert.That(values["error_mm_hold_p95"], Is.EqualTo(100).Within(5), "the error at full speed");
             Assert.That(values["reduction_uncertainty"], Is.InRange(1e-6, 0.05));
             // Error bound of this exchange times the mean speed of 1/√2 m/s.
             Assert.That(values["error_mm_clock"], Is.EqualTo(0.71 * values["error_bound_us"] / 1000).Within(10).Percent);
             Assert.That(values["error_hold/shoulder"], Is.EqualTo(0.071).Within(0.005), "rad");
             Assert.That(values["reduction/shoulder"], Is.EqualTo(values["reduction"]).Within(0.01), "the shoulder alone moves");
-            Assert.That(values.ContainsKey("reduction/elbow"), Is.False, "at rest there is nothing to reduce");
+            Assert.That(values.ContainsKey("reduction/elbow"), Is.False, "a joint at rest has no error to reduce");
         }
     }
 }

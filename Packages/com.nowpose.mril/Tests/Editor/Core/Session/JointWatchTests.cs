@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Session
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed) { IsEachJointApart = isEachJointApart };
             simulated.Run(10);
-            Assert.That(simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).State, Is.EqualTo(PoseState.Current), "before, seed " + Seed);
+            Assert.That(simulated.Session.Tick(HeadsetTime.FromSeconds(simulated.Now)).State, Is.EqualTo(PoseState.Current), "at the start, seed " + Seed);
             return simulated;
         }
 
@@ -116,7 +116,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GatewayReportsRest_StaysCurrentAndReportsIt()
+        public void Tick_GatewayReportsRest_StaysCurrentAndReportsTheRest()
         {
             var simulated = Running();
 

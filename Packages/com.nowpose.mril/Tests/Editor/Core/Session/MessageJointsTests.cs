@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Session
         int[] Of(params string[] names) => _joints.Of(new JointStateMessage(ControlTime.FromSeconds(1), names, new double[names.Length])).ToArray();
 
         [Test]
-        public void Of_NamesInAnyOrder_ReturnsTheRobotsIndices()
+        public void Of_NamesInAnyOrder_ReturnsTheJointIndicesOfTheRobot()
         {
             Assert.That(Of(Name(1), "unknown", Name(0)), Is.EqualTo(new[] { 1, -1, 0 }));
         }

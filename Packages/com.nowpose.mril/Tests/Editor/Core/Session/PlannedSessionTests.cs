@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Session
             var bare = Run(null, 3);
             var run = new VirtualCellRun(VirtualCellRun.Settings(), 3);
             run.Run(15);
-            // The plan is 1.5 s away from the robot's motion.
+            // The robot's motion differs from the plan by a delay of 1.5 s.
             run.Cell.PlanLag = Lengths.Seconds(1.5);
             run.Run(5);
 

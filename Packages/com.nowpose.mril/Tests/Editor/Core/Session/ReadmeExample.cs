@@ -7,7 +7,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>The code of the package's README, compiled here. A test of the repository checks that both are the same.</summary>
+    /// <summary>Compiles the code of the package's README. A test of the repository checks that the README contains the same code.</summary>
     static class ReadmeExample
     {
         internal static UnityPose Use(string urdfText, string token)

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Session
         static readonly int Shoulder = TestRobot.Model.IndexOfMovingJoint("shoulder");
 
         [Test]
-        public void Received_StampFarInTheFuture_IsDroppedAndDoesNotStopTheRest()
+        public void Received_StampFarInTheFuture_IsDroppedAndLaterSamplesAreUsed()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(10);
@@ -65,7 +65,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_StampsCoarserThanTheSamples_StayCurrent()
+        public void Received_StampsCoarserThanTheSamples_PoseStaysCurrent()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(6);

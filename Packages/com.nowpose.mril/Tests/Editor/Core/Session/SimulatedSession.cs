@@ -12,8 +12,8 @@ using Nowpose.Tests.Core.Sync;
 namespace Nowpose.Tests.Core.Session
 {
     /// <summary>
-    /// A whole session in virtual time: a moving robot, a network, two clocks, and frames at 60 fps. It never waits in real time,
-    /// and all random numbers are seeded.
+    /// Simulates a whole session in virtual time, with a moving robot, a network, two clocks and frames at 60 fps. The simulation never waits
+    /// in real time, and all random numbers are seeded.
     /// </summary>
     sealed class SimulatedSession
     {
@@ -52,13 +52,13 @@ namespace Nowpose.Tests.Core.Session
         /// <summary>Whether sync exchanges succeed.</summary>
         public bool IsSyncUp { get; set; } = true;
 
-        /// <summary>Whether each joint arrives in a message of its own, sampled at a different time.</summary>
+        /// <summary>Whether each joint is sampled at its own time and sent in its own message.</summary>
         public bool IsEachJointApart { get; set; }
 
         /// <summary>Whether the test sends the samples instead of the simulation.</summary>
         public bool IsSamplingByTest { get; set; }
 
-        /// <summary>A joint that samples no longer contain; null for none.</summary>
+        /// <summary>Name of the joint that samples do not contain; null if samples contain all joints.</summary>
         public string SilentJoint { get; set; }
 
         public double Now { get; private set; }

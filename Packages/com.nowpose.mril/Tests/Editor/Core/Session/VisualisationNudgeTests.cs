@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Ms_ProfileInUse_IsAddedAndRemovesTheProfile()
+        public void Ms_ProfileInUse_IsAddedToItsLatencyAndRemovesTheProfile()
         {
             var session = NewSession();
             session.Calibrate(Measured);

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>Compares the statistics of the simulated delays with those of their distributions, computed by hand.</summary>
+    /// <summary>Compares the statistics of simulated delays with the statistics of their distributions, which were computed by hand.</summary>
     public class NetworkProfileTests
     {
         const int Packets = 200_000;

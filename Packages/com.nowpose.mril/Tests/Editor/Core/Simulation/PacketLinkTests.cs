@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Stall_PacketsSentDuringIt_ArriveAtItsEndInOrder()
+        public void Stall_PacketsSentDuringTheStall_ArriveAtItsEndInOrder()
         {
             var packets = Packets(Link("roaming", 7), 3000, 0.01);
 

@@ -14,7 +14,10 @@ using Nowpose.Tests.Core.Kinematics;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>A session whose two connections are TCP streams over a packet link, at 60 fps in virtual time, scored against the truth.</summary>
+    /// <summary>
+    /// Runs a session whose two connections are TCP streams over a packet link, at 60 fps in virtual time, and compares each frame with the
+    /// truth.
+    /// </summary>
     sealed class TcpRun
     {
         static readonly RobotModel Robot = UrdfFiles.Robot("youbot");
@@ -134,7 +137,7 @@ namespace Nowpose.Tests.Core.Simulation
         static double Distance(in RigidTransform a, in RigidTransform b) =>
             Math.Sqrt(Math.Pow(a.X - b.X, 2) + Math.Pow(a.Y - b.Y, 2) + Math.Pow(a.Z - b.Z, 2));
 
-        /// <summary>One displayed frame and its errors. Times in seconds since the start, errors of the tool in metres.</summary>
+        /// <summary>A displayed frame and its errors. Times are in seconds since the start; errors of the tool are in metres.</summary>
         public sealed class Frame
         {
             public Frame(double at, PoseState state, ClockState clock, double clockErrorMs, double statedMs, double error, double holdError)

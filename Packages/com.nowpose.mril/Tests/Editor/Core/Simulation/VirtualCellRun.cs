@@ -11,7 +11,7 @@ using Nowpose.Tests.Core.Kinematics;
 
 namespace Nowpose.Tests.Core.Simulation
 {
-    /// <summary>A session fed by a virtual cell with a youBot, at 60 fps in virtual time, scored against the truth.</summary>
+    /// <summary>Runs a session with a virtual cell and a youBot at 60 fps in virtual time, and compares each frame with the truth.</summary>
     sealed class VirtualCellRun
     {
         static readonly RobotModel Robot = UrdfFiles.Robot("youbot");

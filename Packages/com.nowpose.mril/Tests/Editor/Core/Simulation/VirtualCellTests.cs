@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Simulation
             var fromThird = Reduction(2 * run.CycleSeconds);
 
             Assert.That(first, Is.GreaterThan(0.83), "first cycle, seed " + seed);
-            Assert.That(fromThird, Is.GreaterThan(0.94), "from the third on, seed " + seed);
+            Assert.That(fromThird, Is.GreaterThan(0.94), "from the third cycle on, seed " + seed);
         }
 
         [Test]
@@ -170,7 +170,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             run.Run(30);
 
-            Assert.That(run.Errors.Count, Is.LessThan(0.6 * run.Frames), "current");
+            Assert.That(run.Errors.Count, Is.LessThan(0.6 * run.Frames), "share of current frames");
             if (run.Errors.Count > 0) Assert.That(Rms(run.Errors), Is.LessThan(0.7 * Rms(run.HoldErrors)),
                 "current frames have a smaller error than hold");
         }

@@ -143,7 +143,7 @@ namespace Nowpose.Tests.Core.Sync
 
         /// <summary>The exchanges are the same as after a clock step of 4 ms, so this change counts as a step.</summary>
         [Test]
-        public void Steps_DirectionsChangeOppositelyByTheSameAmount_AreCounted()
+        public void Steps_DirectionsChangeOppositelyByTheSameAmount_IncreaseByOne()
         {
             var link = Link("wifi", FirstSeed);
             link.LongerDownMs = 4;
@@ -157,7 +157,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase(300)]
         [TestCase(-600)]
-        public void Steps_ClockOfAnotherMachineIsServed_AreOne(double skewPpm)
+        public void Steps_ClockOfAnotherMachineIsServed_IncreaseByOne(double skewPpm)
         {
             foreach (var network in NetworkProfile.All)
             {

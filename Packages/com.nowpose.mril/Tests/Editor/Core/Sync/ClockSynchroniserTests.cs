@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", 0, 0.2)]
         [TestCase("wifi", 0, 0.8)]
         [TestCase("busy-wifi", 0.02, 3)]
-        public void State_Synchronised_ErrorIsWithinTheSettings(string network, double loss, double limitMs)
+        public void State_Synchronised_ErrorIsBelowTheLimit(string network, double loss, double limitMs)
         {
             for (var seed = 0; seed < 12; seed++)
             {
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_WhileTheDeviceSlept_IsConvergingImmediately()
+        public void Step_DuringSleepOfTheDevice_ClockConvergesImmediately()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 12, 20);
             var run = NewRun();

@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Follow_UnknownClock_IsUnknown()
+        public void Follow_UnknownClock_ReturnsAnUnknownModel()
         {
             Assert.That(new DisplayClock().Follow(default, HeadsetTime.FromSeconds(1)).IsKnown, Is.False);
         }

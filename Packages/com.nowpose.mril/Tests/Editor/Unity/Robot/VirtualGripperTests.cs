@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Unity.Robot
 
             _rig.Apply(positions);
 
-            RobotPoses.RequireAgreement(_rig, positions, "moved once");
+            RobotPoses.RequireAgreement(_rig, positions, "the rig alone moves the links");
         }
 
         [Test]

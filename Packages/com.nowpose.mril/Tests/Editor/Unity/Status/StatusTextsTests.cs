@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Unity.Status
         static readonly SessionSettings Plain = new SessionSettings(new ConnectionSettings("192.168.0.5", insecureLan: true), default);
 
         [Test]
-        public void Update_WithoutStatistics_ShowsDashesAndNoRowOfObjects()
+        public void Update_WithoutStatistics_ShowsDashesAndNoRowForObjects()
         {
             var texts = new StatusTexts();
 

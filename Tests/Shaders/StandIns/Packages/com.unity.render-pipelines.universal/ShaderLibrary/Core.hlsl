@@ -1,2 +1,2 @@
-// Stand-in for URP's include.
+// Substitute for the include of URP.
 #include "StandIn.hlsl"

@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         {
             var isGone = file == "lost-and-back.txt" && now > 5 && now < 7;
             var isStale = file == "stale.txt" && now > 5;
-            // About six readings a second.
+            // The device reads each marker about six times per second.
             var isRead = random.NextDouble() < 0.4;
             var noise = Noise(random);
             var isOutlier = random.NextDouble() < 0.1;

@@ -10,11 +10,11 @@ namespace Nowpose.Tests.Core.Latency.Sweep
     {
         const int Seeds = 20;
 
-        static readonly SweepPlan Usual = new SweepPlan();
+        static readonly SweepPlan DefaultPlan = new SweepPlan();
         static readonly SweepPlan Upwards = new SweepPlan(goesDown: false);
 
         /// <summary>A camera time of 2 ms on the CPU that does not depend on the GPU's load.</summary>
-        static double Flat(SimulatedSweep sweep) => 2 * (1 + 0.05 * sweep.Normal());
+        static double ConstantTime(SimulatedSweep sweep) => 2 * (1 + 0.05 * sweep.Normal());
 
         static void AllAre(LoadSight sight, SweepPlan plan, Func<SimulatedSweep, Func<double, int, double?>> source)
         {
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Gpu_UsualSweep_RespondsToLoad() => AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v));
+        public void Gpu_DefaultSweep_RespondsToLoad() => AllAre(LoadSight.Seen, DefaultPlan, sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
         public void Gpu_ShortSweepOfSmallLoads_RespondsToLoad() =>
@@ -44,54 +44,56 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public void Gpu_DriftsDownWhileTheLoadRises_RespondsToLoad() =>
             AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
 
-        // Readbacks are polled once a frame.
+        // Readbacks are polled once per frame, so their times are multiples of the frame time.
         [TestCase(60)]
         [TestCase(90)]
         public void Completion_RoundedToFrames_RespondsToLoad(int hertz) => AllAre(
-            LoadSight.Seen, Usual, sweep => (t, v) => Math.Ceiling(sweep.GpuMs(t, v) * hertz / 1000) * 1000 / hertz);
+            LoadSight.Seen, DefaultPlan, sweep => (t, v) => Math.Ceiling(sweep.GpuMs(t, v) * hertz / 1000) * 1000 / hertz);
 
         [Test]
         public void Gpu_TimeInEveryFourthFrame_RespondsToLoad() =>
-            AllAre(LoadSight.Seen, Usual, sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
+            AllAre(
+                LoadSight.Seen, DefaultPlan,
+                sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
 
         [Test]
-        public void Camera_Flat_DoesNotRespondToLoad() => AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep));
+        public void Camera_ConstantTime_DoesNotRespondToLoad() => AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep));
 
         [Test]
-        public void Camera_FlatShortSweep_DoesNotRespondToLoad() => AllAre(
-            LoadSight.Unseen, new SweepPlan(steps: 4, secondsPerLoad: 0.5), sweep => (t, v) => Flat(sweep));
+        public void Camera_ConstantTimeInAShortSweep_DoesNotRespondToLoad() => AllAre(
+            LoadSight.Unseen, new SweepPlan(steps: 4, secondsPerLoad: 0.5), sweep => (t, v) => ConstantTime(sweep));
 
         [TestCase(0.01)]
         [TestCase(0.05)]
         [TestCase(-0.01)]
         public void Camera_LinearDrift_DoesNotRespondToLoad(double msPerSecond)
         {
-            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
-            AllAre(LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
+            AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
+            AllAre(LoadSight.Unseen, Upwards, sweep => (t, v) => ConstantTime(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
         }
 
         [TestCase(20)]
         [TestCase(60)]
         public void Camera_WarmsUp_DoesNotRespondToLoad(double timeConstantSeconds) => AllAre(
-            LoadSight.Unseen, Upwards, sweep => (t, v) => Flat(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
+            LoadSight.Unseen, Upwards, sweep => (t, v) => ConstantTime(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
 
         // The processor changes its speed once. In a sweep in one direction, this would look like an effect of the load.
         [TestCase(30)]
         [TestCase(60)]
         [TestCase(100)]
         public void Camera_StepsOnce_DoesNotRespondToLoad(double atSeconds) =>
-            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + (t < atSeconds ? 0 : 0.8));
+            AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + (t < atSeconds ? 0 : 0.8));
 
         [Test]
         public void Camera_ChangesSlightlyWithTheLoad_DoesNotRespondToLoad() =>
-            AllAre(LoadSight.Unseen, Usual, sweep => (t, v) => Flat(sweep) + 0.1 * v / SweepPlan.MaxVertices);
+            AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + 0.1 * v / SweepPlan.MaxVertices);
 
         [Test]
         public void Words_NoResponseToLoad_AreOneLineWithNumbersAndRemedy()
         {
-            var sweep = new SimulatedSweep(Usual, 1);
+            var sweep = new SimulatedSweep(DefaultPlan, 1);
 
-            var words = LoadSensitivity.Judge(sweep.Rows((t, v) => Flat(sweep))).Words;
+            var words = LoadSensitivity.Judge(sweep.Rows((t, v) => ConstantTime(sweep))).Words;
 
             Assert.That(words, Does.StartWith("this source does not respond to load: from about 200000 to 1800000 vertices camera_cpu went from 2."));
             Assert.That(words, Does.Contain(" ms").And.Contain("Frame Timing Stats").And.Not.Contain("\n"));
@@ -100,7 +102,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [Test]
         public void Words_ResponseToLoad_StateTheRange()
         {
-            var sweep = new SimulatedSweep(Usual, 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
+            var sweep = new SimulatedSweep(DefaultPlan, 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
 
             var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)));
 
@@ -111,7 +113,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [Test]
         public void Judge_OneLoad_IsUnclear()
         {
-            var sweep = new SimulatedSweep(Usual, 1);
+            var sweep = new SimulatedSweep(DefaultPlan, 1);
 
             var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)).FindAll(row => row.Vertices == 0));
 
@@ -124,7 +126,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [Test]
         public void Judge_FewRows_IsUnclear()
         {
-            var sweep = new SimulatedSweep(Usual, 1);
+            var sweep = new SimulatedSweep(DefaultPlan, 1);
             var frame = 0;
 
             var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)).FindAll(row => frame++ % 30 == 0));
@@ -135,7 +137,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [Test]
         public void Judge_NoRenderTimes_StatesThatTheyAreMissing()
         {
-            var judged = LoadSensitivity.Judge(new SimulatedSweep(Usual, 1).Rows((t, v) => null));
+            var judged = LoadSensitivity.Judge(new SimulatedSweep(DefaultPlan, 1).Rows((t, v) => null));
 
             Assert.That(judged.Sight, Is.EqualTo(LoadSight.Unseen));
             Assert.That(judged.Words, Does.StartWith("no component measured the render time"));
@@ -150,7 +152,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         [Test]
         public void Gpu_AnyOrderOfLoads_RespondsToLoad()
         {
-            var sweep = new SimulatedSweep(Usual, 3);
+            var sweep = new SimulatedSweep(DefaultPlan, 3);
             var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));
             rows.Sort((a, b) => (a.Vertices * 7919L % 1009).CompareTo(b.Vertices * 7919L % 1009));
 

@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Frame_Needed_NeedsItsParentsToo()
+        public void Need_FrameWithParents_TracksTheParentsToo()
         {
             var cell = new CellSession();
             cell.Sampling = t =>

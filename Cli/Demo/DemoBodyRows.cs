@@ -1,0 +1,20 @@
+using System.Globalization;
+using Nowpose.Cli.Messages;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Formats the errors of the cell's objects as text; has no rows if the cell has no objects.</summary>
+sealed class DemoBodyRows(DemoResult.BodyErrors bodies)
+{
+    public IReadOnlyList<(string Label, string Value)> Rows => bodies == null ? [] :
+    [
+        (DemoTexts.MovingWorkpieces, Row(bodies.ErrorMm, "0.00", " mm")),
+        (DemoTexts.RotatingWorkpieces, Row(bodies.ErrorDeg, "0.00", "°")),
+    ];
+
+    static string Row(DemoResult.PoseErrors error, string format, string unit) =>
+        $"{Text(error.HoldRms, format, unit)} to {Text(error.Rms, format, unit)} RMS, reduction {Text(100 * error.Reduction, "0.0", " %")}";
+
+    static string Text(double? value, string format, string unit) =>
+        value is double number ? number.ToString(format, CultureInfo.InvariantCulture) + unit : "–";
+}

@@ -1,0 +1,27 @@
+using System.Globalization;
+using Nowpose.Cli.Messages;
+
+namespace Nowpose.Cli.Demo;
+
+/// <summary>Reports, in table and report, the frames that this machine started late. Has no rows if there were very few.</summary>
+/// <remarks>A late frame shows the pose of its actual time. Samples and sync exchanges can be late, too; this is not measured.</remarks>
+sealed class DemoDelayRows(DemoFrames frames)
+{
+    /// <summary>Minimum delay of a frame that counts as late: half a frame interval.</summary>
+    static readonly TimeSpan Long = TimeSpan.FromSeconds(0.5 / DemoDisplay.FramesPerSecond);
+
+    /// <summary>Minimum share of late frames for a report. Fewer do not change the results.</summary>
+    const double MinShare = 0.01;
+
+    public IEnumerable<(string Label, string Value)> Rows
+    {
+        get
+        {
+            var scored = frames.Rows.Where(row => row.Elapsed >= DemoScore.WarmUp).ToList();
+            var delays = scored.Where(row => row.Delay > Long).Select(row => row.Delay.TotalMilliseconds).ToList();
+            if (delays.Count > MinShare * scored.Count) yield return (DemoTexts.LateFrames, Text(delays, scored.Count));
+        }
+    }
+
+    static string Text(List<double> delays, int frames) => DemoTexts.LateFramesValue(delays.Count, frames, delays.Max());
+}

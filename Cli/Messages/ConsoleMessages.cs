@@ -1,0 +1,32 @@
+using Nowpose.Sync;
+
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Lines on the error stream beside a result.</summary>
+static class ConsoleMessages
+{
+    public static string NotOpened(string reason, string path) => $"nowpose: --open: {reason}; open {path} in a browser";
+
+    public const string NoDesktop = "this machine has no desktop (DISPLAY and WAYLAND_DISPLAY are not set)";
+
+    public static string DesktopFailed(string reason) => $"the desktop could not open it: {reason}";
+
+    public static string ProfileKept(string path, double limitMs) =>
+        FormattableString.Invariant($"nowpose: {path} has a render time limit of {limitMs:0.00} ms and was kept; the new profile has no ")
+        + "limit and was written beside it. To keep the limit with the new L_visu, run vlc, sine or nudge with --profile "
+        + FormattableString.Invariant($"{path}");
+
+    public static string FfmpegReports(string path, int pictures, string report) =>
+        $"nowpose: {path}: {pictures} pictures were read, but ffmpeg reports: {report}";
+
+    public static string MoreRejected(int count) => $"nowpose: {count} more were rejected";
+
+    public static string LostLines(string path, long lines) =>
+        $"nowpose: {path}: {lines} lines are missing, because the recording was slower than the session";
+
+    public static string DroppedExchanges(string file, int dropped, int exchanges, SyncExchangeFault fault) =>
+        $"nowpose: {file}: dropped {dropped} of {exchanges} exchanges: {fault}";
+
+    public static string ClockSteps(string file, int steps) => $"nowpose: {file}: {steps} clock steps detected";
+    public static string WouldFail(string reason) => $"nowpose: without --check this would fail: {reason}";
+}

@@ -1,0 +1,36 @@
+using Nowpose.Network;
+
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Failures and errors of demo, with what to do.</summary>
+static class DemoMessages
+{
+    public static string ToolNotFinite(int frame) => $"frame {frame}: the position of the displayed tool is not finite";
+    public static string GhostNotFinite(int frame) => $"frame {frame}: the position of the ghost's tool is not finite";
+    public static string JointNotFinite(int frame, int joint) => $"frame {frame}: the position of moving joint {joint} is not finite";
+    public static string ClockNotFinite(int frame) => $"frame {frame}: the clock offset is not finite";
+    public static string Links(Network.LinkStatus joints, Network.LinkStatus clock) => $"joint positions {joints}; clock sync {clock}";
+    public static string NoSample(long dropped, string links) => $"no sample was used, and {dropped} were dropped; {links}";
+
+    public static string NoClock(string state, double seconds, string links) =>
+        FormattableString.Invariant($"the clock was still {state} after {seconds} s: run longer (--seconds); {links}");
+
+    public static string SceneError(string error) => $"the scene logged an error: {error}";
+
+    public static string NotWithPaper(string options) =>
+        $"{options}: cannot be combined with --paper, which sets the paper's robot, motion, predictor, clock estimator, sampling interval "
+        + "and load, and measures the profile itself";
+
+    public static string PaperSeconds(double seconds, double min) =>
+        FormattableString.Invariant($"--seconds: {seconds} s is out of range; allowed with --paper: {min} to 3600 s");
+
+    public static string AssumedVisu(double ms) =>
+        FormattableString.Invariant($"--visu-ms plus --visu-error-ms: {ms} ms is out of range; allowed: 0 to 500 ms");
+
+    public static string VisuWithLoad(double ms, string option, double min) =>
+        FormattableString.Invariant($"--visu-ms: {ms} ms is out of range; with {option}, {min} to 400 ms are allowed, because the display ")
+        + "runs at 60 Hz";
+
+    public static string NoCalibration(int read, int pictures) =>
+        $"the calibration found no display latency: {read} of {pictures} pictures could be read";
+}

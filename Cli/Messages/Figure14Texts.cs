@@ -1,0 +1,22 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Texts of Fig. 14.</summary>
+static class Figure14Texts
+{
+    public const string OverSampling = "Approximating quadratics over the sampling interval";
+    public const string OverLatency = "Approximating quadratics over the latency";
+    public const string OverLatencyError = "Approximating quadratics over the error of the latency";
+    public const string AnyLatencyError = "For any error of the latency";
+    public const string OverSamplingError = "Approximating quadratics over the error of the sampling time";
+    public const string OverSamplingErrorClaim = "A longer history makes the quadratic far more robust against errors of the assumed t_k.";
+    public const string LongerIsBetter = "At ±10 ms h = 4 is better than h = 3, and h = 3 better than h = 2.";
+    public const string HalfTheError = "At ±10 ms the error with h = 3 and with h = 4 is less than half of the error with h = 2.";
+
+    public static string Growth(string growth, string three, string four) =>
+        $"{growth}; h = 3 wins from ±{three}, h = 4 over h = 3 from ±{four}";
+
+    public static string LongerIsWorse(string where) => $"{where} a longer history predicts less accurately, as long as t_k is exact.";
+
+    public const string ThreeIsWorse = "h = 3 is less accurate than h = 2";
+    public const string FourIsWorse = "h = 4 is less accurate than h = 3";
+}

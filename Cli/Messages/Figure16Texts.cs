@@ -1,0 +1,34 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Texts of Fig. 16.</summary>
+static class Figure16Texts
+{
+    public const string Title = "Swing of the first axis: true, uncompensated, compensated";
+
+    public const string Claim =
+        "The compensated signal follows the true one, while the uncompensated one lags behind; only the curved phases of the profile are "
+        + "hard to predict.";
+
+    public static string Beyond(string curved, string steady, string quadraticCurved, string quadraticSteady) =>
+        $"the error of adaptive is {curved} where the velocity changes within a section and {steady} where it does not, that of the "
+        + $"quadratic {quadraticCurved} and {quadraticSteady}.";
+
+    public const string Summary = "Tool error over the whole swing, all runs";
+
+    public static string Conditions(string radiusMm, string speed) =>
+        $"youBot, first axis forward and back by a quarter turn, arm out: the tool moves on a circle of {radiusMm} mm radius at up to "
+        + $"{speed} mm/s. Stroke and limits are ours, because the paper states none. Four shorter moves precede it, and no move repeats. The "
+        + "whole chain: samples every 50 ms, stamped in the control system and sent 55 to 105 ms later over a simulated wifi; the clock by "
+        + "RANSAC (100 exchanges, 20 hypotheses, moving average of 20); L_visu, in truth 40 ms, from pictures of the simulated display. L is "
+        + "100 to 150 ms. The plots show the forward move of the first run; the numbers include all runs.";
+
+    public const string FollowsCriterion =
+        "The RMS error of the compensated signal is less than half of that of the uncompensated one, including the overshoot after each stop.";
+
+    public const string CurvedCriterion =
+        "Its error is at least 1.5 times as large where the velocity changes within the 250 ms that a section spans as where it does not (RMS).";
+
+    public const string DistancePlot = "Distance on the circle";
+    public const string DistanceAxis = "distance on the circle";
+    public const string FirstMove = "first move of the run";
+}

@@ -1,0 +1,24 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Texts of the page and of the table of figures.</summary>
+static class FigurePageTexts
+{
+    public const string ClaimColumn = "claim of the paper";
+    public const string Title = "The paper's figures, recomputed";
+
+    public const string Subtitle =
+        "Latency and sampling compensation in mixed-reality-in-the-loop simulations of production systems, Schnierle & Röck 2022: the "
+        + "paper's claims beside the results of Nowpose's classes.";
+
+    public const string Latency = "Latency L, from t_k to the display time";
+    public const string Motion = "Motion of Figs 12 to 14";
+
+    public const string MotionValue =
+        "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, because the paper states none";
+
+    public static string Runs(int phases, int clockRuns, string clockSeconds) =>
+        $"{phases} with random phases of sampling and frames; clock: {clockRuns} of {clockSeconds} s";
+
+    public const string Rms = "RMS over all frames of all runs; ratio: over the RMS of hold, the newest sample that has arrived";
+    public const string VirtualTime = "virtual time, the same on every machine";
+}

@@ -1,0 +1,32 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors and warnings of calibrate head, with what to do.</summary>
+static class HeadMotionMessages
+{
+    public static string TooFewPictures(int pictures, int min) =>
+        $"{pictures} pictures are close enough in time to their neighbours to measure a speed; at least {min} are needed: film for ten "
+        + "seconds or more, with 25 pictures a second or more";
+
+    public static string TooSlow(double pxPerS, double min) =>
+        FormattableString.Invariant($"the control code moves at {pxPerS:0} px/s in the pictures; at least {min} px/s are needed: turn ")
+        + "headset and camera together to the left and right";
+
+    public static string TooFewTurns(int turns) => $"the headset changes its direction {turns} times; turn it at least twice in each direction";
+
+    public static string NotWorldLocked(double ratio) =>
+        FormattableString.Invariant($"the hologram moves {ratio:0.0} px where the control code moves 1 px; both must stay at the same ")
+        + "place in the room: disable Body Follow, and place the headset's code at the distance of the control code";
+
+    public const string NoProfile =
+        "no profile was written: add --profile with the profile of the still pictures, to which the latency for head motion is added";
+
+    public const string UnknownReprojection =
+        "the reprojection mode is unknown: state it with --reprojection, because the latency is valid for one mode only";
+
+    public static string Uncertain(double uncertaintyMs) =>
+        FormattableString.Invariant($"the latency is uncertain by ± {uncertaintyMs:0.0} ms: turn farther or faster, or film longer");
+
+    public static string OtherVisu(double movingMs, double stillMs) =>
+        FormattableString.Invariant($"L_visu of the moving pictures is {movingMs:0.0} ms, of the still pictures {stillMs:0.0} ms. The ")
+        + "profile keeps the latter. Check that both were taken with the same settings and a low load";
+}

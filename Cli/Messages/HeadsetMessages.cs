@@ -1,0 +1,26 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Failures and states of headset, with what to do.</summary>
+static class HeadsetMessages
+{
+    public static string NoRobot(double seconds, string reason) =>
+        $"--robot: missing, and the gateway did not describe a robot within {seconds} s ({reason}); name youbot, ur5 or a .urdf file";
+
+    public static string NoClock(string reason) => $"the clock was never synchronised: {reason}";
+    public static string NoJoints(string reason) => $"no joint positions arrived: {reason}";
+    public static string AtEnd(string state) => $"at the end the pose is {state}";
+    public static string NeverCurrent(string reason) => $"the pose was never current; {reason}";
+
+    public static string RarelyCurrent(double percent, double minPercent, string reason) =>
+        FormattableString.Invariant($"the pose was current for {percent:0} % of the time, at least {minPercent:0} % is required; {reason}");
+
+    public static string Outage(double from, double? to, string pose, string reason) =>
+        FormattableString.Invariant($"from {from:0.0} to {to:0.0} s it was {pose}: {reason}");
+
+    public static string CurrentAgain(double seconds, double outageSeconds) =>
+        FormattableString.Invariant($"at {seconds:0.0} s: the pose is current again, after {outageSeconds:0.0} s");
+
+    /// <param name="reason">Empty if it is unknown.</param>
+    public static string Pose(double seconds, string pose, string reason) =>
+        FormattableString.Invariant($"at {seconds:0.0} s: the pose is {pose}{(reason.Length == 0 ? "" : "; ")}{reason}");
+}

@@ -1,0 +1,20 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors and notes of kinematics, with the allowed values.</summary>
+static class KinematicsMessages
+{
+    public static string BeyondLimits(string joint, double value, string unit, double lower, double upper) =>
+        FormattableString.Invariant($"joint {joint}: {value} {unit} is outside its limits {lower} to {upper} {unit}; the given value is used");
+
+    public static string NotAPair(string entry) => $"--joints: '{entry}' is not of the form name=value";
+    public static string FixedJoint(string joint) => $"{joint} is a fixed joint";
+    public static string UnknownJoint(string joint) => $"there is no joint {joint}";
+
+    public const string NoMovingJoint = "this robot has no moving joint";
+
+    public static string NotANumber(string joint, string text, string unit) => $"--joints: {joint}: '{text}' is not a finite number in {unit}";
+
+    public const string TooLarge = "--joints: these values are too large to compute the poses; use smaller ones";
+
+    public static string Title(string robot, string root) => $"{robot}: poses relative to {root}, metres\n";
+}

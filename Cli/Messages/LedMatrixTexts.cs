@@ -1,0 +1,15 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Labels in the picture of the LED matrix.</summary>
+static class LedMatrixTexts
+{
+    public const string Label =
+        "Front of the LED matrix: 18 pairs inside a lit ring, with pitch, margin, bytes and bits; the codes of 12345 ms of the control "
+        + "system and of the headset";
+
+    public const string TopMarks = "two dark marks at the top";
+    public const string Pairs = "of each pair one is lit: left for 1, right for 0";
+    public const string RightMarks = "two more dark marks on the right";
+    public const string NoMargin = "no margin; a headset does not draw black";
+    public const string Front = "front of the board";
+}

@@ -1,0 +1,17 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Titles, labels and sentences of the page of calibrate nudge.</summary>
+static class NudgePageTexts
+{
+    public static string Result(double visuMs, double spreadMs, double offsetMm) =>
+        FormattableString.Invariant($"L_visu is {visuMs:0.0} ms ± {spreadMs:0.0} ms; the base is displaced by {offsetMm:0.0} mm along the ")
+        + "motion.";
+
+    public const string UsedVisu = "L_visu used by the headset";
+    public const string BaseOffset = "Offset of the base along the motion";
+    public const string OffsetOverVelocity = "Offset over the velocity";
+
+    public const string OffsetOverVelocityNote =
+        "The slope of the line is the error of the L_visu that the headset used; the line's value at zero velocity is the position error of "
+        + "the base.";
+}

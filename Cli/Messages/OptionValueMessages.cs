@@ -1,0 +1,15 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors in values of options of several verbs.</summary>
+static class OptionValueMessages
+{
+    public static string NotABox(string option, string text, int minSide, int maxSide) =>
+        $"{option}: '{text}' is not a box; allowed: X,Y,WIDTH,HEIGHT in whole px, sides {minSide} to {maxSide} px.";
+
+    public static string NotWritable(string option, string folder, string reason) => $"{option}: {folder}: cannot be written to: {reason}";
+
+    public static string UnknownPredictor(string option, string value, string allowed) =>
+        $"{option}: '{value}' is unknown; allowed: {allowed}, or one with another history h, for example linear-h4.";
+
+    public static string TwoLatencies(string option) => $"--profile and {option} both set the display latency; use one of them";
+}

@@ -1,0 +1,20 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors in a file of pairs of render time and L_visu.</summary>
+static class PairFileMessages
+{
+    public static string FieldCount(string path, int row, int fields, int header) => $"{path}:{row}: {fields} fields; the header has {header}";
+    public static string TooManyRows(string path, int row, int max) => $"{path}:{row}: more than {max} rows; take fewer pictures";
+    public static string NoRows(string path, int min) => $"{path}: no rows below the header; at least {min} are needed";
+
+    public static string NoColumn(string path, string column, string render, string visu) =>
+        $"{path}:1: no column {column}; the header must name {render} and {visu}";
+
+    public static string ColumnTwice(string path, string column) => $"{path}:1: column {column} occurs twice; remove one";
+
+    public static string NotMilliseconds(string path, int row, string column, string text) =>
+        $"{path}:{row}: {column}: '{text}' is not a number of milliseconds; the decimal separator is a point";
+
+    public static string NotVertices(string path, int row, string column, string text, int max) =>
+        $"{path}:{row}: {column}: '{text}' is not a whole number from 0 to {max}";
+}

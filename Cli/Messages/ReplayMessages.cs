@@ -1,0 +1,25 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors of replay, with what to do.</summary>
+static class ReplayMessages
+{
+    public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";
+    public static string TooLong(string path) => $"{path}: is too long for this machine's memory; record shorter sessions";
+    public static string JointCount(string path, int joints, int header) => $"{path}: a frame has {joints} joints, the header {header}";
+    public static string InSession(string path) => $"a recorded session contains this value; remove the option for {path}";
+
+    public static string TooManyFrames(string path, double seconds, double hertz, double samplingMs) =>
+        FormattableString.Invariant($"{path}: {seconds:G6} s are too long to replay at {hertz} frames per second and a sample every ")
+        + FormattableString.Invariant($"{samplingMs:G6} ms; is the time column in seconds?");
+
+    public static string TooShort(double seconds, double neededSeconds) =>
+        FormattableString.Invariant($"{seconds:G6} s are too short: a frame is evaluated only after sample 4 has arrived, which takes up ")
+        + FormattableString.Invariant($"to {neededSeconds:G6} s");
+
+    public static string AllLost(double loss) => FormattableString.Invariant($"--loss {loss}: no sample arrived, so no frame could be scored");
+    public static string TooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in rad or m";
+
+    public static string NothingScored(string path, int samples) =>
+        $"{path}: no frame could be evaluated: a frame needs a control time between sample {samples} and the last sample of a joint, and no "
+        + "gap between samples may exceed the maximum gap";
+}

@@ -1,0 +1,8 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Captions of the table of replay.</summary>
+static class ReplayTexts
+{
+    public const string Units = "errors in the unit of the file's columns";
+    public const string Body = "distance and angle between the displayed and the true pose";
+}

@@ -1,0 +1,18 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Results and errors of calibrate simulate.</summary>
+static class SimulationMessages
+{
+    public static string Read(int pictures, int read, double readPercent, int misread, double misreadMs) =>
+        FormattableString.Invariant($"{pictures} pictures, {read} read ({readPercent:0.0} % of those without a defect), {misread} misread ")
+        + FormattableString.Invariant($"by more than {misreadMs} ms");
+
+    public static string Error(double meanMs, double p95Ms) =>
+        FormattableString.Invariant($"error of L_visu: mean {meanMs:0.000} ms, P95 {p95Ms:0.000} ms");
+
+    public static string OtherPictures(string folder, int pictures, string truthFile) =>
+        $"--out: {folder}: has {pictures} pictures that were not simulated ({truthFile} is missing); choose another folder";
+
+    public static string Written(int pictures, string folder, string sweep, string truth) =>
+        $"{pictures} pictures in {folder}, with {sweep} and {truth}";
+}

@@ -1,0 +1,58 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors and warnings of calibrate sine, with what to do.</summary>
+static class SineMessages
+{
+    public static string NoBox(string option) =>
+        $"{option} is missing: for a video, mark both patches in its first picture, as X,Y,WIDTH,HEIGHT in px";
+
+    public static string BoxOutside(string option, int x, int y, int width, int height, int pictureWidth, int pictureHeight) =>
+        $"{option}: {x},{y},{width},{height} px is not inside the picture of {pictureWidth}x{pictureHeight} px; choose a smaller box";
+
+    public static string TooShort(double seconds, double maxLagSeconds) =>
+        FormattableString.Invariant($"recording: {seconds:0.0} s are too short to find lags up to {maxLagSeconds} s; record at least ten ")
+        + "seconds";
+
+    public static string NoMotion(string what) => $"recording: {what} does not move; jog a joint back and forth while it is filmed";
+
+    public static string NoCorrelation(double correlation, double min) =>
+        FormattableString.Invariant($"recording: the hologram does not follow the robot: correlation {correlation:0.00}, at least {min} is ")
+        + "needed; check the columns; if one of them counts in the opposite direction, add --inverted";
+
+    public static string LagOutOfRange(double lagMs, double minMs, double maxMs) =>
+        FormattableString.Invariant($"recording: the best lag lies at or beyond {lagMs:0} ms; allowed: {minMs:0} to {maxMs:0} ms; check ")
+        + "both clocks";
+
+    public static string Ambiguous(double periodSeconds) =>
+        FormattableString.Invariant($"recording: the motion repeats after {periodSeconds:0.00} s, so the lag is ambiguous; jog more ")
+        + "slowly, with a period of 2 s or more";
+
+    public const string NoProfile = "no profile was written: state which part of the lag is L_visu with --app-ms or --told-ms";
+
+    public static string SteppedGhost(double? heldMs, double errorMs) =>
+        FormattableString.Invariant($"the ghost moves every {heldMs:0.##} ms, synchronously with the pictures: the result may be wrong by ")
+        + FormattableString.Invariant($"up to {errorMs:0.0} ms; film the gripper instead (--told-ms), or film at another frame rate");
+
+    public static string StandardError(double deviationMs) =>
+        FormattableString.Invariant($"the standard error is {deviationMs:0.0} ms: jog farther or faster, or film longer, to get below ± 3 ms");
+
+    public static string ColumnsNeeded(string path, int columns) =>
+        $"{path}: {columns} columns after the time; name the columns of robot and hologram with --columns ROBOT,HOLOGRAM";
+
+    public static string ColumnNeeded(string path, int columns, string option) =>
+        $"{path}: {columns} columns after the time; name one: {option} NAME";
+
+    public static string UnknownColumn(string option, string path, string column, string columns) =>
+        $"{option}: {path} has no column '{column}'; it has {columns}";
+
+    public static string TooFewPictures(string path, int pictures, int min) =>
+        FormattableString.Invariant($"{path}: {pictures} pictures show both robot and hologram; at least {min} are needed, and ten seconds ")
+        + "are better";
+
+    public const string BothWays =
+        "--app-ms and --told-ms exclude each other: film either the ghost, which is not compensated, or the gripper, which is";
+
+    public static string PatchLost(string path, int picture, bool isRobot, double match, double min) => FormattableString.Invariant(
+        $"{path}: picture {picture}: the {(isRobot ? "robot's" : "hologram's")} patch is lost (match {match:0.00}, at least {min} is needed); ")
+        + "mark a patch with more contrast, or film a shorter motion";
+}

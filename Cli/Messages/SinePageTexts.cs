@@ -1,0 +1,31 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Titles, labels and sentences of the page of calibrate sine.</summary>
+static class SinePageTexts
+{
+    public const string Tracking = "following robot and hologram";
+    public const string Title = "Latency of a jog back and forth";
+
+    public static string VisuResult(double visuMs, double deviationMs, double totalMs) =>
+        FormattableString.Invariant($"L_visu is {visuMs:0.0} ms ± {deviationMs:0.0} ms; the total lag is {totalMs:0.0} ms.");
+
+    public static string LagResult(double totalMs, double deviationMs) =>
+        FormattableString.Invariant($"The hologram is {totalMs:0.0} ms ± {deviationMs:0.0} ms behind the robot.");
+
+    public const string MotionsNote =
+        "Each curve is scaled to its own range. Shifted forward by the lag, the hologram's curve agrees with the robot's.";
+
+    public const string ShiftedHologram = "hologram, shifted by the lag";
+    public const string Correlation = "Correlation over the lag";
+
+    public const string CorrelationNote =
+        "The peak is at the total latency. Between the camera's pictures it is found by a least-squares fit of the robot's position and speed.";
+
+    public static string Compensated(double usedMs) =>
+        FormattableString.Invariant($"compensated: the remaining lag is the error of the {usedMs:0.##} ms that the headset used");
+
+    public static string NotCompensated(double applicationMs, double halfSamplingMs) =>
+        FormattableString.Invariant($"not compensated: L_app {applicationMs:0.##} ms and half of T_s, {halfSamplingMs:0.##} ms, are subtracted");
+
+    public const string TotalOnly = "the total latency only";
+}

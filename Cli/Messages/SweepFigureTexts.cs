@@ -1,0 +1,18 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Texts of the figures that vary one value.</summary>
+static class SweepFigureTexts
+{
+    public static string Conditions(string varied) =>
+        $"Varied: {varied}. Everything else as stated for all figures. Random moves: 7-phase, strokes and limits drawn separately for each "
+        + "move, up to 1500 mm/s.";
+
+    public static string RandomRatio(string predictor) => $"{predictor} ratio on random moves";
+
+    public static string Leaves(string predictor, string ofQuadratic, string ofBest, string onRandomMoves) =>
+        $"{predictor} leaves {ofQuadratic} of the quadratic's error, {ofBest} of the error of the best of the three at each value, and on "
+        + $"fast random moves {onRandomMoves} of the quadratic's. ";
+
+    public static string Beyond(string shares) =>
+        $"{shares}The swing repeats every 2.4 s, which adaptive may recognise; random moves do not repeat.";
+}

@@ -1,0 +1,20 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Texts of the page of sync.</summary>
+static class SyncPageTexts
+{
+    public static string WouldOverwriteLog(string page, string data) =>
+        $"--page: {page}: the page or its data, {data}, would overwrite the log; use another name";
+
+    public static string WouldOverwritePage(string page) => $"--page: {page}: the page's data would overwrite it; use a name that ends in .html";
+
+    public const string Ransac = "RANSAC, as in the paper";
+    public const string Title = "Clock synchronisation of your log";
+    public const string Subtitle = "Fig. 8 of the paper from recorded exchanges.";
+
+    /// <param name="logged">Number of exchanges in the log.</param>
+    /// <param name="used">Number of valid exchanges.</param>
+    public static string Conditions(int logged, int used) => "t and the offsets count from the first exchange. Θ₂ is the offset at t = 0. "
+        + "The true offset is unknown, so errors are relative to the fit. RTT includes the time at the server, as in the paper."
+        + (used == logged ? "" : FormattableString.Invariant($" {logged - used} of {logged} exchanges are invalid and left out."));
+}

@@ -1,0 +1,16 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>What to do in Unity after unity.</summary>
+static class UnityNextSteps
+{
+    public const string InUnity =
+        "Open the project in Unity. Window → Nowpose → Project Setup lists the remaining settings for a headset, and applies most of them.";
+
+    public const string Git =
+        "git must be on Unity's PATH: MRTK3 and Graphics Tools are fetched from their repositories, at the tags of their releases.";
+
+    public const string Answers =
+        "When Unity asks for the new input backend, answer Yes; when it asks to update interaction layer masks, No Thanks.";
+
+    public const string Profile = "Project Settings → MRTK3, tabs Standalone and Universal Windows Platform: Assign MRTK Default.";
+}

@@ -1,0 +1,33 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors of unity about the package and its samples, with what to do.</summary>
+static class UnityPackageMessages
+{
+    public static string NotAnAddress(string text, string package) =>
+        $"--package: '{text}' is neither a git address nor a folder or tarball with the package {package}";
+
+    public const string Owner = "--package: replace OWNER by the host of your copy of the repository";
+    public const string ObjectExpected = "a JSON object is expected";
+
+    public static string NotJson(string file, long? line) => FormattableString.Invariant($"{file}:{line}: not a JSON object");
+
+    public const string SamplesNotAnArray = "samples must be an array";
+
+    public static string NotAnObject(string place) => $"{place} must be an object";
+    public static string NotAString(string place, string name) => $"{place}{name} must be a string";
+
+    public const string FilesMissing = "the files of the package are missing beside this program; publish it again, or run it from a clone";
+
+    public static string UnknownSample(string name, string allowed) => $"--sample: '{name}' is not a sample of the package; allowed: {allowed}";
+    public static string SampleMissing(string sample, string folder) => $"--sample: the files of '{sample}' are missing: {folder}";
+
+    public static string FileInTheWay(string folder) =>
+        $"{folder}: is a file where the sample needs a folder; rename or delete it, and try again";
+
+    public static string SampleChanged(string file, int more) =>
+        FormattableString.Invariant($"{file}: differs from the sample's file, as do {more} more; move or delete the folder of the sample, ")
+        + "and try again";
+
+    public static string NotCopied(string folder, string sample, string reason) =>
+        $"{folder}: the sample '{sample}' cannot be copied: {reason}; the manifest is not changed; remove the cause, and try again";
+}

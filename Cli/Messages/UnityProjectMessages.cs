@@ -1,0 +1,27 @@
+using Nowpose.Editor.Setup;
+
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Errors of unity about the project, with what to do.</summary>
+static class UnityProjectMessages
+{
+    public static string TooOldForMrtk3(string file, UnityVersion version, Version oldest) =>
+        $"{file}: Unity {version} is older than {oldest}, the oldest that MRTK3 accepts";
+
+    public static string TooNew(string package, string version, string allowed) =>
+        $"{package} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {allowed}";
+
+    public static string Embedded(string project, string package) =>
+        $"--package: {project} has the package in Packages/{package}, which Unity prefers; remove that folder first";
+
+    public static string Conflicts(string conflicts, string rules) => $"{conflicts}. Change it there, or use --on-conflict {rules}.";
+    public static string EntryKept(string conflict) => $"{conflict}; the entry is kept";
+
+    public const string Backup = "Backup of the manifest: ";
+    public const string NoPath = "PATH is empty; the folder of a Unity project is needed";
+
+    public static string IsAFile(string path) => $"{path}: is a file; the folder of a Unity project is needed";
+    public static string NoFolder(string path) => $"{path}: folder not found; the folder of a Unity project is needed";
+    public static string NotAProject(string path, string missing, string hint) => $"{path}: is not a Unity project: {missing} is missing{hint}";
+    public static string NoVersion(string file) => $"{file}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1";
+}

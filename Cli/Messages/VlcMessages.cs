@@ -1,0 +1,48 @@
+namespace Nowpose.Cli.Messages;
+
+/// <summary>Warnings and results of calibrate vlc, with what to do.</summary>
+static class VlcMessages
+{
+    public static string MovedPictures(int moving, int pictures) =>
+        $"{moving} of {pictures} pictures were taken while the headset or the camera moved; L_visu is measured with a still head: put "
+        + "headset and camera on a stand. Pictures of a moving headset are for 'calibrate head'";
+
+    public static string OtherSweep(int joined, int pictures, string reason) =>
+        $"--sweep: the log has the frames of only {joined} of {pictures} pictures; {reason}";
+
+    public static string NotInSweep(int missing, int pictures) => $"{missing} of {pictures} pictures show a frame that is not in the sweep log";
+
+    public static string OtherSource(int others, int all, string source) =>
+        $"{others} of {all} render times of the sweep were measured with a source other than {source} and are not used";
+
+    public static string OrderUnknown(double periodSeconds) =>
+        FormattableString.Invariant($"codes repeat after {periodSeconds:0.0} s, the sweep is longer, and the pictures are not in the order ")
+        + "in which they were taken: name the files so that they sort in that order";
+
+    public const string UseSweepOfPictures = "use the log of the sweep that the pictures show";
+
+    public static string LatePictures(int late, int pictures) =>
+        $"{late} of {pictures} pictures are late and were not used. If they were taken at several loads, add the sweep's log with --sweep";
+
+    public static string FewPictures(int pictures) =>
+        $"L_visu was computed from {pictures} pictures only and may be wrong by some ms: take 30 or more";
+
+    public static string NoVisuInSweep(int pictures) =>
+        $"L_visu cannot be determined from these {pictures} pictures of the sweep; no profile was written";
+
+    public const string OnePicture = "one picture is not enough for a profile; none was written";
+
+    public static string Scatters(double? deviationMs) =>
+        FormattableString.Invariant($"L_visu scatters by {deviationMs:0.0} ms, too much for a constant. If the pictures were taken at ")
+        + "several loads, add the sweep's log with --sweep. No profile was written";
+
+    public static string NoVisu(int pictures) => FormattableString.Invariant($"L_visu cannot be determined; pictures read: {pictures}.");
+
+    public static string Result(double visuMs, double spreadMs, int pictures) =>
+        FormattableString.Invariant($"L_visu is {visuMs:0.0} ms ± {spreadMs:0.0} ms, from {pictures} pictures.");
+
+    public const string NoPicture = "no picture was evaluated";
+
+    public static string NothingRead(int pictures, int count, string fault) =>
+        $"none of {pictures} pictures could be read; {count} of them: {fault}";
+}

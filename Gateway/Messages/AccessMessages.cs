@@ -1,0 +1,25 @@
+using Microsoft.AspNetCore.Http;
+
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Answers to clients without access, and lines about them in the log.</summary>
+static class AccessMessages
+{
+    public static string OtherOrigin(string allowed) => $"the Origin is not that of the gateway; allowed: {allowed}";
+
+    public const string OperatorOnly =
+        "this needs the role operator; log in with a token of a line \"operator TOKEN\". Without tokens, use a browser on the gateway's machine";
+
+    public static string Method(PathString path, string allowed) => $"{path}: the method must be {allowed}";
+
+    public const string Token = "the bearer token is missing or unknown";
+    public const string TooManyWrongLog = "websocket: refused a connection, too many wrong tokens from its address";
+
+    public static string TooManyWrong(string answer) => $"{answer}; too many wrong tokens from this address";
+    public static string Refused(Closure why) => $"websocket: refused a connection, {why}";
+    public static string NotChecked(string kind, string reason) => $"security: tokens and certificate could not be checked ({kind}: {reason})";
+
+    public const string OtherLinesUsed = "; its other lines are used";
+    public const string FormerContentUsed = "; its former content stays in use, including removed lines";
+    public const string ClosedForNewer = "websocket: closed a connection without authentication in favour of a newer one";
+}

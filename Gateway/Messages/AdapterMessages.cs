@@ -1,0 +1,24 @@
+using System.Net;
+
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Errors of adapters and their configurations, with what to do.</summary>
+static class AdapterMessages
+{
+    public static string Ended(string file, string end, double seconds) =>
+        FormattableString.Invariant($"{file}: its adapter ended ({end}) and starts again in {seconds:0.#} s");
+
+    public static string NoTls(IPAddress address) =>
+        $"--plant with --bind {address} and no --tls: adapters connect only over TLS or loopback; add --tls, or bind to any";
+
+    public static string SameName(string file, string plant, string other) =>
+        $"{file}: its plant has the same name '{plant}' as the one in {other}; set another plant.name in one of the two files";
+
+    public static string CheckTooSlow(string file, double seconds) =>
+        $"{file}: its check did not end within {seconds} s; try again when the machine is less busy";
+
+    public const string NodeNeeded = "--plant: Node.js 20 or newer is needed to read a control system";
+
+    public static string CheckUnreadable(string file) =>
+        $"{file}: the result of its check cannot be read; build the gateway and the adapters from the same version";
+}

@@ -1,0 +1,40 @@
+using System.Net;
+
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Errors of options for addresses, ports and encryption, with what to do.</summary>
+static class AddressOptionMessages
+{
+    public static string TokensWithoutTls(IPAddress address) =>
+        $"--tokens without --tls on {address}: tokens are sent only over TLS or loopback; add --tls or bind to loopback";
+
+    public static string PairingWithoutCertificate(IPAddress address) =>
+        $"--pairing without --certificate on {address}: tokens are sent only over TLS or loopback; add --certificate or bind to loopback";
+
+    public static string PlainBind(IPAddress address) =>
+        $"--bind {address}: unencrypted connections from other machines need --insecure-lan; --tls is safer";
+
+    public const string NoPrivateKey = "--certificate: has no private key; use a certificate with its private key";
+
+    public static string SamePorts(string option, int port) => $"{option} {port}: both ports are the same; use two different ports";
+    public static string MaxConnections(int value) => $"--max-connections {value}: must be at least 1";
+    public static string Rate(string option, int value, int max) => $"{option} {value} is out of range; allowed: 1 to {max}";
+    public static string Port(string option, int value, int max) => $"{option} {value} is out of range; allowed: 0 (any free port) to {max}";
+
+    public static string NotThisMachine(IPAddress address, string reason) =>
+        $"--bind {address}: not an address of this machine ({reason}); use an IP address of this machine, localhost or any";
+
+    public static string ClockName(string name) => $"--clock: '{name}' names no clock; allowed: own, and 1 to 32 of a-z, 0-9, _ and -.";
+
+    public const string PairingWithTls =
+        "--pairing with --tls: headsets accept one key only, and each start would create a new one; add --certificate FILE";
+
+    public const string ClockStart =
+        "--clock-start-s: needs --own-clock monotonic, because the system clock shows Unix time. Remove one of the two options";
+
+    public const string Skew =
+        "--skew-ppm: needs --own-clock monotonic, because the system clock has its own rate. Remove one of the two options";
+
+    public static string NotAnAddress(string text) => $"--bind: '{text}' is not an address; allowed: an IP address, localhost and any.";
+    public static string SecondsOutOfRange(string text, double max) => $"--clock-start-s: '{text}' is out of range; allowed: 0 to {max} s.";
+}

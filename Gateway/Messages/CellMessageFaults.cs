@@ -1,0 +1,14 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Faults in messages about frames and signals, after the name of the frame or signal.</summary>
+static class CellMessageFaults
+{
+    public const string OwnParent = "is its own parent";
+    public const string StampZero = "has a zero stamp";
+
+    public static string SignalTwice(string signal) => $"signal {signal} is named twice";
+    public static string SignalValue(string signal, string value) => $"value of signal {signal} is {value}";
+
+    public static string Norm(double norm, double tolerance) =>
+        FormattableString.Invariant($"has a rotation with the norm {norm:0.#######}; it must be 1 within {tolerance}");
+}

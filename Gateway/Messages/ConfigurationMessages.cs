@@ -1,0 +1,22 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Errors in a configuration file. The reader adds the file and the line.</summary>
+static class ConfigurationMessages
+{
+    public static string SecondDocument(string place) => $"{place}: a second document starts here; a configuration must have one";
+    public static string NotYaml(string place) => $"{place}: not valid YAML, in this line or a later one";
+    public static string TooLong(string path, long bytes, int max) => $"--config {path}: {bytes} bytes; the maximum is {max}";
+    public static string NoEntry(string place) => $"{place}: a line \"key: value\" is needed";
+    public static string KeyNotAWord(string place) => $"{place}: a key must be a word without tags and anchors";
+    public static string KeyTwice(string place, string key, string earlier) => $"{place}: {key}: occurs twice, first at {earlier}; remove one";
+
+    public static string ValueNotAWord(string place, string key) =>
+        $"{place}: {key}: must be a word, a number, or a list of words, without tags and anchors";
+
+    public static string UnknownEntry(string verb, string allowed) => $"'{verb}' has no such entry; {allowed}";
+
+    public const string List = "is a list; give one value";
+    public const string ControlCharacter = "contains a line end or another control character";
+
+    public static string NotASwitch(string value) => $"'{value}' is neither true nor false";
+}

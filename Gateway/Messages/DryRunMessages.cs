@@ -1,0 +1,21 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Results and errors of a check of the configuration.</summary>
+static class DryRunMessages
+{
+    public static string RecordingsAreAFile(string path) => $"--recordings {path}: is a file; a folder is needed";
+    public static string PortInUse(int port) => $" (port {port} is in use)";
+    public static string IsAFolder(string option, string path) => $"{option} {path}: is a folder; a file is needed";
+
+    public static string NoFolder(string option, string path, string folder) =>
+        $"{option} {path}: folder {folder} does not exist; create it or correct the path";
+
+    public static string NotWritable(string option, string path, string folder) =>
+        $"{option} {path}: this user cannot write into the folder {folder}; change its permissions or the path";
+
+    public static string MissingJoints(IReadOnlyList<string> joints)
+    {
+        var them = joints.Count == 1 ? "it" : "them";
+        return $"{string.Join(", ", joints)}; no plant configures {them}, so headsets show no current pose until another source publishes {them}";
+    }
+}

@@ -1,0 +1,31 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>What to do about the events on the operations page.</summary>
+static class EventRemedies
+{
+    public const string Source = "Check that its source runs and reaches the gateway.";
+    public const string MissingJoint = "Check that the plant offers the joint's value and that the plant's configuration names it correctly.";
+    public const string Values = "Check the values that its source sends.";
+    public const string Plant = "Check the plant and its connection.";
+    public const string CellVariables = "Check its variables in the plant and its entry in the plant's configuration.";
+    public const string ClockAdapter = "Check the adapter that reads this clock.";
+    public const string Adapters = "Check that the adapter of each plant runs and is connected.";
+    public const string GatewayLog = "Read its lines in the gateway's log.";
+    public const string Adapter = "Check that the adapter runs and reaches the gateway.";
+    public const string HeadsetPower = "Check its power and its network.";
+    public const string MissingJoints = "Check the sources of these joints.";
+    public const string HeadsetNetwork = "Check the network between the headset and the gateway.";
+    public const string LateSamples = "Check that samples reach the headset in time.";
+    public const string StatusPanel = "Look at the status panel of the headset.";
+    public const string TwoSources = "Stop one of the two sources.";
+
+    public static string Limits(string unit, string other) =>
+        $"Check that the description belongs to this robot and that the source sends {unit}, not {other}.";
+
+    public const string RecordAgain = "Start the recording again to write a new file.";
+    public const string Recording = "Correct this, then start the recording again.";
+    public const string Certificate = "renew the file with the same key; the gateway needs no restart";
+
+    public const string CheckRest = "Check that the joint is at rest.";
+    public const string SetDeceleration = "Check that the joint is at rest; if it is, set its max_deceleration in the plant's configuration.";
+}

@@ -1,0 +1,61 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Headlines and reasons of events on the operations page.</summary>
+static class EventTexts
+{
+    public static string SourceEnded(string source) => $"its source {source} has ended";
+
+    public const string OtherTimeLine = "time stamps from before the step are on another time line";
+
+    public static string ClockStepped(string clock) => $"the control clock {clock} was stepped";
+
+    public const string OwnClock = "the gateway's own control clock";
+
+    public static string ClockNotServed(string clock) => $"{clock} is not served to headsets";
+
+    public const string StampsContradict = "contradicts the stamps of samples";
+
+    public static string StampsContradictClock(string clock) => $"{clock} and the stamps of samples contradict each other";
+
+    public const string NotSystemClock = "does not follow the system clock";
+
+    public static string ClockNotSystemClock(string clock) => $"{clock} does not follow the system clock";
+
+    public const string Future = "sends time stamps in the future";
+
+    public static string FutureBy(string by) => $"they are {by} ahead of the control clock";
+    public static string SourceInFuture(string source) => $"source {source} sends time stamps in the future";
+
+    public const string NoSource = "no adapter has reported a joint and no sample has arrived";
+    public const string SourceMissing = "a source of joint positions is missing";
+
+    public static string ProgramEnded(string end) => $"its program ended with {end}";
+
+    public const string ProgramStarted = "its program has just started";
+
+    public static string StartedAgain(string end) => $"{end} and is started again";
+    public static string NotConnected(string adapter) => $"adapter {adapter} is not connected to its plant";
+
+    public const string OtherVersion = "does not fit this gateway";
+    public const string NoCurrentPose = "shows no current pose";
+    public const string HeadsetLost = "its reports stopped without a normal end of the connection";
+
+    public static string MissingJoints(string pose, string joints) => $"the pose is {pose}; missing joints: {joints}";
+    public static string JointTaken(string owner) => $"the source {owner} already publishes this joint";
+    public static string SourceRefused(string source, string joint) => $"source {source} is refused for joint {joint}";
+
+    public static string BeyondLimits(double position, string unit, double lower, double upper) =>
+        FormattableString.Invariant($"its position was {position:0.###} {unit}; allowed: {lower:0.###} to {upper:0.###} {unit}");
+
+    public static string JointBeyondLimits(string joint) => $"joint {joint} is outside the limits of the robot description";
+
+    public const string Expires = "is about to expire";
+    public const string CertificateExpires = "the gateway's certificate is about to expire";
+
+    public static string HeadsetsRefuse(string day, string remedy) => $"headsets have refused it since {day}; {remedy}";
+
+    public const string CertificateExpired = "the gateway's certificate has expired";
+    public const string NotUpdated = "status: the state could not be updated";
+
+    public const string UncertainRest = "may not be at rest";
+}

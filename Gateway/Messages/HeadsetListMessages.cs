@@ -1,0 +1,15 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Texts and errors of the list of paired headsets.</summary>
+static class HeadsetListMessages
+{
+    public const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end immediately.\n";
+
+    public static string NotAnEntry(string path, int line) =>
+        $"{path}, line {line}: not an entry of a paired headset; correct or remove the line";
+
+    public static string Unusable(string path, string reason) =>
+        $"{path}: the list of paired headsets cannot be used ({reason}); check its permissions";
+
+    public static string Full(string path, int max) => $"{path}: already contains {max} headsets; revoke some";
+}

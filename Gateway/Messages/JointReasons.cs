@@ -1,0 +1,18 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Reasons for the state of a joint.</summary>
+static class JointReasons
+{
+    public static string Taken(string source) => $"the source {source} already publishes this joint; each joint has one source";
+
+    public const string NoSample = "the adapter reports a live joint, but no sample has arrived at the gateway";
+    public const string NoReport = "the adapter stopped reporting before the first sample";
+
+    public static string Silent(string adapter) => $"samples stopped arriving, and the adapter {adapter} does not report";
+
+    public const string SamplesStopped = "samples stopped arriving; the adapter reports a live joint";
+    public const string NotPublished = "the robot description has this joint, but no source publishes it";
+    public const string NoSource = "no source publishes joint positions yet";
+
+    public static string Summary(string live, int resting) => $"{live} live, {resting} assumed at rest";
+}

@@ -1,0 +1,31 @@
+using Nowpose.Protocol;
+
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Errors and warnings about the certificate and its file, with what to do.</summary>
+static class KeyFileMessages
+{
+    public static string OtherKey(string path, CertificatePin pin) =>
+        $"{path}: has a different key (pin {pin}), which paired headsets refuse; restart the gateway to use it";
+
+    public static string NotValidToday(string path, DateTime from, DateTime to) =>
+        FormattableString.Invariant($"{path}: valid from {from:yyyy-MM-dd} to {to:yyyy-MM-dd}, not today; renew it, or delete it so that ")
+        + "the gateway creates a new one";
+
+    public static string Unusable(string path, string reason) =>
+        $"{path}: no usable certificate with private key ({reason}); allowed: .pfx without password and .pem";
+
+    public static string NoPrivateKey(string path) => $"{path}: the certificate has no private key; use a certificate with its private key";
+
+    public static string NotWritten(string path, string reason) =>
+        $"{path}: the new certificate cannot be written ({reason}); check the folder's permissions";
+
+    public static string Expired(string day) =>
+        $"certificate: expired on {day}, headsets refuse it; renew the file with the same key, no restart is needed";
+
+    public static string Expires(string day, double days) =>
+        FormattableString.Invariant($"certificate: expires on {day}, in {days:0.0} days; renew the file with the same key, no restart is ")
+        + "needed";
+
+    public static string Renewed(string day) => $"certificate: renewed, valid to {day}";
+}

@@ -1,0 +1,19 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Answers to connections and requests beyond a limit, and errors of the limits.</summary>
+static class LimitMessages
+{
+    public static string Connections(int max) => $"no more than {max} connections";
+    public static string Requests(int max) => $"no more than {max} requests a second";
+
+    public static string NoDescriptor(ulong number, ulong allowed, ulong spare) =>
+        $"descriptor {number} of {allowed}; the last {spare} are kept free; raise the limit or reduce --max-connections";
+
+    public static string BodyBytes(int max) => $"no more than {max} bytes";
+
+    /// <param name="possible">Maximum number of connections for this limit; below 1 if none is possible.</param>
+    public static string TooFewDescriptors(int connections, long needed, ulong allowed, long possible) =>
+        $"--max-connections {connections}: two ports with this number of connections need {needed} file descriptors, and the system allows "
+        + $"{allowed}; {(possible < 1 ? "" : $"use 1 to {possible}, or ")}raise the limit to {needed} (ulimit -n, LimitNOFILE= of the systemd unit, "
+        + "--ulimit nofile= of the container)";
+}

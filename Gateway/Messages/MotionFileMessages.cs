@@ -1,0 +1,41 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Errors in recorded motions. The reader adds the file and the row.</summary>
+static class MotionFileMessages
+{
+    public const string TimeNotANumber = "a time must be a number";
+
+    public static string ArrayLength(int elements, int joints) => $"the array has {elements} elements; the recording has {joints} joints";
+    public static string Quotation(string path, int row) => $"{path}:{row}: a quotation mark is inside a field; quote whole fields or none";
+    public static string TooFewRows(string path, int rows) => $"{path}: {rows} rows of data; a motion needs at least 2";
+    public static string Empty(string path) => $"{path}: is empty; a header such as t,joint_1,joint_2 is needed";
+
+    public static string BodyHeader(string header, string expected) =>
+        $"the header is {header}; the header of a rigid body is exactly {expected}";
+
+    public static string FirstColumn(string header) =>
+        $"first column is {header}; a header is needed that begins with the time in seconds, t or t_s, columns separated by commas";
+
+    public static string NoJoint(string header) => $"no joint column after {header}; at least one is needed";
+    public static string NoName(int column) => $"column {column} has no name; each joint needs one";
+    public static string NameTwice(int column, string name) => $"column {column}: name {name} occurs twice; each joint needs its own name";
+    public static string FieldCount(int fields, int header) => $"{fields} fields; the header has {header}; write one field for each column";
+
+    public static string TimeOrder(string field, string value) =>
+        $"field {field}: {value} s is not later than the previous row; times must increase";
+
+    public static string NormRange(string fields, double length, double min, double max) =>
+        FormattableString.Invariant($"fields {fields}: the quaternion has length {length:G6}; allowed: {min:G6} to {max:G6}");
+
+    public static string EmptyField(string field) => $"field {field} is empty; a number is needed";
+    public static string NotANumber(string field, string text) => $"field {field}: {text} is not a number; the decimal separator is a point";
+    public static string NotFinite(string field, string text) => $"field {field}: {text} is not a finite number";
+
+    public static string TooLarge(string field, string text, double max) =>
+        FormattableString.Invariant($"field {field}: {text} is too large; up to {max:0e+0} are allowed");
+
+    public const string NoFile = "no file is named; a path of a .csv or .csv.gz file is needed";
+
+    public static string IsAFolder(string path) => $"{path}: is a folder; the path of a .csv or .csv.gz file is needed";
+    public static string NotGzip(string path) => $"{path}: is not a complete gzip file, although its name ends in .gz";
+}

@@ -1,0 +1,23 @@
+using Nowpose.Gateway.Security;
+
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Answers of the operations page and lines about it in the log.</summary>
+static class OperationsMessages
+{
+    public const string PageMissing =
+        "the page is missing because this gateway was built without Node.js; install Node.js 20 or newer with npm and build again";
+
+    public const string NoTokenNeeded = "this gateway requires no token";
+    public const string UnknownTokenLog = "operations: refused an unknown token";
+    public const string UnknownToken = "not a token of this gateway";
+    public const string TooManyWrong = "too many wrong tokens; wait a minute";
+
+    public static string LoggedIn(Role role) => $"operations: a browser logged in as {role}";
+
+    public const string ThisMachineOnly =
+        "without tokens, the operations page is available under the gateway's address, its machine's name and localhost only";
+
+    public const string UseOwnAddress = "use the gateway's address, its name or localhost";
+    public const string Format = "format: json or csv is allowed";
+}

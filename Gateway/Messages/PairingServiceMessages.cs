@@ -1,0 +1,23 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Answers of the pairing page and of the pairing service, and lines about them in the log.</summary>
+static class PairingServiceMessages
+{
+    public static string MarkerSize(string text) => $"marker size: '{text}' is not a size; allowed: 10 to 999 mm";
+
+    public const string ThisMachineOnly =
+        "the pairing page is available to browsers on the gateway's machine, under its address, its name or localhost, and to operators who "
+        + "have logged in";
+
+    public const string Fields = "token and name are needed";
+
+    public static string TooManyWrong(int max) => $"more than {max} wrong codes in a minute";
+
+    public const string NotStored = "the headset's token cannot be stored";
+
+    public static string TokenGiven(string headset) => $"pairing: headset '{headset}' received a token";
+
+    public const string WrongCodeLog = "pairing: refused a wrong code";
+    public const string WrongCode = "this is not the current code";
+    public const string NotJson = "the request must be a JSON object of strings with a Content-Length";
+}

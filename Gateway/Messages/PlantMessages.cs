@@ -1,0 +1,16 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Errors of simulated and recorded plants.</summary>
+static class PlantMessages
+{
+    public const string SamplingTime = "must be at least one control cycle of 1 ms";
+
+    public static string AcquisitionTime(TimeSpan max) => $"must be from 0 to the maximum, {max}";
+
+    public static string ColumnCount(int columns, string names, string robot, int joints) =>
+        $"the recording has {columns} columns ({names}), robot {robot} has {joints} joints that move independently; choose a robot with "
+        + "this number of columns";
+
+    public static string NoRobot(string allowed) => $"no robot is named; {allowed}";
+    public static string Robots(string names) => $"{names} or the path of a .urdf file is needed";
+}

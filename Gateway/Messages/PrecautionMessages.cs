@@ -1,0 +1,17 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Warnings about the security of the gateway's start, with what to do.</summary>
+static class PrecautionMessages
+{
+    public const string Root = "security: the gateway runs as root or administrator without need; run it as a separate user";
+
+    public const string InsecureLan =
+        "security: anyone on this network can read and change the data, because of --insecure-lan; use --tls instead";
+
+    public static string WeakToken(string where, double bits, double min) =>
+        $"security: {where}: the token has a strength of {bits} bits and can be guessed; {min} bits or more are needed; replace it, for "
+        + "example with the output of: openssl rand -hex 32";
+
+    public static string ReadableFile(string path, string mode) =>
+        $"security: {path} can be read by users other than its owner (mode {mode}); chmod 600 {path}";
+}

@@ -1,0 +1,18 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Problems and answers of the recorder.</summary>
+static class RecorderMessages
+{
+    public const string Deleted = "the file was deleted during the recording, and its lines are lost";
+    public const string NoFolder = "recording: no folder is configured; start the gateway with --recordings FOLDER";
+
+    public static string DiskTooSlow(string path, double seconds) =>
+        FormattableString.Invariant($"recording {path}: the disk did not store the data within {seconds:0} s; the remaining lines are lost");
+
+    public const string OnField = "on: must be \"true\" or \"false\"";
+    public const string UnknownName = "no recording in the folder has this name; /operations/recordings lists the names";
+    public const string FolderNotChecked = "recordings: the folder could not be checked";
+    public const string RecordWithoutFolder = "--record: needs --recordings with a folder";
+
+    public static string FolderNotCreated(string folder, string reason) => $"--recordings {folder}: the folder cannot be created ({reason})";
+}

@@ -1,0 +1,31 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Answers to requests of rosbridge clients, and lines about them in the log.</summary>
+static class RequestMessages
+{
+    public static string ClosedForRate(Closure why) => $"websocket: closed a connection, {why}";
+    public static string NotAccepted(string kind, string reason) => $"websocket: a connection could not be accepted ({kind}: {reason})";
+    public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}";
+
+    public const string NotAWebSocket = "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client";
+
+    public static string Closed(Closure why) => $"websocket: closed a connection, {why}";
+
+    public static string NoPong(string address, double kiloBytesPerSecond) =>
+        FormattableString.Invariant($"websocket: {address} does not answer pings, so it receives at most {kiloBytesPerSecond:0} kB/s");
+
+    public static string NoSlash(string topic) => $"a topic name begins with a slash: /{topic}";
+
+    public static string NotPublished(string topics) =>
+        $"receives no messages, because the gateway never publishes this topic. Its topics: {topics}";
+
+    public static string UnknownOperation(string operation, string allowed) => $"Unknown operation: {operation}. Allowed operations: {allowed}";
+
+    public static string Dropped(string source, string trouble, DropReason reason) =>
+        $"the gateway drops the samples of {source}: {trouble} ({reason})";
+
+    public static string Compression(string compression) =>
+        $"compression {compression} is not supported; use none. Messages are sent as JSON text";
+
+    public static string FragmentSize(string size) => $"fragment_size {size} is not supported; remove it. Messages are not fragmented";
+}

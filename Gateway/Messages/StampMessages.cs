@@ -1,0 +1,33 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Contradictions between time stamps and the control clock, with what to do.</summary>
+static class StampMessages
+{
+    public const string AgreeAgain = "clock: time stamps and control clock agree again";
+
+    public static string NotFollowing(string clock) => $"they do not follow the control clock {clock}";
+
+    public const string NotCorrected = "they did not follow a correction of the system clock";
+    public const string Corrected = "they followed a correction of the system clock";
+    /// <summary>The remedy for a source whose clock is not the control clock.</summary>
+    public const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
+    /// <summary>The remedy for a gateway with its own clock; does not apply to the verb simulate.</summary>
+    public const string SystemRemedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";
+
+    public const string FitsSystemClock = ", and that fit the system clock";
+
+    public static string SystemClockCorrected(double seconds) =>
+        FormattableString.Invariant($"the system clock was corrected by {seconds:+0.0;-0.0} s since the start, and the gateway's own control clock ")
+        + "did not follow. Time stamps that a source takes from the system clock are wrong by this amount";
+
+    /// <returns>Empty without other sources.</returns>
+    public static string SameFor(IReadOnlyCollection<string> sources) =>
+        sources.Count == 0 ? "" : $"; the same is true of {string.Join(", ", sources)}";
+
+    public static string Shifted(string source, string length, bool isOlder, bool isSystemServed, string cause) =>
+        $"the stamps of the source {source} became {length} {(isOlder ? "older" : "newer")} by the control clock"
+        + $"{(isSystemServed ? "" : ", but not by the system clock")}: {cause}";
+
+    public static string Implausible(string source, double percent, string length, bool isFuture) => FormattableString.Invariant(
+        $"{percent:0} % of the samples of the source {source} have stamps that lie {(isFuture ? "in the future of" : "before")} the control clock, by {length}");
+}

@@ -1,0 +1,13 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Lines about the clock synchronisation in the log.</summary>
+static class SyncServerMessages
+{
+    public static string NotAccepted(string kind, string reason) => $"sync: a connection could not be accepted ({kind}: {reason})";
+    public static string Refused(int max) => $"sync: refused a connection beyond {max}";
+
+    /// <param name="cause">Null if it is unknown or needs no text.</param>
+    public static string Closed(Closure why, Exception cause) => cause == null
+        ? $"sync: closed a connection, {why}"
+        : $"sync: closed a connection, {why}: {cause.GetType().Name}: {cause.Message}";
+}

@@ -1,0 +1,20 @@
+namespace Nowpose.Gateway.Messages;
+
+/// <summary>Errors of the verbs cell, pair and pairings, with what to do.</summary>
+static class VerbMessages
+{
+    public static string OutName(string path) => $"--out {path}: the file name must end in .svg or .png";
+
+    public static string PairingRefused(Uri address, int status, string reason) =>
+        $"{address}: {status} {reason}; check that the gateway was started with --pairing";
+
+    public static string NoGateway(Uri address, string reason) =>
+        $"{address}: {reason}; check that the gateway runs; if it uses TLS, add --certificate or --pin";
+
+    public static string NoList(string path) => $"--pairing {path}: file not found; a gateway with --pairing creates it";
+    public static string UnknownHeadset(string name, string known) => $"--revoke '{name}': no headset has this name; the names are {known}";
+
+    public const string PinAndCertificate = "--pin: the certificate already determines the pin; use one of the two";
+
+    public static string NoCertificate(string path) => $"--certificate {path}: file not found; the gateway creates it at its first start";
+}

@@ -1,0 +1,41 @@
+namespace Nowpose.Latency
+{
+    /// <summary>Conditions of depth submission at one time.</summary>
+    readonly struct DepthObservation
+    {
+        public DepthObservation(bool isRunning, bool isTurnedOn, bool isSupported, bool hasMainCamera, bool? isRequested)
+        {
+            IsRunning = isRunning;
+            IsTurnedOn = isTurnedOn;
+            IsSupported = isSupported;
+            HasMainCamera = hasMainCamera;
+            IsRequested = isRequested;
+        }
+
+        /// <summary>Whether a headset display is running through OpenXR.</summary>
+        public bool IsRunning { get; }
+
+        /// <summary>Whether the current Depth Submission Mode differs from None.</summary>
+        public bool IsTurnedOn { get; }
+
+        /// <summary>Whether the runtime has enabled XR_KHR_composition_layer_depth.</summary>
+        public bool IsSupported { get; }
+
+        /// <summary>Whether an enabled camera has the tag MainCamera.</summary>
+        public bool HasMainCamera { get; }
+
+        /// <summary>Whether a render pass of the display asks for depth; null before the first frame.</summary>
+        public bool? IsRequested { get; }
+
+        /// <returns>The first condition that is not met, or <see cref="DepthSubmission.Active"/>.</returns>
+        public DepthSubmission Judge()
+        {
+            if (!IsRunning) return DepthSubmission.Unknown;
+            if (!IsTurnedOn) return DepthSubmission.TurnedOff;
+            if (!IsSupported) return DepthSubmission.NotSupported;
+            if (!HasMainCamera) return DepthSubmission.NoMainCamera;
+            if (IsRequested == null) return DepthSubmission.Unknown;
+            return IsRequested.Value ? DepthSubmission.Active : DepthSubmission.NotRequested;
+        }
+    }
+}

@@ -1,0 +1,25 @@
+using Nowpose.Latency;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Latency
+{
+    public class ReprojectionModeNamesTests
+    {
+        [Test]
+        public void TryParse_NameOfAMode_ReturnsTheMode([Values] ReprojectionMode mode)
+        {
+            var name = ReprojectionModeNames.NameOf(mode);
+
+            Assert.That(ReprojectionModeNames.TryParse(name, out var parsed), Is.True);
+            Assert.That(parsed, Is.EqualTo(mode));
+            Assert.That(ReprojectionModeNames.All, Does.Contain(name));
+        }
+
+        [Test]
+        public void TryParse_OtherText_ReturnsFalseAndUnknown([Values(null, "", "Depth", "planar")] string name)
+        {
+            Assert.That(ReprojectionModeNames.TryParse(name, out var parsed), Is.False);
+            Assert.That(parsed, Is.EqualTo(ReprojectionMode.Unknown));
+        }
+    }
+}
