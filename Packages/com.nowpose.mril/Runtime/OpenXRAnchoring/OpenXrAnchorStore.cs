@@ -5,6 +5,7 @@ using Microsoft.MixedReality.OpenXR;
 using Microsoft.MixedReality.OpenXR.ARFoundation;
 using Nowpose.ArFoundation;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR.ARSubsystems;
@@ -22,7 +23,7 @@ namespace Nowpose.OpenXR
 
         const int AskedInVain = 5;
 
-        const string LoadingAll = "load the stored anchors";
+        const string LoadingAll = DeviceMessages.LoadAnchors;
 
         ArSpatialAnchors _anchors;
         Task<XRAnchorStore> _loading;
@@ -112,7 +113,7 @@ namespace Nowpose.OpenXR
                 Problem = null;
             }
             else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
-            else if (_asked == AskedInVain) Report("the runtime has no anchor store; anchors are lost at the next start");
+            else if (_asked == AskedInVain) Report(DeviceMessages.NoAnchorStore);
         }
 
         // Catches every exception, because the plugin calls native code of the system.
