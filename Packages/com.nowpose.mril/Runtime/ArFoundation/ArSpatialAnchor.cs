@@ -1,6 +1,7 @@
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using UnityEngine.XR.ARFoundation;
 using UnityEngine.XR.ARSubsystems;
@@ -84,15 +85,15 @@ namespace Nowpose.ArFoundation
             if (_anchor == null && !_wasThere) Begin();
             if (_anchor == null)
             {
-                if (_wasThere) End("the device has removed it");
-                else if (!_isLoaded && IsLate) End(_owner.Problem ?? "the device has no anchors");
+                if (_wasThere) End(DeviceMessages.AnchorRemoved);
+                else if (!_isLoaded && IsLate) End(_owner.Problem ?? DeviceMessages.NoAnchors);
                 return;
             }
             _wasThere = true;
             if (_anchor.trackableId == TrackableId.invalidId)
             {
                 // Newer versions of AR Foundation disable an anchor that the device refused.
-                if (!_anchor.enabled || IsLate) End("the device cannot create an anchor here");
+                if (!_anchor.enabled || IsLate) End(DeviceMessages.AnchorNotCreated);
                 return;
             }
             Track();

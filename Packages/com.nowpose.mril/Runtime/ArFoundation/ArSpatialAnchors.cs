@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Unity.XR.CoreUtils;
 using UnityEngine;
@@ -20,7 +21,7 @@ namespace Nowpose.ArFoundation
         XROrigin _origin = null;
 
         readonly OriginManager<ARAnchorManager> _manager = new OriginManager<ARAnchorManager>(
-            manager => manager.subsystem, isAdded: true, "it needs a device that holds anchors");
+            manager => manager.subsystem, isAdded: true, DeviceMessages.AnchorNeeds);
 
         readonly List<ArSpatialAnchor> _anchors = new List<ArSpatialAnchor>();
         readonly List<string> _unwanted = new List<string>();

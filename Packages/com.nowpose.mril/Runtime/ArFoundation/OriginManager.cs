@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Unity.Messages;
 using Unity.XR.CoreUtils;
 using UnityEngine;
 using UnityEngine.XR;
@@ -132,11 +133,11 @@ namespace Nowpose.ArFoundation
         {
             switch (fault)
             {
-                case OriginFault.NoOrigin: return "there is no XR Origin above the main camera; add one, or assign it";
-                case OriginFault.NoManager: return "the XR Origin has no " + typeof(T).Name + "; add one to it: " + _need;
-                case OriginFault.SwitchedOff: return "the " + typeof(T).Name + " on the XR Origin is switched off";
-                case OriginFault.NotOffered: return "the device's XR runtime does not offer it or does not run: " + _need;
-                case OriginFault.NoSession: return "there is no AR Session in the scene; add one (XR > AR Session)";
+                case OriginFault.NoOrigin: return DeviceMessages.NoOrigin;
+                case OriginFault.NoManager: return DeviceMessages.NoManager(typeof(T).Name, _need);
+                case OriginFault.SwitchedOff: return DeviceMessages.ManagerOff(typeof(T).Name);
+                case OriginFault.NotOffered: return DeviceMessages.NotOffered(_need);
+                case OriginFault.NoSession: return DeviceMessages.NoArSession;
                 default: return null;
             }
         }

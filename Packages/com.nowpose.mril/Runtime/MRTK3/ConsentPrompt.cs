@@ -1,5 +1,6 @@
 using MixedReality.Toolkit;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
 using UnityEngine;
@@ -57,7 +58,7 @@ namespace Nowpose.Mrtk3
         void OnEnable()
         {
             if (_pairing == null) _pairing = GetComponentInParent<CellPairing>();
-            if (_pairing == null) ConsoleLog.Warn(this, "consent prompt '" + name + "' has no cell pairing on its object or a parent; assign one");
+            if (_pairing == null) ConsoleLog.Warn(this, Mrtk3Messages.PromptWithoutPairing(name));
             if (_accept != null) _accept.AllowSelectByVoice = false;
             if (_refuse != null) _refuse.AllowSelectByVoice = false;
             Show(null);

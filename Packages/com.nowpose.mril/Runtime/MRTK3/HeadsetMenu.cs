@@ -3,6 +3,7 @@ using System.Globalization;
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.UX;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -65,7 +66,7 @@ namespace Nowpose.Mrtk3
         void OnEnable()
         {
             if (_actions == null) _actions = GetComponentInParent<CellActions>();
-            if (_actions == null) ConsoleLog.Warn(this, "headset menu '" + name + "' has no cell actions on its object or a parent; assign them");
+            if (_actions == null) ConsoleLog.Warn(this, Mrtk3Messages.MenuWithoutActions(name));
         }
 
         void LateUpdate()
