@@ -10,7 +10,7 @@ namespace Nowpose.Cli.Figures.Display;
 /// <summary>Fig. 11: the constant-latency range over the load and over the render time.</summary>
 static class Figure11
 {
-    /// <summary>Maximum relative difference between two limits. Each of them is found within −6 and +2 % of the true limit.</summary>
+    /// <summary>Maximum relative difference between two limits. Each deviates by −6 to +2 % from the true limit.</summary>
     const double LimitShare = 0.08;
 
     /// <summary>Maximum difference between a picture's L_visu and the stored one, ms.</summary>
