@@ -20,9 +20,9 @@ public class ConditionsTests
         new((int)JointDataState.Fault, "node deleted", false),
     ];
 
-    /// <summary>Before the first sample, and before the plant's clock is measured, a joint without a usable value is not a fault yet.</summary>
+    /// <summary>Before the first sample arrives or the plant's clock is measured, a joint without a valid value is not a fault.</summary>
     [TestCaseSource(nameof(Rows))]
-    public void Of_JointNotLive_IsNormalAtStartWhileValueOrClockIsPending(int state, string reason, bool isNormal)
+    public void Of_JointNotLive_IsNormalAtStartIfItsValueOrClockIsPending(int state, string reason, bool isNormal)
     {
         var condition = Conditions.Of(new JointStatus("a1", "cell", (JointDataState)state, Since, null, 0, reason));
 

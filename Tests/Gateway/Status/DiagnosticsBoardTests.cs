@@ -51,7 +51,7 @@ public class DiagnosticsBoardTests
     }
 
     [Test]
-    public void Add_LongValue_IsShortenedWithAMark()
+    public void Add_LongValue_IsShortenedVisibly()
     {
         var board = new DiagnosticsBoard(_time);
         var right = new string('y', DiagnosticsBoard.MaxValueLength);
@@ -66,7 +66,7 @@ public class DiagnosticsBoardTests
     }
 
     [Test]
-    public void Add_LongNamesAndValues_KeepsAtMostTheMaximumLength()
+    public void Add_LongNamesAndValues_KeepsAtMostTheMaximumTotalLength()
     {
         var board = new DiagnosticsBoard(_time);
         var many = Enumerable.Range(0, 60).Select(i => ($"{i}", new string('x', 900))).ToArray();
