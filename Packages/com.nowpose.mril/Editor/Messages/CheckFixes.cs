@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>What to do by hand where the set-up window cannot correct a setting.</summary>
+    /// <summary>Manual remedies for settings that the set-up window cannot correct.</summary>
     static class CheckFixes
     {
         public static string BuildSupport(string player) =>

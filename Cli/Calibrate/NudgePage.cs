@@ -4,7 +4,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 
-namespace Nowpose.Cli.Calibrate.Nudge;
+namespace Nowpose.Cli.Calibrate;
 
 /// <summary>The page of marks set by eye. The offset over the velocity is a straight line whose slope is the error of L_visu.</summary>
 static class NudgePage
