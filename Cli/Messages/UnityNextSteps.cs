@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>What to do in Unity after unity.</summary>
+/// <summary>Steps in Unity after the verb unity.</summary>
 static class UnityNextSteps
 {
     public const string InUnity =

@@ -104,7 +104,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
         _imported.Context = Importers.Import(new UrdfImporter(), Urdf).Context;
 
-        Assert.That(_imported.Context.Errors, Is.EqualTo(new[] { "arm.urdf: 16777217 bytes; the maximum is 16777216" }));
+        Assert.That(_imported.Context.Errors, Is.EqualTo(new[] { "arm.urdf: 16777217 bytes; the maximum is 16777216; check that it is a URDF" }));
     }
 
     [Test]

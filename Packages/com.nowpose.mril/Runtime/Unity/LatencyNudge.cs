@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;

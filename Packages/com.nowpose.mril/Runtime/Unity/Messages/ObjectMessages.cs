@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Messages
         public const string PosesStopped = "its poses have stopped";
         public const string RobotUnknown = "its robot is unknown";
 
-        public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct the name of the link";
+        public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct Link";
 
         public static string NotPlaceable(string component) =>
             $"stationary object '{component}': its source or a gripper moves it, so it cannot be placed by hand";

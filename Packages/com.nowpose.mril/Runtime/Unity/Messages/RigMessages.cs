@@ -4,7 +4,7 @@ namespace Nowpose.Unity.Messages
     static class RigMessages
     {
         public static string NoDescription(string robot, string rig) =>
-            $"robot namespace '{robot}': its rig '{rig}' has no robot description; assign a Robot Description to the rig";
+            $"robot namespace '{robot}': it has no robot description; assign a Robot Description to the rig '{rig}'";
 
         public static string NoRootLink(string robot, string rig, string root, string drawn) =>
             $"robot '{robot}': no object below '{rig}' has the name of its root link '{root}', but '{drawn}' is drawn there; name an object "
