@@ -79,7 +79,7 @@ public class SendWindowTests
     [Test]
     public void Reader_BehindALossyPath_ReceivesNearlyAllMessages([Values(250, 350)] int stallMs, [Values(20, 40)] int roundTripMs)
     {
-        // Positions and the poses of objects, 30 kB/s. After a lost packet, TCP delivers nothing until it has sent the packet again.
+        // Simulates joint positions and object poses at 30 kB/s. After a lost packet, TCP delivers nothing until it has sent the packet again.
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 750, intervalMs: 25, roundTripMs) { StallMs = stallMs };
         run.Continue(TimeSpan.FromSeconds(10));
         var refused = run.Refused;

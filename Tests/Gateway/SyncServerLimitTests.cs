@@ -13,7 +13,7 @@ public class SyncServerLimitTests
     [TestCase(0, "magic")]
     [TestCase(4, "version")]
     [TestCase(5, "kind")]
-    public async Task Frame_Malformed_ClosesAndIsCounted(int at, string what)
+    public async Task Frame_Malformed_ClosesTheConnectionAndIsCounted(int at, string what)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawSyncClient.ConnectAsync(gateway);

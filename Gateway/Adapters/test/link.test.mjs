@@ -263,7 +263,7 @@ describe('log', () => {
 });
 
 describe('backoff', () => {
-  it('Delays_Doubling_EndAtOneAndAHalfSeconds', () => {
+  it('Next_RepeatedFailures_DoublesTheDelayUpTo1500Ms', () => {
     const backoff = new Backoff(() => 0.5);
 
     assert.deepEqual([1, 2, 3, 4, 5].map(() => backoff.next()), [200, 400, 800, 1500, 1500]);
@@ -271,7 +271,7 @@ describe('backoff', () => {
     assert.equal(backoff.next(), 200);
   });
 
-  it('Delays_Varied_StayWithinAFifth', () => {
+  it('Next_RandomVariation_StaysWithinAFifth', () => {
     assert.ok(Math.abs(new Backoff(() => 0).next() - 160) < 1e-9 && Math.abs(new Backoff(() => 1).next() - 240) < 1e-9);
   });
 });

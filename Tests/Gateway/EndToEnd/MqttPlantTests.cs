@@ -108,7 +108,7 @@ public class MqttPlantTests
         await client.PublishAsync("cell/part", "{\"pose\": {\"x\": 400, \"y\": 200, \"a\": 90}}");
     }
 
-    /// <summary>Waits for a state of the gateway, while a client publishes.</summary>
+    /// <summary>Waits until the gateway's state fulfils a condition, while a client publishes.</summary>
     Task BecomesAsync(MqttPublisher client, Func<JsonElement, bool> condition)
     {
         JsonElement state = default;

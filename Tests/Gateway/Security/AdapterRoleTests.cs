@@ -44,7 +44,7 @@ public class AdapterRoleTests
     }
 
     [Test]
-    public async Task Adapter_OfAGatewayBoundToItsLanAddress_IsASource()
+    public async Task Adapter_GatewayBoundToLanAddress_HasRoleSource()
     {
         var lan = AddressOnTheLan();
         if (lan == null) Assert.Ignore("this machine has no address but loopback");

@@ -116,7 +116,7 @@ public class MetricsTests
     [TestCase("synchronised", 1, "synchronised")]
     [TestCase("holdover", 0, "holdover")]
     [TestCase("invented", 0, "other")]
-    public void Of_HeadsetsClock_IsSynchronisedInThatStateOnly(string state, int synchronised, string expected)
+    public void Of_ClockState_SynchronisedMetricIsOneOnlyIfSynchronised(string state, int synchronised, string expected)
     {
         var lines = Metrics.Of(Snapshot(Words("goggles", ("state", state))), new ForwardingTimes()).Split('\n');
 

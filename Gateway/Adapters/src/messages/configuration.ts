@@ -7,9 +7,9 @@ export const wrongValue = (value: unknown, remedy: string): string => `value ${s
 export const configurationMessages = {
   address: (value: unknown) => wrongValue(value, 'allowed: a scheme with ://, a host and, after a colon, a port from 1 to 65535'),
   noKind: (allowed: string[]) => `missing; add the section plant with its kind, allowed: ${allowed.join(', ')}`,
-  misspelt: (meant: string) => `not known here; did you mean ${meant}?`,
+  misspelt: (meant: string) => `unknown entry; did you mean ${meant}?`,
   /** @param guess The entry that was probably meant; undefined if there is none. */
-  unknownEntry: (guess: string | undefined, allowed: readonly string[]) => `not known here; ${question(guess)}allowed: ${allowed.join(', ')}`,
+  unknownEntry: (guess: string | undefined, allowed: readonly string[]) => `unknown entry; ${question(guess)}allowed: ${allowed.join(', ')}`,
   notAllowed: (value: unknown, guess: string | undefined, allowed: readonly string[]) =>
     wrongValue(value, `${question(guess)}allowed: ${allowed.join(', ')}`),
   tokenInClear: (value: unknown) => wrongValue(value, "a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin"),

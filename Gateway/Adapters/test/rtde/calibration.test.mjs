@@ -24,7 +24,11 @@ const UR5E = readFileSync(join(adapters, '../../Packages/com.nowpose.mril/Runtim
 
 const published = A.map((a, i) => ({ theta: 0, a, d: D[i], alpha: ALPHA[i] }));
 
-/** An arm whose parameters deviate like those of a calibrated one. The nearly parallel axes 2 and 3 exchange a length of metres. */
+/**
+ * An arm whose parameters deviate like those of a calibrated one.
+ * @param exchanged Length in m that is added to d of joint 2 and subtracted from d of joint 3. Their axes are nearly parallel, so a calibration can
+ * contain such a pair of large lengths.
+ */
 function arm(seed, exchanged = 0) {
   const random = seeded(seed), by = size => size * (2 * random() - 1);
   const own = published.map(({ a, d, alpha }) => ({ theta: by(1e-4), a: a + by(5e-4), d: d + by(5e-4), alpha: alpha + by(1e-3) }));

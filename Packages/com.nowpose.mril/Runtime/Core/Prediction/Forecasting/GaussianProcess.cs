@@ -126,7 +126,7 @@ namespace Nowpose.Prediction.Forecasting
         // k without its exponential; r is never negative, because the newest sample comes first.
         static double Polynomial(double r) => 1 + r * (1 + r * (0.4 + r / 15));
 
-        // decay is e⁻ᵘ.
+        // Returns the forecast x seconds after the newest sample. The argument decay is e⁻ᵘ, with u as below.
         double At(double x, double decay)
         {
             var u = x * PerSecond;
