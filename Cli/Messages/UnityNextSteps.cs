@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>What to do in Unity after unity.</summary>
+/// <summary>Next steps in Unity after the verb <c>unity</c>.</summary>
 static class UnityNextSteps
 {
     public const string InUnity =

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>What to do about the events on the operations page.</summary>
+/// <summary>Remedies for the events on the operations page.</summary>
 static class EventRemedies
 {
     public const string Source = "Check that its source runs and reaches the gateway.";

@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>In virtual time: two clocks of one control system, each with its own rate, measured against a counter.</summary>
+/// <summary>Tests in virtual time: two clocks of one control system, each with its own rate, measured against a counter.</summary>
 public class ServedClockTests
 {
     static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(0.4);

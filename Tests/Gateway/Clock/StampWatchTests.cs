@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>In virtual time: the gateway's own clock, the system clock, and sources that stamp with either of them.</summary>
+/// <summary>Tests in virtual time: the gateway's own clock, the system clock, and sources that use either of them for their time stamps.</summary>
 public class StampWatchTests
 {
     static readonly TimeSpan Second = TimeSpan.FromSeconds(1);

@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>How a gateway manages the adapters that it starts. The plant never exists: its port is closed.</summary>
+/// <summary>Tests how a gateway manages the adapters that it starts. There is no plant: its port is closed.</summary>
 public class AdapterProcessTests
 {
     const string Good = """

@@ -20,7 +20,7 @@ public class ConditionsTests
         new((int)JointDataState.Fault, "node deleted", false),
     ];
 
-    /// <summary>Before the first sample, and before the plant's clock is measured, a joint without a usable value is not a fault yet.</summary>
+    /// <summary>A joint without a usable value is not a fault before the first sample, and before the plant's clock is measured.</summary>
     [TestCaseSource(nameof(Rows))]
     public void Of_JointNotLive_IsNormalAtStartWhileValueOrClockIsPending(int state, string reason, bool isNormal)
     {

@@ -49,7 +49,7 @@ public class JointStatusTopicTests
         Assert.That(_received.Single().Values.Single().Value, Is.EqualTo("rest 4996.000 may not be at rest: the stop itself was not observed"));
     }
 
-    /// <summary>At the gateway behind a bridge, the joint may have a source.</summary>
+    /// <summary>The joint may have a source at the gateway behind a bridge.</summary>
     [Test]
     public void Publish_JointWithoutAnySource_IsLeftOut()
     {
