@@ -7,7 +7,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate head PICTURES</c>: measures the latency that remains for head motion, from pictures of both codes on a moving headset.
+/// <c>calibrate head PICTURES</c>: measures the latency that remains for head motion, from pictures of both codes, taken through a moving headset.
 static class HeadVerb
 {
     static readonly Argument<string[]> Pictures = new("PICTURES")

@@ -9,7 +9,7 @@ static class ConsoleMessages
 
     public const string NoDesktop = "this machine has no desktop (DISPLAY and WAYLAND_DISPLAY are not set)";
 
-    public static string DesktopFailed(string reason) => $"the desktop could not open it: {reason}";
+    public static string DesktopFailed(string reason) => $"the desktop could not open the page: {reason}";
 
     public static string ProfileKept(string path, double limitMs) =>
         FormattableString.Invariant($"nowpose: {path} has a render time limit of {limitMs:0.00} ms and was kept; the new profile has no ")

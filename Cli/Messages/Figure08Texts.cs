@@ -49,6 +49,6 @@ static class Figure08Texts
     public static string BeyondAxis(string title, int beyond, int all) =>
         FormattableString.Invariant($"{title} ({beyond} of {all} values beyond the axis)");
 
-    public const string RelativeOffset = "Offset Φ*, relative to the first";
+    public const string RelativeOffset = "Offset Φ*, relative to the first offset";
     public const string FirstOffset = "Θ₂, the offset at the first exchange";
 }

@@ -5,7 +5,7 @@ static class Figure11Texts
 {
     public const string AboveLimit =
         "Between the limit and a refresh interval, most frames of this display are exactly one refresh late, and few are in time. Above a "
-        + "refresh interval, the starts of the frames drift against the refreshes, and L_visu scatters over a whole one.";
+        + "refresh interval, the time from a frame's start to the next refresh varies, and L_visu scatters over a whole refresh interval.";
 
     public const string OverLoad = "Render time and L_visu over the load";
     public const string OverLoadClaim = "L_visu is approximately constant up to a certain number of vertices; beyond it, L_visu scatters.";

@@ -23,7 +23,7 @@ static class RecommendTexts
     public static string SmallerError(double? percent, string predictor, string first, string second) =>
         FormattableString.Invariant($"its error is {percent:0} % smaller than that of {predictor} ({first} and {second} in the halves)");
 
-    public const string NoneBetter = "no other has a smaller error";
+    public const string NoneBetter = "no other predictor has a smaller error";
 
     public static string EquallyGood(string predictor) => $"{predictor} is equally good: it is better on one half and worse on the other";
 

@@ -16,7 +16,7 @@ static class SinePageTexts
         "Each curve is scaled to its own range. Shifted forward by the lag, the hologram's curve agrees with the robot's.";
 
     public const string ShiftedHologram = "hologram, shifted by the lag";
-    public const string Correlation = "Correlation over the lag";
+    public const string Correlation = "Correlation as a function of the lag";
 
     public const string CorrelationNote =
         "The peak is at the total latency. Between the camera's pictures it is found by a least-squares fit of the robot's position and speed.";

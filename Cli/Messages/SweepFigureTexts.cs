@@ -10,8 +10,8 @@ static class SweepFigureTexts
     public static string RandomRatio(string predictor) => $"{predictor} ratio on random moves";
 
     public static string Leaves(string predictor, string ofQuadratic, string ofBest, string onRandomMoves) =>
-        $"{predictor} leaves {ofQuadratic} of the quadratic's error, {ofBest} of the error of the best of the three at each value, and on "
-        + $"fast random moves {onRandomMoves} of the quadratic's. ";
+        $"The error of {predictor} is {ofQuadratic} of the quadratic's error, {ofBest} of the smallest error of the three polynomials at each "
+        + $"value, and {onRandomMoves} of the quadratic's error on fast random moves. ";
 
     public static string Beyond(string shares) =>
         $"{shares}The swing repeats every 2.4 s, which adaptive may recognise; random moves do not repeat.";

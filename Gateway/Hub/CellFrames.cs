@@ -93,7 +93,7 @@ sealed class CellFrames(RobotLinks links)
 
     sealed class Frame
     {
-        /// <summary>Null for a stationary frame whose source has ended.</summary>
+        /// <summary>Source that publishes the frame; null for a stationary frame whose source has ended.</summary>
         public HubSource Owner { get; set; }
 
         public bool IsStationary { get; set; }

@@ -14,7 +14,7 @@ static class MotionFileMessages
         $"the header is {header}; the header of a rigid body is exactly {expected}";
 
     public static string FirstColumn(string header) =>
-        $"first column is {header}; a header is needed that begins with the time in seconds, t or t_s, columns separated by commas";
+        $"first column is {header}; the header must begin with t or t_s, the time in seconds, and its columns must be separated by commas";
 
     public static string NoJoint(string header) => $"no joint column after {header}; at least one is needed";
     public static string NoName(int column) => $"column {column} has no name; each joint needs one";
@@ -34,8 +34,8 @@ static class MotionFileMessages
     public static string TooLarge(string field, string text, double max) =>
         FormattableString.Invariant($"field {field}: {text} is too large; up to {max:0e+0} are allowed");
 
-    public const string NoFile = "no file is named; a path of a .csv or .csv.gz file is needed";
+    public const string NoFile = "no file is given; enter the path of a .csv or .csv.gz file";
 
-    public static string IsAFolder(string path) => $"{path}: is a folder; the path of a .csv or .csv.gz file is needed";
+    public static string IsAFolder(string path) => $"{path}: is a folder; enter the path of a .csv or .csv.gz file";
     public static string NotGzip(string path) => $"{path}: is not a complete gzip file, although its name ends in .gz";
 }

@@ -12,7 +12,8 @@ static class AutobahnDocument
 
     static string Outcomes(AutobahnSection section) => string.Join("; ", section.Cases.Select(one => Outcome(one.Expected)).Distinct());
 
-    // Lists alternatives with an event of another kind. Omits alternatives that only lack events, as the document states.
+    // Lists each alternative that contains an event that the first alternative lacks. Omits the other alternatives, because the document
+    // states that messages before a close may be lost.
     static string Outcome(string expected)
     {
         var ways = expected.Split('|').Select(Words).ToArray();

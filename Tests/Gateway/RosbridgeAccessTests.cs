@@ -98,7 +98,7 @@ public class RosbridgeAccessTests
 
     [TestCase("127.0.0.1")]
     [TestCase("localhost")]
-    public async Task Origin_Own_IsServed(string host)
+    public async Task Origin_PageOfTheGateway_IsAccepted(string host)
     {
         await using var gateway = await Gateways.StartAsync();
 

@@ -38,7 +38,7 @@ public class PathRunTests
 
     /// <summary>Uses the limits of the verb `paths`, which runs more seeds and sizes. The limit for the skew is at most 5 ppm.</summary>
     [TestCaseSource(nameof(Changes))]
-    public void Missed_ChangeOfThePath_IsEmpty(string link, string change)
+    public void Play_ChangeOfThePath_MeetsAllLimits(string link, string change)
     {
         var cell = Cell(link, change, SizeMs, ClockEstimators.Default);
 
@@ -68,7 +68,7 @@ public class PathRunTests
     [TestCase("cellular", "requests longer")]
     [TestCase("cellular", "replies longer")]
     [TestCase("cellular", "longer and back")]
-    public void Missed_ChangeOfHalfAMillisecond_IsEmpty(string link, string change) =>
+    public void Play_ChangeOfHalfAMillisecond_MeetsAllLimits(string link, string change) =>
         Assert.That(Cell(link, change, 0.5, ClockEstimators.Default).Missed, Is.Empty, $"seeds {FirstSeed} and up");
 
     static IEnumerable<TestCaseData> SmallChanges =>

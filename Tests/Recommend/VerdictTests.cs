@@ -21,7 +21,7 @@ public class VerdictTests
         var verdict = Of(Trial("cubic", 0.6, 0.41));
 
         Assert.That(verdict.Recommended.Predictor, Is.EqualTo(Predictors.Default));
-        Assert.That(verdict.Reason, Is.EqualTo("no other has a smaller error"));
+        Assert.That(verdict.Reason, Is.EqualTo("no other predictor has a smaller error"));
         Assert.That(verdict.Trials.Select(t => t.Predictor), Is.EqualTo(new[] { Predictors.Default, "cubic", "hold" }));
     }
 

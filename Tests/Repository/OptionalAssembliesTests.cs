@@ -11,7 +11,7 @@ namespace Nowpose.Headless.Tests.Repository;
 /// </summary>
 public sealed class OptionalAssembliesTests
 {
-    /// <summary>Assemblies of each optional package that the package's assemblies reference.</summary>
+    /// <summary>Assemblies of each optional package that Nowpose's assemblies reference.</summary>
     static readonly Dictionary<string, string[]> Packages = new()
     {
         ["com.endel.nativewebsocket"] = ["colyseus.nativewebsocket"],

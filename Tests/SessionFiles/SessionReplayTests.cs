@@ -130,7 +130,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public async Task Json_Session_HasTheKeysOfAMotion()
+    public async Task Json_Session_HasTheSameKeysAsForAMotion()
     {
         VirtualRecording.To(_path);
 

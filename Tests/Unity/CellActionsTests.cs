@@ -141,7 +141,7 @@ public sealed class CellActionsTests
 
     [TestCase(0f, 0.8f)]
     [TestCase(0.9f, 0.5f)]
-    public void SetOpacity_PoseIsHeld_StaysStripedAndNoFainterThanTheFaintest(float opacity, float fade)
+    public void SetOpacity_PoseIsHeld_KeepsStripesAndMinimumOpacity(float opacity, float fade)
     {
         _actions.SetOpacity(opacity);
 

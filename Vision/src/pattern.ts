@@ -17,7 +17,7 @@ export interface Kind {
   isFilled: boolean;
 }
 
-/** What is known about a cell before the code is read: dark, lit, or left or right cell of a pair. */
+/** Kind of a cell, which is known before the code is read: dark, lit, or the left or right cell of a pair. */
 export enum Cell {
   Dark,
   Lit,

@@ -68,7 +68,7 @@ function writePng(path: string, { width, height, data }: Grey): void {
   writeFileSync(path, PNG.sync.write(png, { colorType: 0, inputColorType: 0, deflateLevel: 1, filterType: 1 }));
 }
 
-/** Uses the brightest colour of each pixel, because the luma of a red or blue LED is only a small part of its light. */
+/** Uses the brightest colour channel of each pixel, because the luma of a red or blue LED is only a small part of its light. */
 function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
   const grey = new Uint8Array(width * height);
   for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = Math.max(data[j], data[j + 1], data[j + 2]);

@@ -5,7 +5,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Creates the page of a jog back and forth: both motions, and the correlation over the lag.</summary>
+/// <summary>Creates the page of a jog back and forth: both motions, and the correlation as a function of the lag.</summary>
 static class SinePage
 {
     static readonly FigureColumn Time = new("time", "s"), Place = new("place, scaled"), Lag = new("lag", "ms"), Correlation = new("correlation");

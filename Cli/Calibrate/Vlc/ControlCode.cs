@@ -57,7 +57,10 @@ static class ControlCode
         return Reading.Of(Wrap(MiddleOf(Refined(contrasts, delaysMs, best)) - 0.5));
     }
 
-    /// <summary>Gets the middle of a run. If the run has only one code, returns the middle of that millisecond, which minimises the error.</summary>
+    /// <summary>
+    /// Gets the middle of the time for which a run of codes was visible. If only one code was visible, returns the middle of its
+    /// millisecond, which minimises the error.
+    /// </summary>
     static double MiddleOf(Run run)
     {
         double first = Math.Floor(run.Middle - run.Length / 2), last = Math.Floor(run.Middle + run.Length / 2 - Same);

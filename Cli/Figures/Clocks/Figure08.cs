@@ -43,7 +43,7 @@ static class Figure08
             2 * trips.ShortUs < trips.LongUs, $"{Text(trips.ShortUs / 1000)} ms against {Text(trips.LongUs / 1000)} ms"),
     ];
 
-    // The paper's values after each exchange, then the true values and the errors of all estimators.
+    // Columns: the paper's values after each exchange, the true skew, then the offset error and the skew of each estimator.
     static FigureTable TableOfFirstRun(ClockRuns runs)
     {
         var table = new FigureTable([.. SyncFigure.Columns, new FigureColumn("true skew", "ppm"),

@@ -14,7 +14,7 @@ public sealed class VlcEvaluationTests
 {
     const double TrueMs = 40;
 
-    /// <summary>A sweep across the limit. Every frame is in the log, and one in four has a picture.</summary>
+    /// <summary>Simulates a sweep across the render time limit. The log contains every frame; every fourth frame has a picture.</summary>
     static (List<SweepRow> Rows, VlcResult Result) Sweep(
         Func<double, double> renderMs, string device = "HoloLens 2 (Microsoft Corporation)", double displayHz = 60, int framesPerLoad = 120)
     {

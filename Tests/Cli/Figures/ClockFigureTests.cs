@@ -17,7 +17,7 @@ public class ClockFigureTests
     {
         var log = new SimulatedExchanges(Settings.Seed, 60);
 
-        Assert.That(log.All, Has.Count.InRange(280, 300), "one every 200 ms, now and then a late one");
+        Assert.That(log.All, Has.Count.InRange(280, 300), "one every 200 ms, a few of them late");
         foreach (var each in log.All)
             Assert.That((each.Offset - log.TrueOffset(each.T4)).Duration(), Is.LessThanOrEqualTo(each.RoundTripTime / 2 + TimeSpan.FromTicks(100)));
     }

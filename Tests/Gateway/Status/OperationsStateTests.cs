@@ -105,7 +105,7 @@ public class OperationsStateTests
     }
 
     [Test]
-    public async Task State_HeadsetReportsTheLargestNumbers_IsAnswered()
+    public async Task State_HeadsetReportsNumbersThatOverflow_IsServed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();

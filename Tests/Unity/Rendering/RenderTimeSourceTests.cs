@@ -144,7 +144,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void LateUpdate_NoSource_IsNone()
+    public void Source_NothingMeasurable_IsNone()
     {
         _cell.Clock.Step = TimeSpan.Zero;
 

@@ -144,7 +144,7 @@ public class SessionConnectionTests
         }
         catch (IOException)
         {
-            // The connection was reset and not closed in an orderly way. It has ended in this case, too.
+            // The peer reset the connection instead of closing it. This also ends the connection.
         }
     }
 

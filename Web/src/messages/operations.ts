@@ -23,8 +23,8 @@ export const operationsMessages = {
     `Outside the limits of the robot description, and drawn at the limit: ${joints.join(', ')}. `
     + 'Check that the description is that of this robot, and that the source sends rad and m, not degrees and mm.',
   noFolder: 'This gateway has no folder for recordings: start it with --recordings FOLDER.',
-  recordAsOperator: 'To start or stop it, log in with a token of the role operator.',
-  listAsOperator: 'To see and download recordings, log in with a token of the role operator.',
+  recordAsOperator: "To start or stop it, log in with an operator's token.",
+  listAsOperator: "To see and download recordings, log in with an operator's token.",
   notListed: (reason: string) => `The recordings cannot be listed: ${ended(reason)}`,
 };
 

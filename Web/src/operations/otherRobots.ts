@@ -33,7 +33,7 @@ export class OtherRobots implements Beside {
     return [...this.robots.values()].some(({ bodies }) => bodies?.isShown('truth'));
   }
 
-  /** @param joints Names of all joints of the gateway. The name of a joint in a namespace starts with it, for example arm1/elbow. */
+  /** @param joints Names of all joints of the gateway. The name of a joint in a namespace begins with the namespace, for example arm1/elbow. */
   setJoints(joints: string[]): void {
     for (const joint of joints) {
       const end = joint.indexOf('/');

@@ -55,7 +55,7 @@ export interface CellFrame {
 
 export interface Signal {
   name: string;
-  /** Null before the first value. The same applies to `age_s`. */
+  /** The newest value; null before the first value, like `age_s`. */
   value: number | null;
   source: string;
   state: 'live' | 'ended' | 'refused' | 'fault' | 'missing';

@@ -24,7 +24,7 @@ export interface Frame {
   position: Component[];
   /** Factor that converts the position to m. */
   scale: number;
-  /** The rotation in the parent; null if the frame has the parent's orientation. */
+  /** The rotation relative to the parent; null if the frame has the parent's orientation. */
   rotation: RotationSource | null;
   /** Time without data after which the frame has a fault, ms; null if a silent frame counts as at rest. */
   faultAfterMs: number | null;

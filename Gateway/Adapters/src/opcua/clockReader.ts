@@ -14,7 +14,10 @@ const CURRENT_TIME = 'ns=0;i=2258';
 /** Duration of a standstill from which CurrentTime is less accurate than the time in the server's answers. */
 const STANDS: Nanoseconds = 16n * NS_PER_MS;
 
-/** Maximum difference for which CurrentTime and the time in the answers are the same clock. Some servers update CurrentTime once per second. */
+/**
+ * Maximum difference at which CurrentTime and the time in the answers count as readings of the same clock. Some servers update CurrentTime once per
+ * second.
+ */
 const SAME_CLOCK: Nanoseconds = 3000n * NS_PER_MS;
 
 /**

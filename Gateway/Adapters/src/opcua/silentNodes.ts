@@ -12,8 +12,8 @@ import { nodeMessages } from '../messages/opcua';
 const SILENT_MS = 60;
 
 /**
- * The server no longer sends notifications of a node if reads have differed from the last notification for DIFFERENT_MS and for DELAYS times the
- * maximum delay.
+ * A node counts as no longer monitored if reads have differed from the last notification for DIFFERENT_MS and for DELAYS times the maximum delay
+ * of a notification.
  */
 const DIFFERENT_MS = 400;
 const DELAYS = 2;

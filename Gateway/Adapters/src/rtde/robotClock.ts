@@ -17,7 +17,7 @@ const LATE: Nanoseconds = 50n * NS_PER_MS;
 /** Minimum duration of a contradiction that shows a step of the clock. A busy controller or machine is late for shorter times. */
 const PERIOD: Nanoseconds = NS_PER_S;
 
-/** Time constant with which the distance of the bounds returns to the assumed distance after it was widened. */
+/** Time constant with which the distance between the bounds returns to the assumed distance after it was widened. */
 const RETURN: Nanoseconds = 60n * NS_PER_S;
 
 /** Maximum number of stored upper bounds. When the smallest bound is refuted, the next larger one is used. */
@@ -46,7 +46,7 @@ export class RobotClock {
   #newest: Nanoseconds | null = null;
   /** Time since which all answers or packages have been late, number of these answers, and largest lower bound from a package since then. */
   #late: { since: Nanoseconds; answers: number; lower: Nanoseconds } | null = null;
-  /** Current distance of the bounds and its minimum (`assumed`) without answers; null while answers give upper bounds. */
+  /** Current distance between the bounds and its minimum (`assumed`) without answers; null while answers give upper bounds. */
   #kept: { assumed: Nanoseconds; width: Nanoseconds } | null = null;
 
   /**
@@ -65,9 +65,10 @@ export class RobotClock {
   }
 
   /**
-   * Call this method if the controller does not answer requests while it streams, so that there are no further upper bounds. From then on, the
-   * distance of the bounds is assumed: the send delay plus the round-trip time, or the current distance if that is smaller. A package that arrives
-   * earlier than expected shows that the previous packages were late. It widens the distance, which then returns to the assumed one.
+   * Assumes a distance between the two bounds from now on. Call this method if the controller does not answer requests while it streams, because
+   * only answers give upper bounds. The assumed distance is the send delay plus the round-trip time, or the current distance if that is smaller.
+   * A package that arrives earlier than expected shows that the previous packages were late. It increases the distance, which then returns to the
+   * assumed distance.
    * @param roundTrip Shortest round-trip time of the requests answered so far.
    */
   expectNoAnswers(roundTrip: Nanoseconds): void {

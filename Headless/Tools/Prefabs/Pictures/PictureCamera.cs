@@ -9,7 +9,7 @@ namespace Nowpose.Prefabs.Pictures;
 /// <param name="Height">Height of the picture, pixels.</param>
 sealed record PictureCamera(Pose Place, double HorizontalDegrees, int Width, int Height)
 {
-    /// <summary>Focal length in pixels: size in the picture of a length of 1 m at a distance of 1 m.</summary>
+    /// <summary>Focal length in pixels: the length in the picture of 1 m at a distance of 1 m.</summary>
     double Focus => Width / 2.0 / Math.Tan(HorizontalDegrees / 2 * Math.PI / 180);
 
     /// <summary>Gets the distance of a point along the line of sight, metres.</summary>
@@ -21,6 +21,6 @@ sealed record PictureCamera(Pose Place, double HorizontalDegrees, int Width, int
         return (Width / 2.0 + Focus * seen.x / seen.z, Height / 2.0 - Focus * seen.y / seen.z);
     }
 
-    /// <summary>Gets the size in the picture of a length in the world, pixels.</summary>
+    /// <summary>Converts a length in the world to its length in the picture, in pixels.</summary>
     public double Size(double metres, Vector3 at) => Focus * metres / Depth(at);
 }

@@ -61,7 +61,7 @@ export class TrustList {
     return this.checkCertificate(certificate);
   }
 
-  // Do nothing, although the library may call them, because only a user may change the list.
+  // The library may call these methods. They do nothing, because only a user may change the list.
   async trustCertificate(): Promise<void> {}
   async rejectCertificate(): Promise<void> {}
   async addIssuer(): Promise<void> {}

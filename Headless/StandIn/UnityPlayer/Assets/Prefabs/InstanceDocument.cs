@@ -45,7 +45,7 @@ sealed class InstanceDocument
     /// <summary>FileID of the parent Transform; 0 if there is none.</summary>
     public long Parent { get; }
 
-    /// <summary>Root Transform of the prefab. It is known after the call of <see cref="SourcePrefab"/>.</summary>
+    /// <summary>Root Transform of the prefab; null before the first call of <see cref="SourcePrefab"/>.</summary>
     public FileObject RootTransform { get; private set; }
 
     public ObjectFile SourcePrefab(Func<string, ObjectFile> prefabAt)

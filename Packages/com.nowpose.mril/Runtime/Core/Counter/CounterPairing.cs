@@ -57,7 +57,8 @@ namespace Nowpose.Counter
         }
 
         /// <summary>
-        /// Converts a count with an error below one count of the target, rounded towards the time of the pairing. Allocates nothing.
+        /// Converts a count to a count of the target. The result is rounded towards the time of the pairing, so its error is below one count.
+        /// Allocates nothing.
         /// </summary>
         /// <param name="count">Count to convert. A count that a device cannot reach gives an undefined result, not an exception.</param>
         public long ToTarget(long count)

@@ -33,7 +33,7 @@ namespace Nowpose.Frames
         bool _restsBeforeSecondSample;
 
         /// <param name="predictor">A name that <see cref="Predictors.Create"/> accepts.</param>
-        /// <param name="limits">Horizon cap and maximum gap. Limits of position apply to the coordinates in m and to the angles alike.</param>
+        /// <param name="limits">Horizon cap and maximum gap. The position limits apply to the coordinates in m and to the angles in rad.</param>
         /// <param name="blend">As for <see cref="Predictors.Create"/>.</param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0)

@@ -110,8 +110,8 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Changes to the parent of the waiting poses, or to the place by a gripper's reach. With another parent, the history starts again
-        /// with them, and the displayed pose continues from <see cref="World"/>, which must be the one that the former parent gives at the
+        /// Changes to the parent of the waiting poses, or to the place that a gripper determines. With another parent, the history starts again
+        /// with these poses, and the displayed pose continues from <see cref="World"/>, which must be the one that the former parent gives at the
         /// next display time.
         /// </summary>
         public void ChangeParent(ControlTime epoch)

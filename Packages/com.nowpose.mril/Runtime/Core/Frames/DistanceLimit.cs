@@ -6,8 +6,8 @@ namespace Nowpose.Frames
     /// <remarks>
     /// When a motion breaks off, for example because a vehicle stops within one sample, polynomials through the samples before and after
     /// overshoot by a multiple of their earlier errors. The line has the shortest window, so a forecast that is much further from the line
-    /// than all before is moved towards it. The maximum includes the forecasts that were limited, so that a new kind of motion is limited for
-    /// few samples only.
+    /// than all earlier forecasts is moved towards it. The maximum includes the forecasts that were limited, so a new kind of motion is
+    /// limited for only a few samples.
     /// </remarks>
     sealed class DistanceLimit
     {

@@ -163,7 +163,7 @@ namespace Nowpose.Frames
             var place = PlaceIn(index, _frames[index].Parent);
             var above = place.Robot < 0 ? place.Parent : _roots[place.Robot];
             if (above >= 0) Put(above);
-            // A gripper's reach, or a robot that is described after the frames, can close a cycle. A frame in it has no parent.
+            // A grip by reach, or a robot that is described after the frames, can close a cycle. A frame in it has no parent.
             if (above >= 0 && _placeOf[above] < 0) place = new Place(index, -1, -1, isInWorld: false);
             _placeOf[index] = _count;
             _places[_count++] = place;

@@ -71,8 +71,11 @@ namespace Nowpose.Frames
         /// <summary>Returns the index of a robot; −1 if it is not one of the cell.</summary>
         public int IndexOf(IRobotLinks robot) => _order.IndexOf(robot);
 
-        /// <summary>Gives an object a place by a gripper's reach from the next display frame on, as for a change of its parent.</summary>
-        /// <param name="place">Null: the object's own source places it again.</param>
+        /// <summary>
+        /// Sets the place of an object that a gripper holds or has released, from the next display frame on. The displayed pose changes
+        /// smoothly, as for a change of the object's parent.
+        /// </summary>
+        /// <param name="place">The place; null to return the object to its own source.</param>
         public void Put(int index, ReachPlace place)
         {
             _frames[index].Put(place);

@@ -17,7 +17,7 @@ namespace Nowpose.Frames
         /// <summary>Poses of all links relative to the robot's root link, right-handed, in m, in the order of the robot's links.</summary>
         ReadOnlySpan<RigidTransform> Poses { get; }
 
-        /// <summary>As <see cref="Poses"/>, from the newest samples, which a display without compensation shows.</summary>
+        /// <summary>Poses of the newest samples, which a display without compensation shows; otherwise like <see cref="Poses"/>.</summary>
         ReadOnlySpan<RigidTransform> HeldPoses { get; }
 
         /// <summary>Returns the pose of a link relative to the robot's root link at a time other than the displayed one.</summary>

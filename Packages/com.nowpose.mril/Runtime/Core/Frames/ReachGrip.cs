@@ -16,7 +16,10 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class ReachGrip
     {
-        /// <summary>Time after which a change is decided with the available data, in s: longer than every latency worth compensating.</summary>
+        /// <summary>
+        /// Maximum time to wait for samples from after a change of the signal, in s. Then the available data decide. It is longer than every
+        /// latency worth compensating.
+        /// </summary>
         const double Patience = 1;
 
         readonly FrameTree _tree;
@@ -54,7 +57,7 @@ namespace Nowpose.Frames
         // False once the object's source or another gripper has taken it.
         bool IsMine => _held >= 0 && _tree[_held].Reach?.Gripper == this;
 
-        /// <summary>Closes or opens the gripper. Decided with the next call of <see cref="Decide(ControlTime)"/>.</summary>
+        /// <summary>Closes or opens the gripper. The next call of <see cref="Decide(ControlTime)"/> determines the effect.</summary>
         /// <param name="since">Stamp of the change; null if its time is no longer known.</param>
         public void Change(bool isClosed, ControlTime? since)
         {

@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Motion
 {
-    /// <summary>The youBot's cycle: from home to the pick, to the place, and back.</summary>
+    /// <summary>Waypoints of the youBot's pick-and-place cycle, which begins and ends at the home position.</summary>
     static class YoubotWaypoints
     {
         const double Open = 0.0115;

@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>One connection to the sync server: first the token, then one exchange at a time. Blocks; not thread-safe.</summary>
+    /// <summary>Connection to the sync server. Sends the token first, then makes one exchange at a time. Calls block; not thread-safe.</summary>
     sealed class SyncConnection
     {
         readonly Stream _stream;

@@ -34,7 +34,7 @@ namespace Nowpose.Network
         }
 
         /// <summary>
-        /// Closes the connection in the background within a second, in an orderly way, so that the server does not consider it lost.
+        /// Closes the connection in the background within a second, with a close frame, so that the server does not consider it lost.
         /// </summary>
         public void Dispose()
         {

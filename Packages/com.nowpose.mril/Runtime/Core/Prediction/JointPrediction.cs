@@ -11,10 +11,10 @@ namespace Nowpose.Prediction
         /// <summary>A constant value: the newest sample's position, or the section's value at the horizon cap or at its oldest sample.</summary>
         Held,
 
-        /// <summary>At or before the newest sample.</summary>
+        /// <summary>The time is not later than the newest sample.</summary>
         Interpolated,
 
-        /// <summary>Ahead of the newest sample.</summary>
+        /// <summary>The time is later than the newest sample.</summary>
         Predicted,
 
         /// <summary>The position that the control system plans, at the joint's delay behind the plan; not predicted.</summary>

@@ -36,7 +36,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Index of the marker that the other markers contradict; −1 if there is none or if it cannot be determined.</summary>
         public int Wrong { get; }
 
-        /// <summary>Base from all markers except the wrong marker.</summary>
+        /// <summary>Pose of the base fitted to all markers; without the wrong marker if there is one.</summary>
         public RigidTransform Fitted { get; }
 
         /// <summary>Deviation of the wrong marker, or of the markers from each other if the wrong marker is unknown, in metres.</summary>

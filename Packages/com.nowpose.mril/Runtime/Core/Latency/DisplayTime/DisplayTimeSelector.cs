@@ -74,7 +74,7 @@ namespace Nowpose.Latency.DisplayTime
             return frameStart + Used;
         }
 
-        /// <param name="profile">Profile of the value; null if the value is set as a number.</param>
+        /// <param name="profile">Profile that contains the value; null if the value was set as a number.</param>
         public void Calibrate(VisualisationLatency calibrated, LatencyProfile profile)
         {
             if (calibrated.Length != _calibrated.Length) _check.Reset();

@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Minimum change of velocity, relative to the maximum recent speed.</summary>
         const double MinChangeRatio = 0.25;
 
-        /// <summary>Minimum speed of the sample that confirms a start, relative to the speed at the start.</summary>
+        /// <summary>Minimum speed at the sample that confirms an increase of the speed, relative to the speed at the change point.</summary>
         const double MinConfirmationRatio = 0.9;
 
         double _maxAcceleration;

@@ -91,7 +91,7 @@ namespace Nowpose.Prediction.Forecasting
             return Math.Max(variance, 0);
         }
 
-        /// <summary>As in the base class, but constant from a reversal on: drives stop far more often than they reverse.</summary>
+        /// <summary>Like the base method, but the forecast is constant after a reversal, because drives stop far more often than they reverse.</summary>
         /// <inheritdoc/>
         public override void Fill(double[] table, int start, int points)
         {
@@ -126,7 +126,7 @@ namespace Nowpose.Prediction.Forecasting
         // k without its exponential; r is never negative, because the newest sample comes first.
         static double Polynomial(double r) => 1 + r * (1 + r * (0.4 + r / 15));
 
-        // decay is e⁻ᵘ.
+        // Returns the forecast x seconds after the newest sample. The argument decay is e⁻ᵘ, with u as below.
         double At(double x, double decay)
         {
             var u = x * PerSecond;

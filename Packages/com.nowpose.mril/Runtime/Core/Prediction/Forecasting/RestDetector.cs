@@ -29,8 +29,8 @@ namespace Nowpose.Prediction.Forecasting
         const double TrackerRate = 3;
 
         /// <summary>
-        /// Maximum range at which rest begins, and maximum distance at which it continues, as multiples of the noise. The hysteresis prevents
-        /// frequent changes.
+        /// Maximum range of the newest samples at which rest begins, and maximum distance from the rest position at which rest continues, as
+        /// multiples of the noise. The hysteresis prevents frequent changes.
         /// </summary>
         const double MaxRangeRatio = 3, MaxDistanceRatio = 4;
 

@@ -12,8 +12,8 @@ namespace Nowpose.Prediction.Samples
         const int Capacity = 256;
 
         /// <summary>
-        /// Maximum distance from the line between the neighbours, relative to their displacement. An overtaken sample is closer, even at a
-        /// reversal; one of a clock that went back by two intervals is off by twice the displacement.
+        /// Maximum distance from the line between the neighbours, relative to their displacement. A sample that was overtaken on the network is
+        /// closer, even at a reversal. After a step of the clock back by two intervals, the distance is twice the displacement.
         /// </summary>
         const double MaxDistanceRatio = 1.5;
 

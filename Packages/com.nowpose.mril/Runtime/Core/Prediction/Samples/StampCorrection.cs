@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Minimum standard deviation of stamps to correct, in s; less scatter is harmless.</summary>
         const double MinDeviation = 0.3e-3;
 
-        /// <summary>Maximum standard deviation of the stamps of a source that does not delay them now and then, in s.</summary>
+        /// <summary>Maximum standard deviation of the stamps of a source without occasional delays, in s.</summary>
         const double CleanDeviation = 1e-3;
 
         /// <summary>Maximum distance from the line, in standard deviations; uniform scatter stays within two.</summary>
@@ -30,7 +30,7 @@ namespace Nowpose.Prediction.Samples
         readonly StampLine _line = new StampLine();
         readonly SmoothnessTest _smoothness = new SmoothnessTest();
 
-        // Number of consecutive newest stamps off the line on one side; negative for early ones.
+        // Number of consecutive newest stamps that are off the line on the same side; negative if they are early.
         int _offLine;
 
         /// <summary>Returns the corrected time of a sample.</summary>
@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Samples
         bool IsPeriodChange(double off)
         {
             if (Math.Abs(off) <= MaxScatter * _line.Deviation) return false;
-            // A delay can make a stamp late by any time, but not early. Of a source with clean stamps, or of two stamps in a row, it is unlikely.
+            // A delay can make a stamp late by any time, but not early. It is unlikely for a source with clean stamps, and for two stamps in a row.
             var (isEarly, isOfCleanSource, isInARow) = (off < 0, _line.Deviation < CleanDeviation, Math.Abs(_offLine) > 1);
             return isEarly || isOfCleanSource || isInARow;
         }

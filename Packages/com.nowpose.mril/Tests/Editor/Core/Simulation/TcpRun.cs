@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Simulation
         public double Reduction => 1 - Math.Sqrt(
             Since(FirstCurrent).Sum(frame => frame.Error * frame.Error) / Since(FirstCurrent).Sum(frame => frame.HoldError * frame.HoldError));
 
-        /// <summary>Share of the current frames in which the clock error exceeded the stated bound.</summary>
+        /// <summary>Share of the current frames in which the clock error exceeded its estimated error (±).</summary>
         public double ClockErrorBeyondStated => Frames.Where(frame => frame.IsCurrent).Average(frame => Math.Abs(frame.ClockErrorMs) > frame.StatedMs ? 1 : 0);
 
         public double FirstIn(ClockState state) => Frames.First(frame => frame.Clock == state).At;

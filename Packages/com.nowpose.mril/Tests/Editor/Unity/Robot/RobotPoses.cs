@@ -25,7 +25,10 @@ namespace Nowpose.Tests.Unity.Robot
             return positions;
         }
 
-        /// <summary>Compares four points of each link, up to half a metre from its origin, in the rig's axes.</summary>
+        /// <summary>
+        /// Checks that the links of a rig have the poses of Core's forward kinematics. Compares four points of each link, up to half a metre
+        /// from its origin, in the rig's axes.
+        /// </summary>
         public static void RequireAgreement(RobotRig rig, double[] positions, string message)
         {
             var poses = new RigidTransform[rig.Model.Links.Count];

@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(PoseState.Held, "! held")]
         [TestCase(PoseState.Unsynchronised, "! not synchronised")]
         [TestCase(PoseState.Incomplete, "! no positions yet")]
-        public void Update_Pose_HasWordsAndAMark(PoseState pose, string value)
+        public void Update_PoseState_ShowsItsTextAndMarksAProblem(PoseState pose, string value)
         {
             var row = Row(StatusRow.Pose, new SessionStatistics { Pose = pose }).Split('|');
 

@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_OneMarkerPushed_IsNamedWithinASecondAndNotFollowed()
+        public void Play_OneMarkerMoved_IsReportedWithinASecondAndBaseStays()
         {
             var played = Locked("one-moved.txt", 6);
             var before = played.Tracker.Base.Value;
