@@ -19,7 +19,7 @@ static class SendBuffer
         if (context.Features.Get<IConnectionSocketFeature>()?.Socket is not { } socket) return;
         try
         {
-            // Limits only unsent data. A small buffer would also limit data in flight, and thereby the throughput of a long path.
+            // Limits only unsent data. A small buffer would also limit data in flight, and so the throughput of a long path.
             if (OperatingSystem.IsLinux()) socket.SetRawSocketOption(ProtocolTcp, LinuxNotSentLowWater, BitConverter.GetBytes(UnsentBytes));
             else if (OperatingSystem.IsMacOS()) socket.SetRawSocketOption(ProtocolTcp, MacNotSentLowWater, BitConverter.GetBytes(UnsentBytes));
             else socket.SendBufferSize = BufferBytes;
