@@ -82,7 +82,7 @@ public class BrokerBridgeTests
         Assert.That(joints[1].GetProperty("uncertain").GetString(), Is.EqualTo("the stop itself was not observed"));
         foreach (var joint in joints)
             Assert.That(joint.GetProperty("since_utc").GetDateTimeOffset().ToUnixTimeSeconds(), Is.EqualTo(since).Within(30));
-        await Soon.BecomesAsync(() => Joints(far)[1].GetProperty("state").GetString() == "fault", "the other hall says that the plant's gateway is away");
+        await Soon.BecomesAsync(() => Joints(far)[1].GetProperty("state").GetString() == "fault", "the other hall reports the fault");
     }
 
     static JsonElement[] Joints(GatewayServer gateway)

@@ -138,7 +138,7 @@ public class CodePageTests
         Assert.That(await first.RequestAsync(Empty, TimeRequest), Does.StartWith("HTTP/1.1 200 "));
         Assert.That(await second.RequestAsync(Empty, TimeRequest), Does.StartWith("HTTP/1.1 503 ").And.Contain("Connection: close"));
         first.Dispose();
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "place given back");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "no longer counted");
 
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.RoundTripAsync();

@@ -55,7 +55,7 @@ public class DepartedClientTests
         await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all gone");
         Assert.That(gateway.Hub.Topics, Is.EqualTo(topics));
         Assert.That(gateway.WatchedTokens, Is.Zero);
-        await Soon.BecomesAsync(() => gateway.PendingCount == 0, "no place is taken");
+        await Soon.BecomesAsync(() => gateway.PendingCount == 0, "no connection is counted");
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

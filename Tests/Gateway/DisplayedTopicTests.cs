@@ -71,7 +71,7 @@ public class DisplayedTopicTests
         await headset.SendAsync(Shown("h1"));
         await headset.ExpectErrorAsync("the name h1 belongs to another source");
         await other.Socket.CloseAsync(System.Net.WebSockets.WebSocketCloseStatus.NormalClosure, "", default).Bounded();
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the other one is gone");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the other has disconnected");
 
         await headset.SendAsync(Shown("h1"));
         await headset.RoundTripAsync(); // no status has arrived

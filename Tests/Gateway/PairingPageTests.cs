@@ -72,8 +72,8 @@ public sealed class PairingPageTests
         await routes.ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();
 
         Assert.That(context.Response.StatusCode, Is.EqualTo(expected));
-        var told = Encoding.UTF8.GetString(((MemoryStream)context.Response.Body).ToArray());
-        Assert.That(told.Contains("nowpose:token"), Is.EqualTo(expected == 200));
+        var body = Encoding.UTF8.GetString(((MemoryStream)context.Response.Body).ToArray());
+        Assert.That(body.Contains("nowpose:token"), Is.EqualTo(expected == 200));
     }
 
     [Test]

@@ -176,7 +176,7 @@ public class RosbridgeTopicTests
         await second.RoundTripAsync();
 
         await first.Socket.CloseAsync(WebSocketCloseStatus.NormalClosure, "", default).Bounded();
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "first gone");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the first has disconnected");
         await second.SendAsync(Gateways.StateText(2));
         await second.RoundTripAsync();
         Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1));

@@ -74,7 +74,7 @@ public class CellStatusTests
         for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot/>"));
         await _source.RoundTripAsync();
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the source has disconnected");
         using var twin = await RawRosbridgeClient.ConnectAsync(_gateway);
         await twin.SendAsync(Tf(Frame("box")));
         await twin.RoundTripAsync();

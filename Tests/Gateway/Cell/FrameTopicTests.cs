@@ -178,7 +178,7 @@ public class FrameTopicTests
         Assert.That(new[] { await NextFramesAsync(), await NextFramesAsync() }, Is.EqualTo(new[] { "fixture=2", "belt=3" }));
         await _headset.RoundTripAsync();
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
         using var late = await RawRosbridgeClient.ConnectAsync(_gateway);
         await late.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic));
         Assert.That((await late.ReceiveAsync()).Transforms.Text(), Is.EqualTo("fixture=2"));

@@ -63,7 +63,7 @@ public class RobotNamespaceTests
 
         await _second.ExpectErrorAsync("a belongs to another source, rosbridge 127.0.0.1 (JointTaken)");
         _first.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has disconnected");
         await _second.SendAsync(State("arm1", 2));
         await _second.RoundTripAsync();
     }
@@ -143,7 +143,7 @@ public class RobotNamespaceTests
 
         Assert.That(_gateway.Drops[DropReason.TooManyRobots], Is.EqualTo(3));
         _first.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has disconnected");
         await _second.SendAsync(State("arm16", 1));
         await _second.RoundTripAsync();
     }
@@ -154,7 +154,7 @@ public class RobotNamespaceTests
         for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.PublishString($"/arm{i}/robot_description", "<robot/>"));
         await _first.RoundTripAsync();
         _first.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
         Assert.That(_gateway.Hub.Robots, Has.Count.EqualTo(16), "descriptions stay");
 
         await _second.SendAsync(State("new", 1));

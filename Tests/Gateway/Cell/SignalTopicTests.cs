@@ -87,7 +87,7 @@ public class SignalTopicTests
     {
         await SendAsync(SignalsText(("grip", 1)));
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
 
         await _headset.SubscribeAsync(RosTopics.Signals);
 
@@ -144,7 +144,7 @@ public class SignalTopicTests
         await second.ExpectErrorAsync("signal grip belongs to another source, rosbridge 127.0.0.1 (SignalTaken)");
         Assert.That(_gateway.Drops[DropReason.SignalTaken], Is.EqualTo(1));
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 2, "the first has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 2, "the first has disconnected");
         await second.SendAsync(SignalsText(("lamp", 1), ("grip", 0)));
         await second.RoundTripAsync();
     }

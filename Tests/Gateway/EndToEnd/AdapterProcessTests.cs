@@ -40,12 +40,12 @@ public class AdapterProcessTests
     {
         await using var gateway = await Gateways.StartAsync(
             Gateways.Options() with { Tokens = hasTokens ? Gateways.Tokens : Nowpose.Gateway.Security.TokenList.None });
-        var told = new TaskCompletionSource<DiagnosticsMessage>();
-        using var listening = ListenTo(gateway, told);
+        var received = new TaskCompletionSource<DiagnosticsMessage>();
+        using var listening = ListenTo(gateway, received);
 
         await using var adapters = AdapterProcesses.Start([Plant(Write(Good))], gateway);
 
-        var diagnostics = await told.Task.Bounded();
+        var diagnostics = await received.Task.Bounded();
         Assert.That(diagnostics.HardwareId, Is.EqualTo("plant/absent"));
         Assert.That(diagnostics.Values.Single(value => value.Key == "state").Value, Is.Not.EqualTo("connected"));
     }
@@ -251,11 +251,11 @@ public class AdapterProcessTests
     static StatusEvent EventOf(GatewayServer gateway) =>
         gateway.Events.Read().SingleOrDefault(one => one.Condition is { Kind: "adapter", What: "does not report" });
 
-    static IDisposable ListenTo(GatewayServer gateway, TaskCompletionSource<DiagnosticsMessage> told) =>
+    static IDisposable ListenTo(GatewayServer gateway, TaskCompletionSource<DiagnosticsMessage> received) =>
         gateway.Hub.Subscribe(RosTopics.Diagnostics, message =>
         {
             var text = System.Text.Encoding.UTF8.GetString(message.Utf8(RosTimeForm.Sec).Span);
-            if (RosbridgeReader.TryRead(text, out var read, out _)) told.TrySetResult(read.Diagnostics);
+            if (RosbridgeReader.TryRead(text, out var read, out _)) received.TrySetResult(read.Diagnostics);
         });
 
     // Returns the id of the first node process with this parent.

@@ -49,7 +49,7 @@ public class PlantEndToEndTests
         using var session = new CompensationSession(
             new SessionSettings(ConnectionTo(gateway), new VisualisationLatency(Visualisation)), robot, clock);
         session.Connect();
-        await Soon.BecomesAsync(() => session.Tick(clock.Now).State == PoseState.Current, () => $"a current pose; the gateway said {gateway.All}");
+        await Soon.BecomesAsync(() => session.Tick(clock.Now).State == PoseState.Current, () => $"a current pose; the gateway wrote {gateway.All}");
         var score = new PlantScore(plant, robot, Visualisation);
 
         await Task.Factory.StartNew(

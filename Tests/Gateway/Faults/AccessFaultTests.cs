@@ -51,7 +51,7 @@ public class AccessFaultTests
         var took = await headset.BecomesAsync(PoseState.Current);
 
         Recovery.Print("certificate expired, from the renewed file to a current pose", took);
-        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: renewed")), "told");
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: renewed")), "renewal logged");
     }
 
     [Test]
@@ -72,7 +72,7 @@ public class AccessFaultTests
         await headset.BecomesAsync(
             () => headset.State != PoseState.Current && headset.Session.SyncLink.IsTokenRefused && headset.Session.SampleLink.IsTokenRefused,
             "refused on both connections");
-        await other.BecomesAsync(() => other.IsConnected && other.State == PoseState.Current, "the other one goes on");
+        await other.BecomesAsync(() => other.IsConnected && other.State == PoseState.Current, "the other one continues");
         File.WriteAllText(path, "observer a\nobserver b\n");
         var took = await headset.BecomesAsync(PoseState.Current);
 

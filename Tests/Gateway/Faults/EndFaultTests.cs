@@ -45,7 +45,7 @@ public class EndFaultTests
         }
 
         await headset.BecomesAsync(PoseState.Held);
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the source is gone");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the source has disconnected");
         using var next = await RawRosbridgeClient.ConnectAsync(gateway);
         using var stop = new CancellationTokenSource();
         var going = PublishAsync(next, clock, stop.Token);

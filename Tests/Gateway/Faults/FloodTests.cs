@@ -33,7 +33,7 @@ public class FloodTests
         await ConnectAsync(gateway, Connects);
 
         TestContext.Out.WriteLine($"{Connects} connects in {Stopwatch.GetElapsedTime(since).TotalSeconds:0.0} s");
-        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 1 && gateway.WebSocketConnections.Open == 1, "all gone but the headset's");
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 1 && gateway.WebSocketConnections.Open == 1, "only the headset is left");
         await Soon.BecomesAsync(() => OpenFiles() < files + 50 && Threads() < threads + 30, "no handles and no threads are left");
         await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "connected and current");
     }

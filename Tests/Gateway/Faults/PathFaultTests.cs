@@ -92,7 +92,7 @@ public class PathFaultTests
             sync.GoQuiet();
             positions.GoQuiet();
 
-            await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all given up");
+            await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all are closed");
             Assert.That(gateway.SyncConnections[Closure.Silence], Is.EqualTo(options.MaxConnections));
             Assert.That(gateway.WebSocketConnections[Closure.Silence], Is.EqualTo(options.MaxConnections));
             using var next = await RawSyncClient.ConnectAsync(gateway);

@@ -43,7 +43,7 @@ public class RecorderDiskTests
         recorder.SwitchOn();
         _cell.Publish(10, "a");
         await recorder.SwitchOffAsync().Bounded();
-        Assert.That(_cell.CountLogged("No space left"), Is.EqualTo(1), "said once");
+        Assert.That(_cell.CountLogged("No space left"), Is.EqualTo(1), "logged once");
         Assert.That(recorder.Status.Problem, Is.Null);
         Assert.That(recorder.Status.Lost, Is.Zero);
         Assert.That(recorder.Status.Lines, Is.GreaterThanOrEqualTo(10));

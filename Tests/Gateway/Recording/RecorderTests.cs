@@ -80,9 +80,9 @@ public class RecorderTests
         Assert.That(samples.Select(line => line.GetProperty("position")[0].GetDouble()), Is.EqualTo(Enumerable.Range(0, 3000)));
         Assert.That(lines[0].GetProperty("recorded_by").GetString(), Is.EqualTo("gateway"));
         Assert.That(Count(lines, "plan"), Is.EqualTo(1));
-        var said = lines.Single(line => line.GetProperty("kind").GetString() == "diagnostics");
-        Assert.That(said.GetProperty("name").GetString(), Is.EqualTo("goggles"));
-        Assert.That(said.GetProperty("values").GetProperty("say \"so\"").GetString(), Is.EqualTo("\n"));
+        var diagnostics = lines.Single(line => line.GetProperty("kind").GetString() == "diagnostics");
+        Assert.That(diagnostics.GetProperty("name").GetString(), Is.EqualTo("goggles"));
+        Assert.That(diagnostics.GetProperty("values").GetProperty("say \"so\"").GetString(), Is.EqualTo("\n"));
         Assert.That(lines[^1].GetProperty("reason").GetString(), Is.EqualTo("closed"));
         Assert.That(recorder.Status.Lost, Is.Zero);
         Assert.That(recorder.Status.Lines, Is.EqualTo(lines.Length - 2), "all lines except the header and the end");

@@ -147,14 +147,14 @@ public class RevocationTests
 
         if (text == null) File.Delete(TokensPath);
         else File.WriteAllText(TokensPath, text);
-        await Soon.BecomesAsync(() => !_log.IsEmpty, "told");
+        await Soon.BecomesAsync(() => !_log.IsEmpty, "the error is logged");
         await client.RoundTripAsync();
         Write("observer kept", "observer also-kept", "observer new");
         await Soon.BecomesAsync(() => AcceptsAsync(gateway, "new").Result, "followed again");
 
-        var told = _log.Where(line => line.Contains(TokensPath)).ToArray();
-        Assert.That(told.Length, Is.EqualTo(1), string.Join('\n', told));
-        Assert.That(told[0], Does.Contain(part).And.Contain("stays in use").And.Not.Contain("secret"));
+        var lines = _log.Where(line => line.Contains(TokensPath)).ToArray();
+        Assert.That(lines.Length, Is.EqualTo(1), string.Join('\n', lines));
+        Assert.That(lines[0], Does.Contain(part).And.Contain("stays in use").And.Not.Contain("secret"));
         await client.RoundTripAsync();
     }
 

@@ -90,7 +90,7 @@ public class WrongTokenTests
 
         Block(newest);
         for (var i = 0; i < WrongTokens.MaxAddresses - 1; i++) wrong.Count(new IPAddress([10, 2, (byte)(i >> 8), (byte)i]));
-        Assert.That(wrong.BlockedFor(newest) > TimeSpan.Zero, Is.True, "only the oldest make room");
+        Assert.That(wrong.BlockedFor(newest) > TimeSpan.Zero, Is.True, "only the oldest are removed");
         Assert.That(wrong.BlockedFor(silent) > TimeSpan.Zero, Is.False);
     }
 
@@ -128,7 +128,7 @@ public class WrongTokenTests
             return http.SendAsync(request);
         }).ToList();
 
-        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all are held back");
+        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all answers are delayed");
         Assert.That(time.Long.Order(), Is.EqualTo(new[] { 1, 2, 3 }.Select(turn => turn * Slow.WrongTokenDelay)));
         Assert.That(answers, Has.None.Matches<Task>(answer => answer.IsCompleted));
         Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "a known one");

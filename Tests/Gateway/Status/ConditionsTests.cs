@@ -27,6 +27,6 @@ public class ConditionsTests
         var condition = Conditions.Of(new JointStatus("a1", "cell", (JointDataState)state, Since, null, 0, reason));
 
         Assert.That(condition.IsNormalAtStart, Is.EqualTo(isNormal));
-        Assert.That(condition.Level, Is.EqualTo(Level.Error), "what lasts is an event");
+        Assert.That(condition.Level, Is.EqualTo(Level.Error), "a lasting condition is an event");
     }
 }

@@ -170,9 +170,9 @@ public class OperationsStateTests
             RosTopics.Diagnostics, Diagnostics("plant/press", ("state", "refused"), ("reason", untrusted)), RosTimeForm.Sec));
         await client.RoundTripAsync();
 
-        var told = (await StateAsync(gateway)).GetProperty("adapters")[0];
+        var reported = (await StateAsync(gateway)).GetProperty("adapters")[0];
 
-        Assert.That(told.GetProperty("reason").GetString(), Is.EqualTo(untrusted));
+        Assert.That(reported.GetProperty("reason").GetString(), Is.EqualTo(untrusted));
     }
 
     [Test]
@@ -183,9 +183,9 @@ public class OperationsStateTests
         foreach (var ahead in new[] { "", "x" })
             source.Publish(Diagnostics($"plant/{ahead}", ("reason", ahead + string.Concat(Enumerable.Repeat("\U0001F916", 1000)))));
 
-        var told = (await StateAsync(gateway)).GetProperty("adapters");
+        var reported = (await StateAsync(gateway)).GetProperty("adapters");
 
-        Assert.That(told.EnumerateArray().Select(adapter => adapter.GetProperty("reason").GetString()), Has.All.Contains("…"));
+        Assert.That(reported.EnumerateArray().Select(adapter => adapter.GetProperty("reason").GetString()), Has.All.Contains("…"));
     }
 
     [Test]

@@ -103,7 +103,7 @@ public class HeadsetFaultTests
 
         if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
         client.EndSending();
-        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection is over");
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection has ended");
         _gateway.Time.Advance(TimeSpan.FromSeconds(4));
 
         var state = await _gateway.StateAsync();

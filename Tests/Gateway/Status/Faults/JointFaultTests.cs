@@ -30,7 +30,7 @@ public class JointFaultTests
         _gateway.Time.Advance(TimeSpan.FromSeconds(1));
 
         var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
-        Assert.That(lines, Has.Length.EqualTo(2), "the other joint goes on");
+        Assert.That(lines, Has.Length.EqualTo(2), "the other joint continues");
         Assert.That(lines[0], Is.EqualTo("waiting"));
         Assert.That(lines[1], Does.StartWith("joint a (gateway) is stale: "));
         var state = await _gateway.StateAsync();
@@ -150,7 +150,7 @@ public class JointFaultTests
 
         if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
         client.EndSending();
-        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection is over");
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection has ended");
         _gateway.Time.Advance(TimeSpan.FromHours(30));
 
         var state = await _gateway.StateAsync();

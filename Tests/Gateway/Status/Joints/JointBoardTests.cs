@@ -39,7 +39,7 @@ public class JointBoardTests
         Assert.That(_joints.Joint("a").Since, Is.EqualTo(last));
         Assert.That(_joints.Joint("a").RateHz, Is.Zero);
         Assert.That(_joints.Joint("a").Reason, Is.Not.Empty);
-        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Live), "the other joint goes on");
+        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Live), "the other joint continues");
     }
 
     [Test]

@@ -85,9 +85,9 @@ public class JointStatusTopicTests
         }
 
         Look(none, 3);
-        Assert.That(_received, Has.Count.EqualTo(1), "the empty one, once");
+        Assert.That(_received, Has.Count.EqualTo(1), "the empty status is sent once");
         Look(fault, 3);
-        Assert.That(_received, Has.Count.EqualTo(4), "at once, and every second");
+        Assert.That(_received, Has.Count.EqualTo(4), "the change, then each second");
         Look(none, 3);
         Assert.That(_received, Has.Count.EqualTo(5));
         Assert.That(_received[^1].Values, Is.Empty);
