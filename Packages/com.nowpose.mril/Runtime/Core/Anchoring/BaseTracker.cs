@@ -18,7 +18,7 @@ namespace Nowpose.Anchoring
         readonly EasedPose _shown;
         readonly HeldPlace _place = new HeldPlace();
         readonly LockAttempt _attempt;
-        readonly BaseWords _words;
+        readonly BaseStatusText _words;
         readonly MarkerSet _markers = new MarkerSet();
         BaseAnchorState _state;
         HeadsetTime _now;
@@ -33,7 +33,7 @@ namespace Nowpose.Anchoring
             _settings = settings ?? throw new ArgumentNullException(nameof(settings));
             _shown = new EasedPose(settings.Ease);
             _attempt = new LockAttempt(settings);
-            _words = new BaseWords(settings);
+            _words = new BaseStatusText(settings);
         }
 
         /// <summary>Name of the cell, under which the position is stored; empty for none.</summary>
