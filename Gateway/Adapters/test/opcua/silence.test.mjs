@@ -68,7 +68,7 @@ describe('silence over OPC UA', { concurrency: 2 }, () => {
       recent.push({ ms, isFast: Math.abs(Math.sin(phase)) > 0.5 });
       return { ...sent, value: Object.assign(sent.value.clone(), { value }) };
     };
-    // A busy machine samples late, and a long gap would be the end of the motion before it.
+    // A busy machine samples late, and a long gap counts as the end of the earlier motion.
     const isInMotion = () => {
       const newest = recent.slice(-8);
       return newest.length === 8 && newest.at(-1).isFast && newest.slice(1).every(({ ms }, i) => ms - newest[i].ms < 250);

@@ -193,7 +193,7 @@ namespace Nowpose.Prediction
         // Only blending needs the displayed position.
         JointPrediction ShownAt(double displayed) => _blend.IsNeeded(displayed) ? UnwrappedAt(displayed) : default;
 
-        // What is left of the previous residual is part of the displayed position, and therefore of the new residual.
+        // The remainder of the previous residual is part of the displayed position, and therefore of the new residual.
         void StartBlend(double displayed, in JointPrediction shown)
         {
             _residual = 0;

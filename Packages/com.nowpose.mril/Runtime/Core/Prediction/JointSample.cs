@@ -6,10 +6,10 @@ namespace Nowpose.Prediction
     /// <summary>One joint's position with the control system's stamp.</summary>
     public readonly struct JointSample
     {
-        /// <summary>Stamps that differ by less count as equal, in s: a speed between them would be meaningless.</summary>
+        /// <summary>Time difference below which stamps count as equal, in s: a speed between them would be meaningless.</summary>
         internal const double SameSeconds = 1e-6;
 
-        /// <summary>The square of a larger displacement or velocity overflows, and would remain in every running mean.</summary>
+        /// <summary>Maximum displacement or velocity. The square of a larger value overflows and would remain in every running mean.</summary>
         internal const double MaxMagnitude = 1e50;
 
         /// <param name="time">t_k in seconds of control time since a nearby epoch.</param>
