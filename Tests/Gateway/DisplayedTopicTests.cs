@@ -39,7 +39,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_WithTheNameOfAnother_IsRefused()
+    public async Task Displayed_WithTheNameOfAnotherHeadset_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -52,7 +52,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Name_UsedByAnotherConnection_IsRefusedUntilThatEnds()
+    public async Task Name_UsedByAnotherConnection_IsRefusedUntilThatConnectionEnds()
     {
         var time = new SteppedTime();
         await using var gateway = await Gateways.StartAsync(WithTokens with { Time = time });

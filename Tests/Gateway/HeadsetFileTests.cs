@@ -43,7 +43,7 @@ public sealed class HeadsetFileTests
     }
 
     [Test]
-    public void Remove_One_KeepsCommentsOthersAndTheMode()
+    public void Remove_OneEntry_KeepsCommentsOtherEntriesAndFileMode()
     {
         HeadsetFile.Open(_path);
         HeadsetFile.Add(_path, First);

@@ -57,7 +57,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Release_Topic_ReleasesOnlyThat()
+    public void Release_Topic_ReleasesOnlyThatTopic()
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();

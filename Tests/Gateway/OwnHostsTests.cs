@@ -34,7 +34,7 @@ public class OwnHostsTests
     [TestCase("127.0.0.1")]
     [TestCase("::ffff:192.0.2.7")]
     [TestCase("2001:db8::7")]
-    public void Of_Address_AreAllAccepted(string local)
+    public void Of_Address_ReturnsAcceptedHostsOnly(string local)
     {
         var address = IPAddress.Parse(local);
 

@@ -132,7 +132,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_NeverEnding_ClosesWithTheReason()
+    public async Task Message_NeverEnding_ClosesTheConnectionWithTheReason()
     {
         var options = Gateways.Options() with { MessageTimeout = TimeSpan.FromMilliseconds(50), DrainTimeout = TimeSpan.FromMilliseconds(100) };
         await using var gateway = await Gateways.StartAsync(options);
@@ -146,7 +146,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_BeyondTheDrainLimit_Closes()
+    public async Task Message_BeyondTheDrainLimit_ClosesTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { DrainBytes = 2_000_000 });
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

@@ -46,7 +46,7 @@ public class RosbridgeServerTests
     [TestCase(RawWebSocket.Text, "a byte that is not UTF-8")]
     [TestCase(3, "an opcode that is reserved")]
     [TestCase(0x40 | RawWebSocket.Text, "the bit that says it is compressed")]
-    public async Task Frame_ViolatesTheProtocol_ClosesAndIsCounted(int opcode, string what)
+    public async Task Frame_ViolatesTheProtocol_ClosesTheConnectionAndIsCounted(int opcode, string what)
     {
         await using var gateway = await Gateways.StartAsync();
         using var raw = await RawWebSocket.OpenAsync(gateway);

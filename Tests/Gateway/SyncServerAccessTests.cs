@@ -43,7 +43,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Token_NotInTime_Closes()
+    public async Task Token_NotInTime_ClosesTheConnection()
     {
         var options = Gateways.Options() with { Tokens = Gateways.Tokens, TokenTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
@@ -54,7 +54,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Token_LongerThanAllowed_Closes()
+    public async Task Token_LongerThanAllowed_ClosesTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var client = await RawSyncClient.ConnectAsync(gateway);

@@ -39,7 +39,7 @@ public class SyncServerLimitTests
     }
 
     [Test]
-    public async Task Requests_FasterThanAllowed_Close()
+    public async Task Requests_FasterThanAllowed_CloseTheConnection()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawSyncClient.ConnectAsync(gateway);

@@ -185,7 +185,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Guesses_OnOnePort_DelayTheOther()
+    public async Task Guesses_OnOnePort_DelayTheOtherPort()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens with { WrongTokenDelay = TimeSpan.Zero });
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++)

@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Frames
 
         /// <summary>Samples that were skipped at rest are not missing: up to the kept number, nothing can differ.</summary>
         [Test]
-        public void At_AfterARest_IsThatOfAPredictorThatGotAllSamples(
+        public void At_AfterARest_EqualsAPredictorWithAllSamples(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h9", "gp", "adaptive")] string predictor, [Values(1, 2, 5, 8)] int rest)
         {
             AxisPredictor waits = New(predictor: predictor), all = New(waitsForChange: false, predictor);
@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("quadratic")]
         [TestCase("quadratic-h4")]
         [TestCase("cubic")]
-        public void At_AfterALongRest_IsThatOfAPredictorThatGotAllSamples(string predictor)
+        public void At_AfterALongRest_EqualsAPredictorWithAllSamples(string predictor)
         {
             AxisPredictor waits = New(predictor: predictor), all = New(waitsForChange: false, predictor);
             for (var k = 0; k < 120; k++)
@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Frames
 
         [TestCase("linear")]
         [TestCase("adaptive")]
-        public void At_ConstantsAreNotSkipped_IsThatOfTheJointPredictor(string predictor)
+        public void At_ConstantsAreNotSkipped_EqualsTheJointPredictor(string predictor)
         {
             var axis = New(waitsForChange: false, predictor);
             var joint = Predictors.Create(predictor, PredictionLimits.Unlimited);

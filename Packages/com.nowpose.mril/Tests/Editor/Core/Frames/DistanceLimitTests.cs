@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Clear_AfterDistances_IsAsNew()
+        public void Clear_AfterDistances_IsLikeNew()
         {
             var limit = After(1, 100);
 
