@@ -38,7 +38,7 @@ public class SimulatedCellTests
             Assert.That(samples[i].Positions, Is.EqualTo(truth));
         }
 
-        // A busy machine stalls longer than samples are kept, so some may be missing; the others keep their beat.
+        // A busy machine stalls longer than samples are kept, so some may be missing. All intervals remain multiples of the sampling interval.
         var intervals = samples.Zip(samples.Skip(1), (a, b) => b.Stamp - a.Stamp).ToList();
         Assert.That(intervals, Has.All.GreaterThan(TimeSpan.Zero));
         Assert.That(intervals.Select(interval => interval.Ticks % Timing.SamplingInterval.Ticks), Has.All.Zero);

@@ -118,7 +118,7 @@ public class LatchedQueueTests
     [Test]
     public void MessageParts_LongNames_AreSplitWithinTheLimit()
     {
-        // A backslash has the length of six characters at most; two characters here.
+        // The upper bound for a backslash in JSON is six characters. Its actual length is two.
         var names = Enumerable.Range(0, 256).Select(i => new string('\\', 124) + i.ToString("000")).ToArray();
         var signals = new SignalsMessage(Gateways.Start, [.. names.Select(name => new SignalValue(name, -1.0 / 3e-300))]);
         var frames = new TransformsMessage([.. names.Select(name => CellTexts.Frame(name, "world", -1.0 / 3e-300))]);

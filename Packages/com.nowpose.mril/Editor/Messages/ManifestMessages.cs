@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Errors of Packages/manifest.json, with what to do.</summary>
+    /// <summary>Errors of Packages/manifest.json, with remedies.</summary>
     static class ManifestMessages
     {
         public const string AfterObject = "nothing is expected after the object";

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Errors of the meshes of a robot description, with what to do.</summary>
+    /// <summary>Errors of the meshes of a robot description, with remedies.</summary>
     static class MeshMessages
     {
         public const string Xacro = "is not a path; expand the file with xacro first";

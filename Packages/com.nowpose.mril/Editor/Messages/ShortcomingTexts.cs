@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Missing references of components, with what to do.</summary>
+    /// <summary>Missing references of components, with remedies.</summary>
     static class ShortcomingTexts
     {
         public const string Settings = "It has no settings and cannot start. Assign settings, or let a script provide them.";

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Parts whose material cannot show the state of the pose, with what to do.</summary>
+    /// <summary>Parts whose material cannot show the state of the pose, with remedies.</summary>
     static class AppearanceMessages
     {
         public const string AssignMaterial = "assign a material to the part";
