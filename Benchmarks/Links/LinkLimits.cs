@@ -35,7 +35,7 @@ static class LinkLimits
             value >= limit ? null : $"{profile}: {what}: {Text(100 * value, "%")}; at least {Text(100 * limit, "%")} are required";
         var missed = new List<string>
         {
-            AtLeast("share of frames with a clock error within the stated one", runs.Average(run => run.WithinStatedShare), WithinStatedShare),
+            AtLeast("share of frames with a clock error within the stated error", runs.Average(run => run.WithinStatedShare), WithinStatedShare),
         };
         if (stalls)
         {

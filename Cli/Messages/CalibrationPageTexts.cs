@@ -10,7 +10,7 @@ static class CalibrationPageTexts
         FormattableString.Invariant($"The latency for head motion is {latencyMs:0.0} ms ± {uncertaintyMs:0.0} ms (95 %); L_visu is ")
         + FormattableString.Invariant($"{visuMs:0.0} ms.");
 
-    public const string OffsetOverSpeed = "Offset of the codes over the speed";
+    public const string OffsetOverSpeed = "Offset of the codes as a function of the speed";
 
     public const string OffsetOverSpeedNote =
         "The slope is the latency for head motion: at a latency L, the picture is behind by the distance that the head moves in L. Without "

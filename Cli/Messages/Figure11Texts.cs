@@ -7,9 +7,9 @@ static class Figure11Texts
         "Between the limit and a refresh interval, most frames of this display are exactly one refresh late, and few are in time. Above a "
         + "refresh interval, the time from a frame's start to the next refresh varies, and L_visu scatters over a whole refresh interval.";
 
-    public const string OverLoad = "Render time and L_visu over the load";
+    public const string OverLoad = "Render time and L_visu as a function of the load";
     public const string OverLoadClaim = "L_visu is approximately constant up to a certain number of vertices; beyond it, L_visu scatters.";
-    public const string OverRenderTime = "L_visu over the render time";
+    public const string OverRenderTime = "L_visu as a function of the render time";
 
     public const string OverRenderTimeClaim =
         "Over the render time, the constant-latency range is independent of the absolute count of vertices. The L_visu inside it can be "

@@ -3,7 +3,7 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Texts of Fig. 13.</summary>
 static class Figure13Texts
 {
-    public const string OverSampling = "Interpolating polynomials over the sampling interval";
+    public const string OverSampling = "Interpolating polynomials for different sampling intervals";
 
     public const string OverSamplingClaim =
         "Over large parts of the range of T_s the quadratic predicts best, and the cubic is more sensitive to a longer T_s.";
@@ -14,16 +14,16 @@ static class Figure13Texts
     public static string CubicBetter(string values) => $"the cubic is better at {values}";
 
     public const string CubicGrows = "From 20 to 100 ms the cubic's error grows more than the quadratic's.";
-    public const string OverLatency = "Interpolating polynomials over the latency";
+    public const string OverLatency = "Interpolating polynomials for different latencies";
     public const string OverLatencyClaim = "At every latency, the most accurate predictions are those of the quadratic and the cubic.";
-    public const string OverLatencyError = "Interpolating polynomials over the error of the latency";
+    public const string OverLatencyError = "Interpolating polynomials with an error of the latency";
 
     public const string OverLatencyErrorClaim =
         "At every error of the latency, the most accurate predictions are those of the quadratic and the cubic.";
 
     public const string Within20Ms = "at each error up to ±20 ms";
     public const string Within50Ms = "at each error up to ±50 ms";
-    public const string OverSamplingError = "Interpolating polynomials over the error of the sampling time";
+    public const string OverSamplingError = "Interpolating polynomials with an error of the sampling time";
     public const string OverSamplingErrorClaim = "The quadratic and the cubic are sensitive to errors of the assumed t_k.";
     public const string LineBest = "At ±10 ms the line is the best of the three.";
 

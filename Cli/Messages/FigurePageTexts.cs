@@ -19,6 +19,6 @@ static class FigurePageTexts
     public static string Runs(int phases, int clockRuns, string clockSeconds) =>
         $"{phases} with random phases of sampling and frames; clock: {clockRuns} of {clockSeconds} s";
 
-    public const string Rms = "RMS over all frames of all runs; ratio: over the RMS of hold, the newest sample that has arrived";
+    public const string Rms = "RMS over all frames of all runs; ratio: divided by the RMS of hold, the newest sample that has arrived";
     public const string VirtualTime = "virtual time, the same on every machine";
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Failures and states of headset, with what to do.</summary>
+/// <summary>Failures and states of headset, with remedies.</summary>
 static class HeadsetMessages
 {
     public static string NoRobot(double seconds, string reason) =>

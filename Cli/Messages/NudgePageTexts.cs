@@ -9,7 +9,7 @@ static class NudgePageTexts
 
     public const string UsedVisu = "L_visu used by the headset";
     public const string BaseOffset = "Offset of the base along the motion";
-    public const string OffsetOverVelocity = "Offset over the velocity";
+    public const string OffsetOverVelocity = "Offset as a function of the velocity";
 
     public const string OffsetOverVelocityNote =
         "The slope of the line is the error of the L_visu that the headset used; the line's value at zero velocity is the position error of "

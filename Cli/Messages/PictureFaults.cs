@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Reasons why a picture gives no L_visu, with what to do.</summary>
+/// <summary>Reasons why a picture gives no L_visu, with remedies.</summary>
 static class PictureFaults
 {
     public const string PartlyDark = "partly dark: covered, or only a part was lit during the exposure";

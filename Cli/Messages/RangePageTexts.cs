@@ -8,13 +8,13 @@ static class RangePageTexts
     public const string OverPicturesNote =
         "While frames are ready in time, L_visu does not depend on the render time; beyond the limit it increases and scatters.";
 
-    public const string OverLoad = "Render time and L_visu over the load";
+    public const string OverLoad = "Render time and L_visu as a function of the load";
 
     public const string OverLoadNote =
         "Median and middle 68 %. L_visu is constant up to a number of vertices that depends on the scene. The headset monitors the render "
         + "time, which increases with the load.";
 
-    public const string OverRenderTime = "L_visu over the render time";
+    public const string OverRenderTime = "L_visu as a function of the render time";
     public const string NoLimitNote = "The limit was not reached: L_visu is constant at least up to the longest measured render time.";
     public const string LimitNote = "Left of the limit is the constant-latency range.";
     public const string OutsidePlateau = "Outside the plateau (misread, or behind a slow frame)";

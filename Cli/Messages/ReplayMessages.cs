@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors of replay, with what to do.</summary>
+/// <summary>Errors of replay, with remedies.</summary>
 static class ReplayMessages
 {
     public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";

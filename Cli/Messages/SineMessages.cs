@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of calibrate sine, with what to do.</summary>
+/// <summary>Errors and warnings of calibrate sine, with remedies.</summary>
 static class SineMessages
 {
     public static string NoBox(string option) =>

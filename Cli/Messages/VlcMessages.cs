@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Warnings and results of calibrate vlc, with what to do.</summary>
+/// <summary>Warnings and results of calibrate vlc, with remedies.</summary>
 static class VlcMessages
 {
     public static string MovedPictures(int moving, int pictures) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Warnings about the security of the gateway's start, with what to do.</summary>
+/// <summary>Warnings about the security of the gateway's start, with remedies.</summary>
 static class PrecautionMessages
 {
     public const string Root = "security: the gateway runs as root or administrator without need; run it as a separate user";

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Contradictions between time stamps and the control clock, with what to do.</summary>
+/// <summary>Contradictions between time stamps and the control clock, with remedies.</summary>
 static class StampMessages
 {
     public const string AgreeAgain = "clock: time stamps and control clock agree again";

@@ -51,7 +51,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Result_NoStatedError_CountsAsNotWithinIt()
+    public void Result_NoStatedError_CountsAsOutsideTheStatedError()
     {
         var result = Score(5, _ => "current", statedUs: _ => null);
 

@@ -78,7 +78,7 @@ public class PathRunTests
 
     /// <summary>
     /// Where 0.5 ms is less than the jitter, the change cannot be distinguished from a late packet for up to two minutes, and the estimate follows
-    /// the change. The true error must still be within the stated one. A shorter path shows only with the first packet that is faster than all
+    /// the change. The true error must still be within the stated error. A shorter path shows only with the first packet that is faster than all
     /// earlier ones.
     /// </summary>
     [TestCaseSource(nameof(SmallChanges))]
@@ -120,7 +120,7 @@ public class PathRunTests
 
     /// <summary>The margin for a wrong skew hides the smaller change. Half of this change is an error that the stated error must include.</summary>
     [Test]
-    public void Play_TwoChangesOnACleanLink_KeepsTheErrorWithinTheStatedOne([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
+    public void Play_TwoChangesOnACleanLink_KeepsTheErrorWithinTheStatedError([Values(0.02, 0.03, -0.02)] double share, [Range(7000, 7003)] int seed)
     {
         var before = Math.Max(0, -share);
         var change = new PathChange(

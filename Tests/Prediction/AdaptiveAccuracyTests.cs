@@ -52,7 +52,7 @@ public class AdaptiveAccuracyTests
         }
     }
 
-    // For fast moves and ±10 ms, the result without stamp errors is also 0.26 of the quadratic's error, so no stamp error remains.
+    // Without stamp errors, the error in fast moves is also 0.26 of the quadratic's error, so errors of ±10 ms are corrected completely.
     [TestCase(5, 0.46, 0.45)]
     [TestCase(10, 0.28, 0.25)]
     public void Adaptive_StampErrorsOfAPeriodicSource_CorrectsThem(double errorMs, double limit, double limitOfSwing)

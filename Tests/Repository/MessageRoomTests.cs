@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>The texts of a product for users are in its message catalogue, the folder Messages of its sources.</summary>
+/// <summary>Checks that all texts that a product shows to users are in its message catalogue, the folder Messages of its sources.</summary>
 public sealed class MessageRoomTests
 {
     const int MaxWords = 3;

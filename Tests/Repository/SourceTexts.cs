@@ -20,7 +20,7 @@ sealed partial class SourceTexts
         return texts._found;
     }
 
-    /// <summary>Counts the words of a text. A name with an underscore, a path or a unit of one letter is no word.</summary>
+    /// <summary>Counts the words of a text. A name with an underscore, a path or a unit of one letter is not a word.</summary>
     public static int WordsIn(string text) =>
         text.Split((char[])null, StringSplitOptions.RemoveEmptyEntries).Count(part => Word().IsMatch(part));
 

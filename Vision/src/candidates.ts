@@ -10,7 +10,7 @@ export const minSide = 56;
 const block = 4;
 /** Maximum distances between edges of the same code, in blocks: two cells, for codes of all sizes. */
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
-/** Width, in gaps, up to which connected edges count as an edge or a cable of the scene and not as a code. */
+/** Maximum width of an area of edges that counts as an edge or a cable of the scene and not as a code, as a multiple of the gap. */
 const narrow = 1.3;
 /** Minimum steps of light at edges; 255 is white. From weak holograms in front of a bright scene to LEDs in bright surroundings. */
 const edges = [6, 8, 10, 13, 16, 20, 26, 34];

@@ -67,7 +67,7 @@ export function isWithinBand(band: Band, x: number, y: number): boolean {
 export const turnedBand = (band: Band, turns: number): Band =>
   band >= Band.Columns ? (turns & 1 ? Band.Columns + Band.Rows - band : band) : (band - turns) & 3;
 
-/** Returns what is known about each cell of a code. Cells outside the code are dark. */
+/** Returns a function that gets the kind of each cell of a code. Cells outside the code are dark. */
 export function cellAt({ side, pairs, ring }: Pattern, { lit }: Kind): (row: number, column: number) => Cell {
   const cells = new Array<Cell>(side * side);
   ring.forEach((cell, i) => {

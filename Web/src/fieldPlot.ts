@@ -15,7 +15,7 @@ export interface Path {
   shown: boolean;
 }
 
-/** Plots the operating points of a run: speed over latency, with and without compensation, and curves of equal error e = v·L. */
+/** Plots the operating points of a run: speed against latency, with and without compensation, and curves of equal error e = v·L. */
 export function fieldPlot(field: FieldData, description: string): { chart: Chart; legend: Legend } {
   return operatingPlot(pathsOf(field), field.iso_mm ?? [], description);
 }

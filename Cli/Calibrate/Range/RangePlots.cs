@@ -23,7 +23,7 @@ static class RangePlots
         { FromZero = true, Marks = [.. LoadMarks(pictures)] };
     }
 
-    /// <summary>Fig. 11a: median and middle 68 % over the load. Includes only pictures whose load is known.</summary>
+    /// <summary>Fig. 11a: median and middle 68 % at each load. Includes only pictures whose load is known.</summary>
     public static (FigurePlot Plot, FigureTable Table) OverLoad(IEnumerable<MeasuredPicture> pictures)
     {
         var table = new FigureTable(Load, Render, new("render time deviation", "ms"), Visu, new("L_visu deviation", "ms"), new("pictures"));
@@ -42,7 +42,7 @@ static class RangePlots
         return (new FigurePlot("Over the load", Load, Time, traces) { FromZero = true }, table);
     }
 
-    /// <summary>Fig. 11b: L_visu over render time for each picture, with the constant-latency range.</summary>
+    /// <summary>Fig. 11b: L_visu against render time for each picture, with the constant-latency range.</summary>
     /// <param name="fit">The fit, or null if there is none.</param>
     public static FigurePlot OverRenderTime(IEnumerable<MeasuredPicture> pictures, RangeFitResult fit)
     {

@@ -54,7 +54,7 @@ sealed class CodeContrasts
     static bool AreRowsAtEdge(List<int> pairs) =>
         pairs.Count % TimestampCode.PairsPerRow == 0 && (pairs[^1] == pairs.Count - 1 || pairs[0] == TimestampCode.PairCount - pairs.Count);
 
-    /// <summary>Gets the code word: each bit tells which cell of a pair is brighter.</summary>
+    /// <summary>Gets the code word: each bit states which cell of a pair is brighter.</summary>
     public int Word()
     {
         var word = 0;

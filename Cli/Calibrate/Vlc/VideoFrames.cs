@@ -11,7 +11,9 @@ static class VideoFrames
 {
     const string Needed = PictureMessages.FfmpegNeeded;
 
-    /// <summary>The ffmpeg option that outputs each frame once, independent of its time stamp: the current name, and the name before ffmpeg 5.1.</summary>
+    /// <summary>
+    /// The ffmpeg option that outputs each frame once, independent of its time stamp: the current name, and the name before ffmpeg 5.1.
+    /// </summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
     const int Colours = 3;
@@ -19,7 +21,7 @@ static class VideoFrames
     public static IEnumerable<PictureRequest> Of(string path) => Read(path).Select(frame => PictureRequest.Grey(frame.Width, frame.Height, frame.Bytes));
 
     /// <summary>
-    /// Reads the frames in grey: each pixel has the value of its brightest colour. Each frame overwrites the bytes of the previous one.
+    /// Reads the frames in grey: each pixel has the value of its brightest colour channel. Each frame overwrites the bytes of the previous one.
     /// </summary>
     /// <exception cref="InputException">ffmpeg is missing or cannot read the file.</exception>
     public static IEnumerable<(int Width, int Height, byte[] Bytes)> Read(string path)
@@ -56,7 +58,7 @@ static class VideoFrames
         }
     }
 
-    // Takes the brightest colour instead of the luma, because the luma of a red or blue LED is only a small part of its light.
+    // Takes the brightest colour channel instead of the luma, because the luma of a red or blue LED is only a small part of its light.
     static void SetBrightest(ReadOnlySpan<byte> colours, Span<byte> grey)
     {
         for (var i = 0; i < grey.Length; i++)

@@ -7,7 +7,9 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Figs 10 and 11: L_visu over the load, measured in load sweeps with the display and camera of <c>calibrate simulate</c>.</summary>
+/// <summary>
+/// Figs 10 and 11: L_visu as a function of the load, measured in load sweeps with the display and camera of <c>calibrate simulate</c>.
+/// </summary>
 sealed class DisplayStudy : IFigureStudy
 {
     /// <summary>Number of pictures per load. They take 12 s, in which the starts of frames drift through several refreshes.</summary>

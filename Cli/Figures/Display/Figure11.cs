@@ -6,7 +6,7 @@ using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;
 
-/// <summary>Fig. 11: the constant-latency range over the load and over the render time.</summary>
+/// <summary>Fig. 11: the constant-latency range, in plots of L_visu against the load and against the render time.</summary>
 static class Figure11
 {
     /// <summary>Maximum relative difference between two limits. Each deviates by −6 to +2 % from the true limit.</summary>

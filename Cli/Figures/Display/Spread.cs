@@ -9,7 +9,7 @@ readonly record struct Spread(double Deviation, double Range)
 {
     const double Low = 0.025, High = 0.975;
 
-    /// <summary>Minimum number of values. Of fewer, none would be in the middle.</summary>
+    /// <summary>Minimum number of values. With fewer, none would be in the middle.</summary>
     const int MinValues = 3;
 
     /// <param name="values">Any number of values. The spread of fewer than three is 0.</param>

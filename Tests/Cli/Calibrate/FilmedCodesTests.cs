@@ -94,7 +94,7 @@ public class FilmedCodesTests : VideoFolder
     [TestCase(1, 0, 0)]
     [TestCase(0, 1, 0)]
     [TestCase(0, 0, 1)]
-    public async Task Vlc_VideoOfColouredLight_ReadsTheBrightestColour(double red, double green, double blue)
+    public async Task Vlc_VideoOfColouredLight_ReadsTheBrightestColourChannel(double red, double green, double blue)
     {
         const int Count = 4;
         var video = Filmed([.. _pictures.Take(Count)], [red, green, blue]);

@@ -53,7 +53,7 @@ public sealed class PictureReaderTests
     {
         FoundCode[] codes = [CodeLevels.Run(10_040, 1), CodeLevels.Of(CodeKind.Headset, 10_000)];
         var second = codes.Single(code => code.Kind == (CodeKind)kind) with { IsWeak = true };
-        // Part of another object. Its pairs match no code.
+        // A part of another object, whose pairs match no code.
         var other = CodeLevels.Of((CodeKind)kind, pair => pair % 2 == 0 ? 1 : 0.4) with { IsWeak = true };
 
         Assert.That(Read(new PictureReader(0, 0), [.. codes, second]).Fault, Does.StartWith("two "));
@@ -100,7 +100,7 @@ public sealed class PictureReaderTests
 
         var result = Read(new PictureReader(20, 0), CodeLevels.Run(10_040, 1), headset);
 
-        // The code is 180 px lower, and the readout of 720 px takes 20 ms.
+        // The headset's code is 180 px lower than the control code, and the readout of 720 px takes 20 ms.
         Assert.That(result.VisuMs, Is.EqualTo(45).Within(0.5));
     }
 

@@ -192,7 +192,7 @@ public sealed class ProjectChecksTests : EditorFixture
             Does.StartWith("2022.3.62f1: compiled against 2022.3.7"));
     }
 
-    // Has the field of GraphicsSettings.asset that the checks read.
+    // Contains the field of GraphicsSettings.asset that the checks read.
     sealed class GraphicsAssetOfATest : ScriptableObject
     {
         public RenderPipelineAsset m_CustomRenderPipeline;

@@ -28,7 +28,7 @@ sealed class ReviewedProject
 
     public static int IndexIn(ProjectReview review, string title) => review.Checks.Select(c => c.Title).ToList().IndexOf(title);
 
-    // Has the field of ProjectSettings.asset that the checks read.
+    // Contains the field of ProjectSettings.asset that the checks read.
     sealed class PlayerAssetOfATest : ScriptableObject
     {
         public int activeInputHandler;

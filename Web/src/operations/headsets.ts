@@ -77,7 +77,7 @@ function stateOf(headset: Headset): string {
   return headset.seen_s_ago > SILENT_S ? `silent for ${Math.round(headset.seen_s_ago)} s` : withError(headset, 'state') || 'not known';
 }
 
-/** Returns a state of clock or pose. For the state coarse, adds the stated error. */
+/** Returns the state of the clock or of the pose as text. For a coarse clock, adds the error that the headset reports. */
 function withError(headset: Headset, key: string): string {
   return stateWords(textOf(headset, key), numberOf(headset, 'estimated_error_us'), numberOf(headset, 'error_bound_us'));
 }

@@ -6,7 +6,7 @@ export function term(label: string): Node | string {
   return label in meanings ? el('abbr', { title: meanings[label] }, label) : label;
 }
 
-/** Returns the state. For a coarse clock, adds the error, for example "coarse, ± 3 ms". */
+/** Returns a state as text. For a coarse clock, adds the error, for example "coarse, ± 3 ms". */
 export function stateWords(state: string, estimatedErrorUs: number | null | undefined, boundUs: number | null | undefined): string {
   const us = estimatedErrorUs ?? boundUs;
   return state === 'coarse' && us != null ? `coarse, ±\u00a0${Number((us / 1000).toPrecision(2))}\u00a0ms` : state;

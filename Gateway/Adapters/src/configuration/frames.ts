@@ -48,7 +48,7 @@ export interface FrameEntry {
 const LENGTHS: Record<string, number> = { m: 1, mm: 0.001 };
 const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
 
-/** Whether all components of the frame's pose are constant, so that the frame does not move in its parent. */
+/** Whether all components of the frame's pose are constant, so that the frame does not move relative to its parent. */
 export const isStationary = ({ selector, position, rotation }: Frame): boolean =>
   selector === null && [...position, ...(rotation?.parts ?? [])].every(part => 'constant' in part);
 

@@ -13,7 +13,7 @@ const visible = (key: string): string =>
 export const pathText = (path: Path): string =>
   path.map((step, i) => (typeof step === 'number' ? `[${step}]` : (i > 0 ? '.' : '') + visible(step))).join('');
 
-/** A parsed YAML file that knows the line of each entry, and collects the errors in its entries. */
+/** A parsed YAML file that stores the line of each entry, and collects the errors in its entries. */
 export class YamlFile {
   readonly value: unknown;
   readonly problems: Problem[] = [];

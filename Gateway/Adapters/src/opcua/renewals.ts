@@ -10,7 +10,7 @@ const MIN_RENEWALS = 3;
  */
 const QUIET_MS = 1000;
 
-/** A source has stopped writing a node after STOPPED_MS and INTERVALS times the longest observed interval without a renewal. */
+/** A source is assumed to have stopped writing a node after STOPPED_MS and INTERVALS times the longest observed interval without a renewal. */
 const STOPPED_MS = 1200;
 const INTERVALS = 3;
 

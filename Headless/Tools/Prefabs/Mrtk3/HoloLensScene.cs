@@ -8,7 +8,7 @@ using UnityEngine.XR.ARFoundation;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Creates the scene of a robot cell for a HoloLens 2 with MRTK3: marker and pairing, hand menu, movable panel and marker.</summary>
+/// <summary>Creates the scene of a robot cell for a HoloLens 2 with MRTK3: pairing, hand menu, movable panel and movable marker.</summary>
 static class HoloLensScene
 {
     public static string Make(PackageAssets assets)

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Shows the pose of the base frame in URDF axes (x forward, y left, z up). Has buttons that shift it along its own axes.</summary>
+    /// <summary>Shows the pose of the base frame in URDF axes (x forward, y left, z up). Its buttons shift the frame along its own axes.</summary>
     [CustomEditor(typeof(BaseAnchor))]
     [CanEditMultipleObjects]
     sealed class BaseAnchorEditor : LiveInspector

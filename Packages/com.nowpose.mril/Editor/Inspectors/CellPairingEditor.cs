@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Has the buttons of the headset's consent prompt, and a button that reads a code from the clipboard.</summary>
+    /// <summary>Shows the buttons of the headset's consent prompt, and a button that reads a code from the clipboard.</summary>
     [CustomEditor(typeof(CellPairing))]
     sealed class CellPairingEditor : LiveInspector
     {

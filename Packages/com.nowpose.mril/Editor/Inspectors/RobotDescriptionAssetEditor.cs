@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Shows a summary of a robot description. Has a button that loads a URDF file into the asset.</summary>
+    /// <summary>Shows a summary of a robot description. Its button loads a URDF file into the asset.</summary>
     [CustomEditor(typeof(RobotDescriptionAsset))]
     sealed class RobotDescriptionAssetEditor : UnityEditor.Editor
     {

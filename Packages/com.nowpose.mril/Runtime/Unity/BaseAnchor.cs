@@ -82,7 +82,7 @@ namespace Nowpose.Unity
         /// <summary>Name of the robot cell, under which the headset saves the pose. Empty: the pose is not saved.</summary>
         public string Cell => Tracker?.Cell ?? _cell;
 
-        /// <summary>The source of the base's current pose: for example by hand, searched, or locked by markers.</summary>
+        /// <summary>State of the base's pose: for example placed by hand, searching for markers, or locked by markers.</summary>
         public BaseAnchorState State => Tracker?.State ?? BaseAnchorState.Placed;
 
         /// <summary>Describes the state, and what the user must do, in one line.</summary>

@@ -8,7 +8,7 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Makes a virtual gripper carry the object within its reach while a signal is on, for cells in which no source reports what it grips.
+    /// Makes a virtual gripper carry the object within its reach while a signal is on, for cells in which no source reports the held object.
     /// </summary>
     /// <remarks>
     /// The gripper can carry the objects of Tracked Object and Stationary Object in the same session. Which object is within reach depends on the

@@ -64,7 +64,7 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_MeasuredInSomeRepeats_AreJudgedByTheseRepeatsAndSaySo()
+    public void Claims_MeasuredInSomeRepeats_AreJudgedByTheseRepeatsAndStateThis()
     {
         var claims = PaperClaims.Of([Good, Good with { Swings = null }]);
 

@@ -19,7 +19,7 @@ export const plus = (a: Vector, b: Vector, factor = 1): Vector => [a[0] + factor
 
 const turned = ({ x, y, z }: Rigid, [a, b, c]: Vector): Vector => plus(plus(plus([0, 0, 0], x, a), y, b), z, c);
 
-/** Returns the product of two poses: a pose b that is given in the frame a, in the frame in which a is given. */
+/** Returns the product of two poses: converts pose b, which is given relative to frame a, to the frame in which a is given. */
 export const times = (a: Rigid, b: Rigid): Rigid => ({ x: turned(a, b.x), y: turned(a, b.y), z: turned(a, b.z), at: plus(a.at, turned(a, b.at)) });
 
 export function inverse({ x, y, z, at }: Rigid): Rigid {

@@ -35,9 +35,9 @@ function poseIn(urdf: string, joint: string): Rigid {
 }
 
 /**
- * Gets the pose of each joint in the previous joint, and of the flange in the last joint. The origin of a joint is the point on its calibrated axis
- * that is nearest to its nominal origin, so that links are drawn at their actual places. With Denavit-Hartenberg parameters alone, the origins of
- * nearly parallel axes may be metres away.
+ * Gets the pose of each joint relative to the previous joint, and of the flange relative to the last joint. The origin of a joint is the point on its
+ * calibrated axis that is nearest to its nominal origin, so that links are drawn at their actual places. With Denavit-Hartenberg parameters alone,
+ * the origins of nearly parallel axes may be metres away.
  */
 function chainOf(joints: DhJoint[], nominal: Rigid[]): Rigid[] {
   let axis = ORIGIN;

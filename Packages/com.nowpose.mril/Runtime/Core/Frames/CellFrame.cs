@@ -35,7 +35,7 @@ namespace Nowpose.Frames
 
         public string Name { get; }
 
-        /// <summary>Name of the parent in which the displayed pose is given: a gripper's link while the object is in its reach and held.</summary>
+        /// <summary>Name of the parent in which the displayed pose is given: the gripper's link while a gripper determines the place.</summary>
         public string Parent => _reach?.Parent ?? _parent;
 
         /// <summary>Name of the parent in the poses that are received.</summary>
@@ -87,7 +87,9 @@ namespace Nowpose.Frames
             return DropReason.None;
         }
 
-        /// <summary>Sets the place of the object that a gripper determines, from the next display frame on, as for a change of the parent.</summary>
+        /// <summary>
+        /// Sets the place of the object that a gripper determines, from the next display frame on. Blended like a change of the parent.
+        /// </summary>
         /// <param name="place">Null if the object's own source determines the place again.</param>
         public void Put(ReachPlace place)
         {

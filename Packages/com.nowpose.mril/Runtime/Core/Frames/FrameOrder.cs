@@ -105,7 +105,7 @@ namespace Nowpose.Frames
         public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
             PoseAt(frame, reach, at, out origin, 0);
 
-        // A cycle has no pose: it ends after as many steps as there are frames.
+        // Ends after as many steps as there are frames, because a cycle would never end. A frame in a cycle has no pose.
         RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin, int steps)
         {
             origin = PoseOrigin.None;
@@ -147,7 +147,7 @@ namespace Nowpose.Frames
             return false;
         }
 
-        // −1 also for a robot that was added after the last arrangement.
+        // Returns −1 also for a robot that was added after the last arrangement.
         int RootIndexOf(int robot) => robot >= 0 && robot < _roots.Count ? _roots[robot] : -1;
 
         /// <summary>Returns whether a name is that of a robot's link, and of no frame.</summary>
@@ -195,7 +195,9 @@ namespace Nowpose.Frames
 
             public int Frame { get; }
 
-            /// <summary>Index of the parent frame, or of the link if <see cref="Robot"/> is set; −1 for the world and for an unknown parent.</summary>
+            /// <summary>
+            /// Index of the parent frame, or of the link if <see cref="Robot"/> is set; −1 for the world and for an unknown parent.
+            /// </summary>
             public int Parent { get; }
 
             /// <summary>Index of the robot whose link is the parent; −1 for none.</summary>

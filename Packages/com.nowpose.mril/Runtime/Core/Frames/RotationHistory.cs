@@ -36,7 +36,7 @@ namespace Nowpose.Frames
             while (age < Count && _newestFirst[age].Order > order) age++;
             if (IsAsOld(age - 1, order)) age--;
             if (IsAsOld(age, order)) return AnglesRelativeTo(_newestFirst[age], rotation);
-            // Relative to the newer neighbour, so that the angles between the newest samples are exact, even after a late one.
+            // Computes the angles relative to the newer neighbour, so that the angles between the newest samples are exact, even after a late one.
             var angles = Count == 0 ? default : AnglesRelativeTo(_newestFirst[Math.Max(age - 1, 0)], rotation);
             if (age < Capacity) Insert(age, new Entry(order, rotation, angles));
             return angles;

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>The state of a base and of its markers in one line, with what to do.</summary>
+    /// <summary>The state of a base and of its markers in one line, with an instruction to the user.</summary>
     static class BaseStatusMessages
     {
         public const string BeingPlaced = "being placed by hand";

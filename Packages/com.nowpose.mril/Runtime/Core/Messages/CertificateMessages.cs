@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Reasons to refuse a gateway's certificate, with what to do.</summary>
+    /// <summary>Reasons to refuse a gateway's certificate, with remedies.</summary>
     static class CertificateMessages
     {
         public const string None = "certificate: the gateway presented none; start it with --tls or --certificate";

@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of the connection to a gateway or a rosbridge, with what to do.</summary>
+    /// <summary>Errors of the connection to a gateway or a rosbridge, with remedies.</summary>
     static class ConnectionMessages
     {
         public static string NotAHost(string host) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>A gateway's answers to a pairing code, with what to do.</summary>
+    /// <summary>A gateway's answers to a pairing code, with remedies.</summary>
     static class PairingAnswerMessages
     {
         public static string Unencrypted(string host) => $"pairing: the code's token would be sent unencrypted to {host}; use a pin";

@@ -53,8 +53,8 @@ namespace Nowpose.Prediction
         public double Upper { get; }
 
         /// <summary>
-        /// Maximum prediction ahead of the newest sample, s. Beyond it the section's value at the cap is held, and before
-        /// its oldest sample the section's value there. If infinite, a section is not bounded at either end.
+        /// Maximum prediction ahead of the newest sample, s. Beyond the cap, the section's value at the cap is held; before the section's oldest
+        /// sample, its value at that sample is held. If infinite, a section is not bounded at either end.
         /// </summary>
         public double HorizonCap { get; }
 

@@ -10,8 +10,8 @@ namespace Nowpose.Session
     static class ToolJoints
     {
         /// <summary>
-        /// Returns the indices of these joints among the moving joints, starting at the base. A mimic joint is replaced by the joint with
-        /// samples at the end of its chain.
+        /// Returns the indices of the joints between base and tool among the moving joints, starting at the base. A mimic joint is replaced by the
+        /// joint with samples at the end of its chain.
         /// </summary>
         public static int[] Of(RobotModel robot)
         {

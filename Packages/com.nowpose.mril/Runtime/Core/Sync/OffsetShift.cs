@@ -75,7 +75,7 @@ namespace Nowpose.Sync
             _broken = Math.Max(_broken, violation);
             _other = Math.Min(_other, _sign > 0 ? above - _past.Upper : _past.Lower - below);
             if (_since.Count < MinExchanges || _violations < MinViolations) return false;
-            // The best packet of a larger group is less late.
+            // In a larger group, the packet with the shortest delay is less late.
             var byChance = RowShare * (_sign > 0 ? _past.RowAbove : _past.RowBelow) * MinExchanges / _since.Count;
             return _other - byChance > Math.Max(margin, CommonShare * _broken)
                 && CommonShare * _other <= _broken + ClockTicks.Seconds(exchange.Resolution);

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Of_NotCurrent_IsFaintStripedAndHasWords()
+        public void Of_NotCurrent_IsFaintStripedAndHasText()
         {
             var states = new[] { PoseState.Incomplete, PoseState.Unsynchronised, PoseState.Held, PoseState.OutsideRange };
             foreach (var state in states)
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Unity
         [TestCase(OutsideRangeResponse.Fade, 0.3f)]
         [TestCase(OutsideRangeResponse.GoOn, 0.2f)]
         [TestCase(OutsideRangeResponse.Hold, 0.5f)]
-        public void Of_OutsideRange_IsStripedAndHasWordsForAnyFade(OutsideRangeResponse response, float fade)
+        public void Of_OutsideRange_IsStripedAndHasTextForAnyFade(OutsideRangeResponse response, float fade)
         {
             var look = PoseLook.Of(PoseState.OutsideRange, response);
 

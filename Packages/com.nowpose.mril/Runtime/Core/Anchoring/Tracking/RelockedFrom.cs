@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Whether the base had been placed by hand.</summary>
         public bool IsHeldByHand { get; }
 
-        /// <summary>Returns whether no marker has been in view for that time.</summary>
+        /// <summary>Returns whether no marker has been in view for <see cref="SearchTimeout"/>.</summary>
         public bool IsOver(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)
         {
             if (now - _since < SearchTimeout) return false;

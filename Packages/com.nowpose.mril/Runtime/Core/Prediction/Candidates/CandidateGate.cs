@@ -20,8 +20,9 @@ namespace Nowpose.Prediction.Candidates
         const int MinScores = 12;
 
         /// <summary>
-        /// Minimum squared displacement to score, relative to the recent maximum: every forecast of rest is right. With the threshold of
-        /// <see cref="RestDetector"/> instead, the errors on recordings are 0.6 % larger.
+        /// Minimum squared displacement to score, relative to the recent maximum. Smaller displacements are not scored, because every
+        /// forecast is correct at rest. With the threshold of <see cref="RestDetector"/> instead, the errors on recordings are 0.6 %
+        /// larger.
         /// </summary>
         const double MinSquareRatio = 1e-4;
 

@@ -34,7 +34,7 @@ namespace Nowpose.Prediction.Candidates
 
         readonly MotionHistory _history;
 
-        // One cost per lag, after an infinite one, which is never a minimum.
+        // Costs of the lags, preceded by an infinite cost, which is never a minimum.
         readonly double[] _costs = new double[MotionHistory.Capacity + 1];
         readonly double[] _lagCosts = new double[Kept];
         long _taken;

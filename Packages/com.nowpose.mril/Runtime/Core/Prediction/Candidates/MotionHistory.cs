@@ -17,10 +17,12 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>The grid point of an index is at <c>index &amp; Mask</c> in <see cref="Points"/>.</summary>
         public const int Mask = Capacity - 1;
 
-        /// <summary>Grid points that the spline needs beyond the last one that is read, and that a match must leave to the newest one.</summary>
+        /// <summary>
+        /// Number of newest grid points that a match must not include, because the spline needs points beyond the last one that is read.
+        /// </summary>
         public const int Margin = 4;
 
-        /// <summary>Samples around a grid point: two on either side determine a cubic.</summary>
+        /// <summary>Number of samples around a grid point: two on either side determine a cubic.</summary>
         const int Neighbours = 4;
 
         /// <summary>Threshold of a spike: displacement there and back, relative to the maximum displacement in one direction.</summary>

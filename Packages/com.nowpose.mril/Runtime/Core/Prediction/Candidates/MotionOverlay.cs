@@ -10,7 +10,9 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Maximum distance of a match from the lag of <see cref="LagSearch"/>, s.</summary>
         const double Reach = 0.4;
 
-        /// <summary>Ratio of mean squares below which a nearby match replaces that of the longer memory.</summary>
+        /// <summary>
+        /// Ratio of mean squares below which a nearby match replaces the match of <see cref="LagSearch"/>, which compares a longer motion.
+        /// </summary>
         const double MuchBetter = 0.1;
 
         /// <summary>Number of samples compared in the search near the lag: with six, the errors are the same within 0.01 %.</summary>
@@ -58,7 +60,7 @@ namespace Nowpose.Prediction.Candidates
         }
 
         /// <summary>Returns the lag at which the samples fit best.</summary>
-        /// <param name="lag">Lag of the longer memory's match.</param>
+        /// <param name="lag">Lag found by <see cref="LagSearch"/>.</param>
         /// <param name="minLag">Minimum lag: the history after a match must cover a table.</param>
         public double Find(int lag, int minLag)
         {
@@ -120,7 +122,7 @@ namespace Nowpose.Prediction.Candidates
             for (var shift = Math.Max(-reach, minLag - lag); shift <= reach; shift++)
             {
                 var cost = Nearness(lag + shift, min);
-                // Of equal costs, the lag nearest to that of the longer memory is chosen.
+                // If costs are equal, the lag nearest to the one found by LagSearch is selected.
                 if (cost > min || (cost == min && Math.Abs(shift) >= Math.Abs(best - lag))) continue;
                 min = cost;
                 best = lag + shift;

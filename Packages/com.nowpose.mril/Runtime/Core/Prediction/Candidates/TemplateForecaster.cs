@@ -21,7 +21,10 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Minimum grid step, in s.</summary>
         const double MinStep = 0.02;
 
-        /// <summary>Minimum number of samples in motion to compare: with fewer, the starts of different moves are equal, and the rest before counts.</summary>
+        /// <summary>
+        /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look equal, and the duration of the rest before
+        /// them decides.
+        /// </summary>
         const int MinMoving = 2;
 
         /// <summary>Number of samples at rest after which the search is suspended.</summary>

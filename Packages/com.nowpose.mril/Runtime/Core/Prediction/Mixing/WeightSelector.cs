@@ -63,7 +63,7 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Adds the errors of all forecasters at one moment.</summary>
         /// <param name="errors">Limited by <see cref="Threshold"/>, one per forecaster.</param>
         /// <param name="wasAtRest">Whether the joint was at rest when the forecasts were made.</param>
-        /// <param name="forgettingFactor">Of one sample, 0 to 1.</param>
+        /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
         public void Learn(double[] errors, bool wasAtRest, double forgettingFactor)
         {
             _hasNewErrors = wasAtRest;
@@ -76,7 +76,7 @@ namespace Nowpose.Prediction.Mixing
         }
 
         /// <summary>Solves for the weights of the next forecast.</summary>
-        /// <param name="forgettingFactor">Of one sample, 0 to 1.</param>
+        /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
         public void Solve(MotionState motion, double forgettingFactor)
         {
             var (prior, gain) = (_forecasters.PriorFor(motion.Samples[0]), 1 - forgettingFactor);

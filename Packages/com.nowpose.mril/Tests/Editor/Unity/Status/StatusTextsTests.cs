@@ -177,7 +177,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(OutsideRangeResponse.Fade)]
         [TestCase(OutsideRangeResponse.GoOn)]
         [TestCase(OutsideRangeResponse.Hold)]
-        public void Update_PoseOutsideRange_HasTheWordsOfPoseAppearance(OutsideRangeResponse response)
+        public void Update_PoseOutsideRange_HasTheTextOfPoseAppearance(OutsideRangeResponse response)
         {
             var row = Row(StatusRow.Pose, new SessionStatistics { Pose = PoseState.OutsideRange, OutsideRange = response }).Split('|');
 
