@@ -9,6 +9,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Gateway.Cell;
 
 /// <summary>Tests which messages a slow subscriber to a latched topic receives.</summary>
+[FixtureLifeCycle(LifeCycle.InstancePerTestCase)]
 public class LatchedQueueTests
 {
     readonly MessageHub _hub = new();
