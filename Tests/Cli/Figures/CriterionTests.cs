@@ -1,5 +1,6 @@
 using Nowpose.Cli.Figures.Model;
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
