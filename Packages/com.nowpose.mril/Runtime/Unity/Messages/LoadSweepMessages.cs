@@ -23,7 +23,7 @@ namespace Nowpose.Unity.Messages
             $"load {run.Index + 1} of {plan.Loads.Count}: {run.Vertices} vertices";
 
         public static string Begun(SweepPlan plan, string path) => FormattableString.Invariant(
-            $"load sweep of {plan.Loads.Count} loads up to {plan.MaxLoad} vertices, {plan.Duration.TotalSeconds:0} s and the time to build them, to {path}");
+            $"load sweep of {plan.Loads.Count} loads up to {plan.MaxLoad} vertices, {plan.Duration.TotalSeconds:0} s plus the time to build the loads; log: {path}");
 
         public static string Changed(ConditionMismatch change) =>
             $"load sweep stopped: {change.Label} changed from '{change.Calibrated}' to '{change.Actual}' during the sweep; do not change it and sweep again";
