@@ -14,7 +14,7 @@ public class VersionTopicTests
         new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), RobotFiles.Load("youbot"), new StopwatchHeadsetClock());
 
     [Test]
-    public async Task Subscribe_Version_GetsThatOfTheGateway()
+    public async Task Subscribe_Version_ReceivesTheVersionOfTheGateway()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

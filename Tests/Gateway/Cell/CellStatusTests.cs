@@ -69,7 +69,7 @@ public class CellStatusTests
     }
 
     [Test]
-    public async Task State_DescribedRobotsGaveWayToOthers_IsThatOfObjectsOnly()
+    public async Task State_DescribedRobotsWereReplaced_DependsOnObjectsOnly()
     {
         for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot/>"));
         await _source.RoundTripAsync();

@@ -149,7 +149,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task Publish_DescribedRobotsWithoutSource_GiveWayToNewOnes()
+    public async Task Publish_DescribedRobotsWithoutSource_AreReplacedByNewOnes()
     {
         for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.PublishString($"/arm{i}/robot_description", "<robot/>"));
         await _first.RoundTripAsync();

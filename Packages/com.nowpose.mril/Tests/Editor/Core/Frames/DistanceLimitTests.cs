@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Frames
 
         [TestCase(3)]
         [TestCase(100)]
-        public void Factor_MuchLargerDistance_LeavesOneAndAHalfTimesTheMaximum(double distance) =>
+        public void Factor_MuchLargerDistance_LimitsItToOneAndAHalfTimesTheMaximum(double distance) =>
             Assert.That(After(1, 2, 0.5, 2 * distance).Factor * 2 * distance, Is.EqualTo(3).Within(0.05));
 
         [Test]

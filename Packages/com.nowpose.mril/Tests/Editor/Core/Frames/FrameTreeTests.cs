@@ -132,7 +132,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void World_ConstantVelocity_IsThatAtTheDisplayTime()
+        public void World_ConstantVelocity_IsThePoseAtTheDisplayTime()
         {
             var tree = NewTree();
             for (var k = 0; k <= 20; k++) tree.Add(Pose(k * Sampling, "world", "box", 0.5 * k * Sampling), isStationary: false);

@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         [Test]
-        public void Add_OtherCycle_IsFound()
+        public void Add_AnotherCycle_IsDetected()
         {
             var predictor = Fed(PredictionLimits.Unlimited, 0.05, 3 * Cycle);
             var start = predictor.NewestTime;
