@@ -22,7 +22,7 @@ public sealed class HeadsetFileTests
     public void Remove() => Directory.Delete(_folder, true);
 
     [Test]
-    public void Add_Several_AreLoadedInTheirOrder()
+    public void Add_SeveralHeadsets_AreLoadedInTheirOrder()
     {
         HeadsetFile.Open(_path);
         HeadsetFile.Add(_path, First);
