@@ -14,8 +14,8 @@ namespace Nowpose.Prediction
     /// </remarks>
     public sealed class JointPredictor
     {
-        /// <summary>Time constant of the decay of the seam, in s: short compared with every latency worth compensating.</summary>
-        const double SeamTimeConstant = 0.005;
+        /// <summary>Time constant with which the jump from the curve to the forecast decays, in s: short compared with every latency worth compensating.</summary>
+        const double JumpTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
         readonly SectionBlend _blend;
@@ -27,8 +27,8 @@ namespace Nowpose.Prediction
         readonly PlanFollower _plan = new PlanFollower();
         bool _isSolved;
 
-        // Distance of the forecast from the newest sample at its time, where the interpolation ends. It decays ahead of the sample.
-        double _seam;
+        // Jump from the end of the curve, which is the newest sample, to the forecast at that time. It is subtracted from the forecast and decays.
+        double _jump;
 
         // Difference between the previous section and the newest one at the last displayed moment; 0 if it is not blended.
         double _residual;
@@ -181,13 +181,13 @@ namespace Nowpose.Prediction
             _motion.Reset();
             _forecaster.Reset();
             _isSolved = false;
-            _seam = _residual = 0;
+            _jump = _residual = 0;
         }
 
         void Solve()
         {
             _isSolved = _forecaster.Solve(_motion);
-            _seam = _isSolved && _interpolates ? _forecaster.At(0) : 0;
+            _jump = _isSolved && _interpolates ? _forecaster.At(0) : 0;
         }
 
         // Only blending needs the displayed position.
@@ -238,7 +238,7 @@ namespace Nowpose.Prediction
             else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Oldest) (ahead, kind) = (Oldest, PredictionKind.Held);
             if (!_isSolved || double.IsNaN(time)) return new JointPrediction(held, PredictionKind.Held);
             var position = held + _forecaster.At(ahead);
-            if (_seam != 0) position -= _seam * Math.Exp(-ahead / SeamTimeConstant);
+            if (_jump != 0) position -= _jump * Math.Exp(-ahead / JumpTimeConstant);
             // Overflow must not reach a transform.
             return double.IsFinite(position) ? new JointPrediction(position, kind) : new JointPrediction(held, PredictionKind.Held);
         }
