@@ -14,7 +14,9 @@ namespace Nowpose.Prediction
     /// </remarks>
     public sealed class JointPredictor
     {
-        /// <summary>Time constant with which the jump from the curve to the forecast decays, in s: short compared with every latency worth compensating.</summary>
+        /// <summary>
+        /// Time constant with which the jump from the curve to the forecast decays, in s: short compared with every latency worth compensating.
+        /// </summary>
         const double JumpTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
@@ -27,8 +29,8 @@ namespace Nowpose.Prediction
         readonly PlanFollower _plan = new PlanFollower();
         bool _isSolved;
 
-        // The seam: distance of the forecast from the newest sample at the sample's time, where the interpolation ends. It decays from there on.
-        double _seam;
+        // Jump from the end of the curve, which is the newest sample, to the forecast at that time. It is subtracted from the forecast and decays.
+        double _jump;
 
         // Difference between the previous section and the newest one at the last displayed moment; 0 if it is not blended.
         double _residual;
@@ -243,7 +245,7 @@ namespace Nowpose.Prediction
             // Before its oldest sample, a section is as inaccurate as far ahead of its newest one.
             else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Oldest) (ahead, kind) = (Oldest, PredictionKind.Held);
             var position = hold.Position + _forecaster.At(ahead);
-            if (_seam != 0) position -= _seam * Math.Exp(-ahead / SeamTimeConstant);
+            if (_jump != 0) position -= _jump * Math.Exp(-ahead / JumpTimeConstant);
             // An overflow must not reach a transform.
             return double.IsFinite(position) ? new JointPrediction(position, kind) : hold;
         }
