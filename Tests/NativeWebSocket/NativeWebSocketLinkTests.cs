@@ -1,5 +1,6 @@
 using System.Net.WebSockets;
 using Nowpose.Gateway.Security;
+using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -107,8 +108,8 @@ public class NativeWebSocketLinkTests
     }
 
     [TestCase(Gateways.ObserverToken, null)]
-    [TestCase("guessed", "the gateway does not accept this headset's token (401)")]
-    [TestCase(null, "the gateway does not accept this headset's token (401)")]
+    [TestCase("guessed", ConnectionMessages.TokenNotAcceptedByHttp)]
+    [TestCase(null, ConnectionMessages.TokenNotAcceptedByHttp)]
     public async Task Open_WithToken_SendsItAsAHeader(string token, string refusal)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });

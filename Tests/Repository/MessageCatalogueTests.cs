@@ -23,7 +23,6 @@ public sealed partial class MessageCatalogueTests
         [typeof(double)] = _ => 7.0,
         [typeof(double?)] = _ => 7.0,
         [typeof(char)] = _ => '7',
-        [typeof(bool)] = _ => true,
         [typeof(IPAddress)] = _ => IPAddress.Parse("7.7.7.7"),
         [typeof(Uri)] = _ => new Uri("http://host7/"),
         [typeof(Version)] = _ => new Version(7, 7),
@@ -50,7 +49,7 @@ public sealed partial class MessageCatalogueTests
     public void Methods_WithSampleValues_StateEachNamedValue()
     {
         var missing = from method in Catalogues.SelectMany(MethodsOf)
-                      let text = Call(method)
+                      let text = Call(method, true) + Call(method, false)
                       from parameter in method.GetParameters()
                       where parameter.ParameterType == typeof(string) && !text.Contains($"<{parameter.Name}>", StringComparison.Ordinal)
                       select $"{method.DeclaringType.Name}.{method.Name}: {parameter.Name}";
@@ -61,15 +60,18 @@ public sealed partial class MessageCatalogueTests
     static IEnumerable<(string Name, string Text)> TextsOf(Type catalogue) =>
         catalogue.GetFields(BindingFlags.Public | BindingFlags.Static).Where(field => field.FieldType == typeof(string))
             .Select(field => ($"{catalogue.Name}.{field.Name}", (string)field.GetValue(null)))
-            .Concat(MethodsOf(catalogue).Select(method => ($"{catalogue.Name}.{method.Name}", Call(method))));
+            .Concat(MethodsOf(catalogue).SelectMany(method => new[] { true, false }.Select(flag => ($"{catalogue.Name}.{method.Name}", Call(method, flag)))))
+            // A method returns null for a state without a problem.
+            .Where(text => text.Item2 != null);
 
     static IEnumerable<MethodInfo> MethodsOf(Type catalogue) => catalogue.GetMethods(BindingFlags.Public | BindingFlags.Static)
         .Where(method => method.ReturnType == typeof(string) && method.GetParameters().All(parameter => IsSampled(parameter.ParameterType)));
 
-    static bool IsSampled(Type type) => Samples.ContainsKey(type) || type.IsEnum;
+    static bool IsSampled(Type type) => Samples.ContainsKey(type) || type.IsEnum || type == typeof(bool);
 
-    static string Call(MethodInfo method) => (string)method.Invoke(null, [.. method.GetParameters().Select(parameter =>
-        parameter.ParameterType.IsEnum ? Enum.GetValues(parameter.ParameterType).GetValue(0) : Samples[parameter.ParameterType](parameter.Name))]);
+    static string Call(MethodInfo method, bool flag) => (string)method.Invoke(null, [.. method.GetParameters().Select(parameter =>
+        parameter.ParameterType == typeof(bool) ? flag
+        : parameter.ParameterType.IsEnum ? Enum.GetValues(parameter.ParameterType).GetValue(0) : Samples[parameter.ParameterType](parameter.Name))]);
 
     // Two blanks within a line, a blank before a punctuation mark, a brace of a format, or an empty text.
     [GeneratedRegex(@"\S  +\S| [,;:.](?!\w)|[{}]|^\s*$|;\s*;")]
