@@ -54,7 +54,7 @@ sealed class LinkScore
         };
     }
 
-    // Lateness is relative to the most punctual frame, because the first frame can be late itself.
+    // Lateness is relative to the least late frame, because the first frame can be late itself.
     double FrameLateMs(double fraction)
     {
         var late = _session.All.Select((frame, i) => Since(frame.Start).Value - i / _framesPerSecond).ToList();

@@ -92,7 +92,7 @@ static class DemoReport
         Compensated = score.Errors.Select(e => Round(e.Mm)),
     };
 
-    // Fig. 18: each error as a point over v and L. The remaining error e corresponds to an effective latency e/v.
+    // Fig. 18: each error as a point with the coordinates v and L. The remaining error e corresponds to an effective latency e/v.
     static object Field(DemoScore score, DemoRun run)
     {
         var speed = new ToolSpeed(run);

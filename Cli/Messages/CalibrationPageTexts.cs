@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Messages;
 static class CalibrationPageTexts
 {
     public const string HeadMotion = "Latency for head motion";
-    public const string ControlCodeSpeed = "Speed of the control's code (RMS)";
+    public const string ControlCodeSpeed = "Speed of the control code (RMS)";
 
     public static string HeadMotionResult(double latencyMs, double uncertaintyMs, double visuMs) =>
         FormattableString.Invariant($"The latency for head motion is {latencyMs:0.0} ms ± {uncertaintyMs:0.0} ms (95 %); L_visu is ")
@@ -16,14 +16,14 @@ static class CalibrationPageTexts
         "The slope is the latency for head motion: at a latency L, the picture is behind by the distance that the head moves in L. Without "
         + "any correction, the latency is L_visu minus the prediction time of the head's pose; with a full correction, the line is horizontal.";
 
-    public const string ControlCodeSpeedAxis = "speed of the control's code";
-    public const string CodeOffsetAxis = "headset's code minus control's code";
+    public const string ControlCodeSpeedAxis = "speed of the control code";
+    public const string CodeOffsetAxis = "headset code minus control code";
     public const string ConstantUpTo = "Known to be constant up to";
     public const string RenderTimeSource = "Render time measured with";
     public const string ValidForAny = "not stated, valid for any";
 
     public static string Shortened(string list, int more) =>
-        FormattableString.Invariant($"{list} and {more} more, which the page and --json name");
+        FormattableString.Invariant($"{list} and {more} more, which the page and --json list");
 
     public const string OverPictures = "L_visu from picture to picture";
 

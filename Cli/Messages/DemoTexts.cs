@@ -10,11 +10,11 @@ static class DemoTexts
     public static string LateFramesValue(int late, int frames, double maxMs) =>
         FormattableString.Invariant($"{late} of {frames}, by up to {maxMs:0} ms: this machine was busy, which increased delays and errors");
 
-    public const string NoLimit = "the profile has no limit, so there is no alarm";
+    public const string NoLimit = "the profile has no limit, so no alarm is raised";
     public const string NeverLeft = "never left, no alarm";
 
     public static string Outside(string visuMs, string insideMs, string rmsMm, string inTimeMm) =>
-        $"L_visu {visuMs} ms, inside {insideMs} ms; error {rmsMm} mm RMS, shown in time {inTimeMm} mm";
+        $"L_visu {visuMs} ms, inside the range {insideMs} ms; error {rmsMm} mm RMS, in frames shown in time {inTimeMm} mm";
 
     public const string Subtitle =
         "What the headset would have shown, compared with the true position of the simulated robot at the display time.";

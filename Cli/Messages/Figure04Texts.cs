@@ -3,7 +3,7 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Texts of Fig. 4.</summary>
 static class Figure04Texts
 {
-    public const string Title = "Error over velocity and latency";
+    public const string Title = "Error as a function of velocity and latency";
 
     public const string Claim =
         "At constant velocity v, a latency L causes the error e = v·L. At the usual speeds up to 1000 mm/s and latencies of 30 to 250 ms, "
@@ -20,8 +20,8 @@ static class Figure04Texts
     public static string MinMeasured(string min, string max) => $"{min}, up to {max} at 250 ms";
 
     public static string Beyond(string predicted, string left) =>
-        $"With exact clocks, the largest errors that remain at constant velocity are: {predicted}. At 1000 mm/s, the errors from the clock "
-        + $"estimators are at most, 95 % of the time: {left}.";
+        $"With exact clocks, the largest errors that remain at constant velocity are: {predicted}. At 1000 mm/s, the P95 of the errors "
+        + $"from the clock estimators is: {left}.";
 
     public const string HoldAt50Ms = "hold, a sample every 50 ms";
     public const string HoldEveryFrame = "hold, a sample in every frame";

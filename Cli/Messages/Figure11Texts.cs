@@ -12,7 +12,7 @@ static class Figure11Texts
     public const string OverRenderTime = "L_visu as a function of the render time";
 
     public const string OverRenderTimeClaim =
-        "Over the render time, the constant-latency range is independent of the absolute count of vertices. The L_visu inside it can be "
+        "As a function of the render time, the constant-latency range is independent of the absolute count of vertices. The L_visu inside it can be "
         + "stored; render times outside it show large variances and are less suitable for compensation.";
 
     public static string Beyond(string limitMs, string above) =>

@@ -5,7 +5,7 @@ static class Figure12Texts
 {
     public const string Claim =
         "A position profile of seven phases with limited velocity, acceleration and jerk, as usual for servo drives, is sampled every T_s "
-        + "and seen L later. Both values may be inaccurate.";
+        + "and displayed L later. Both values may be inaccurate.";
 
     public static string Conditions(double velocity, double acceleration, double jerk) =>
         FormattableString.Invariant($"500 mm with {velocity:0} mm/s, {acceleration:0} mm/s², {jerk:0} mm/s³: our limits, because the paper ")

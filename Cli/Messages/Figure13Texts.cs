@@ -32,5 +32,5 @@ static class Figure13Texts
 
     public const string CubicBeatsLine = "The cubic is also better than the line at each latency.";
 
-    public static string Reacts(string predictor, string factor) => $"±5 ms multiply the {predictor}'s error by {factor} or more.";
+    public static string Reacts(string predictor, string factor) => $"An error of ±5 ms multiplies the {predictor}'s error by {factor} or more.";
 }

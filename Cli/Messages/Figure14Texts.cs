@@ -13,7 +13,7 @@ static class Figure14Texts
     public const string HalfTheError = "At ±10 ms the error with h = 3 and with h = 4 is less than half of the error with h = 2.";
 
     public static string Growth(string growth, string three, string four) =>
-        $"{growth}; h = 3 wins from ±{three}, h = 4 over h = 3 from ±{four}";
+        $"{growth}; h = 3 is better than h = 2 from ±{three}, and h = 4 better than h = 3 from ±{four}";
 
     public static string LongerIsWorse(string where) => $"{where} a longer history predicts less accurately, as long as t_k is exact.";
 

@@ -16,10 +16,10 @@ static class Figure16Texts
     public const string Summary = "Tool error over the whole swing, all runs";
 
     public static string Conditions(string radiusMm, string speed) =>
-        $"youBot, first axis forward and back by a quarter turn, arm out: the tool moves on a circle of {radiusMm} mm radius at up to "
+        $"youBot, first axis forward and back by a quarter turn, arm extended: the tool moves on a circle of {radiusMm} mm radius at up to "
         + $"{speed} mm/s. Stroke and limits are ours, because the paper states none. Four shorter moves precede it, and no move repeats. The "
-        + "whole chain: samples every 50 ms, stamped in the control system and sent 55 to 105 ms later over a simulated wifi; the clock by "
-        + "RANSAC (100 exchanges, 20 hypotheses, moving average of 20); L_visu, in truth 40 ms, from pictures of the simulated display. L is "
+        + "whole chain: samples every 50 ms, stamped in the control system and sent 55 to 105 ms later over simulated WiFi; the clock by "
+        + "RANSAC (100 exchanges, 20 hypotheses, moving average of 20); L_visu (true value 40 ms) from pictures of the simulated display. L is "
         + "100 to 150 ms. The plots show the forward move of the first run; the numbers include all runs.";
 
     public const string FollowsCriterion =

@@ -10,7 +10,7 @@ static class PaperFigureTexts
         + "The drawings show the first whole swing; the criteria include all swings.";
 
     public static string OperatingPoints(string swing) =>
-        "The first 1500 ms of each swing. A point lies at the latency e/v that its error e and its velocity v stand for; points slower than "
+        "The first 1500 ms of each swing. A point with the error e and the velocity v is drawn at the latency e/v; points slower than "
         + $"5 % of the maximum velocity are left out. {swing}";
 
     public static string Clock(string network, int exchanges, string offset, string exchangeErrors) =>
@@ -22,7 +22,7 @@ static class PaperFigureTexts
     public static string AddedError(string ms) => $", to which --visu-error-ms added {ms} ms";
 
     public static string Motion(string radiusMm, string speed, string samplingMs, Gateway.Options.MillisecondRange acquisition, string visuMs, string measuredMs, string addedError) =>
-        $"youBot, first axis forward and back by a quarter turn, arm out: the tool moves on a circle of {radiusMm} mm radius at up to "
+        $"youBot, first axis forward and back by a quarter turn, arm extended: the tool moves on a circle of {radiusMm} mm radius at up to "
         + $"{speed} mm/s. Stroke and limits are ours, the paper gives none. T_s {samplingMs} ms, acquisition {acquisition} ms, L_visu "
         + $"{visuMs} ms; the run measured {measuredMs} ms{addedError}. ";
 }

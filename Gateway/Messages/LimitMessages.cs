@@ -3,13 +3,13 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Answers to connections and requests beyond a limit, and errors of the limits.</summary>
 static class LimitMessages
 {
-    public static string Connections(int max) => $"no more than {max} connections";
-    public static string Requests(int max) => $"no more than {max} requests a second";
+    public static string Connections(int max) => $"no more than {max} connections are allowed";
+    public static string Requests(int max) => $"no more than {max} requests a second are allowed";
 
     public static string NoDescriptor(ulong number, ulong allowed, ulong spare) =>
-        $"descriptor {number} of {allowed}; the last {spare} are kept free; raise the limit or reduce --max-connections";
+        $"file descriptor {number} of {allowed} is one of the last {spare}, which are kept free; raise the limit or reduce --max-connections";
 
-    public static string BodyBytes(int max) => $"no more than {max} bytes";
+    public static string BodyBytes(int max) => $"no more than {max} bytes are allowed";
 
     /// <param name="possible">Maximum number of connections for this limit; below 1 if none is possible.</param>
     public static string TooFewDescriptors(int connections, long needed, ulong allowed, long possible) =>

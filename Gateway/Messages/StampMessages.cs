@@ -12,7 +12,7 @@ static class StampMessages
     /// <summary>The remedy for a source whose clock is not the control clock.</summary>
     public const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
     /// <summary>The remedy for a gateway with its own clock; does not apply to the verb simulate.</summary>
-    public const string SystemRemedy = "Restart the gateway. Started as serve --own-clock system, it follows the system clock.";
+    public const string SystemRemedy = "Restart the gateway. With serve --own-clock system, it follows the system clock.";
 
     public const string FitsSystemClock = ", and that fit the system clock";
 
@@ -25,9 +25,9 @@ static class StampMessages
         sources.Count == 0 ? "" : $"; the same is true of {string.Join(", ", sources)}";
 
     public static string Shifted(string source, string length, bool isOlder, bool isSystemServed, string cause) =>
-        $"the stamps of the source {source} became {length} {(isOlder ? "older" : "newer")} by the control clock"
-        + $"{(isSystemServed ? "" : ", but not by the system clock")}: {cause}";
+        $"the stamps of the source {source} became {length} {(isOlder ? "older" : "newer")} relative to the control clock"
+        + $"{(isSystemServed ? "" : ", but not relative to the system clock")}: {cause}";
 
     public static string Implausible(string source, double percent, string length, bool isFuture) => FormattableString.Invariant(
-        $"{percent:0} % of the samples of the source {source} have stamps that lie {(isFuture ? "in the future of" : "before")} the control clock, by {length}");
+        $"{percent:0} % of the samples of the source {source} have stamps that are {length} {(isFuture ? "ahead of" : "behind")} the control clock");
 }

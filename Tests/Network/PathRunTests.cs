@@ -90,7 +90,7 @@ public class PathRunTests
         if (!name.Contains("shorter", StringComparison.Ordinal)) Assert.That(runs.Min(run => run.Within), Is.GreaterThanOrEqualTo(0.95));
     }
 
-    /// <summary>Runs in which an earlier stated error, which included only detected changes, was too small in 2 to 20 % of the time.</summary>
+    /// <summary>Runs in which an earlier stated error, which included only detected changes, was too small for 2 to 20 % of the time.</summary>
     [TestCase("bad", "requests longer", 20014)]
     [TestCase("bad", "requests longer", 20025)]
     [TestCase("bad", "replies longer", 20000)]

@@ -31,7 +31,7 @@ public class VerdictTests
         var verdict = Of(Trial("linear", 0.4, 0.3), Trial("cubic", 0.45, 0.35));
 
         Assert.That(verdict.Recommended.Predictor, Is.EqualTo("linear"));
-        Assert.That(verdict.Reason, Does.Contain("20 % and 25 % in the halves"));
+        Assert.That(verdict.Reason, Does.Contain("20 % and 25 % in the two halves"));
     }
 
     [Test]

@@ -37,7 +37,7 @@ export function figures() {
     conditions: [['Sampling interval T_s', '50 ms'], ['Seed', '1']],
     missing: [],
     figures: [
-      figure('4', 'Error over velocity and latency', 'holds', { plots: [plot('Operating points', { name: 'latency', unit: 'ms' },
+      figure('4', 'Error as a function of velocity and latency', 'holds', { plots: [plot('Operating points', { name: 'latency', unit: 'ms' },
         { name: 'speed', unit: 'mm/s' }, [trace('hold', 'hold', [55, 75, 125, 275], [100, 250, 500, 1000]),
           trace('predicted', 'quadratic', [0.2, 0.2, 0.2, 0.2], [100, 250, 500, 1000])], { iso_mm: [5, 10, 25, 50, 100, 200] })] }),
       figure('8', 'Clock synchronisation', 'does not hold', {
@@ -50,7 +50,7 @@ export function figures() {
         ],
         summary: { caption: 'Offset error, all runs', columns: ['Estimator', 'P95 (µs)'], rows: [['ransac', '198'], ['default', '26']] },
       }),
-      figure('13a', 'Polynomials over the sampling interval', 'holds partly', {
+      figure('13a', 'Polynomials for different sampling intervals', 'holds partly', {
         beyond: 'adaptive leaves 50 % of the quadratic\u2019s error.',
         plots: [plot('RMS error', { name: 'sampling interval', unit: 'ms' }, { name: 'RMS error', unit: 'mm' },
           [trace('linear', 'linear', ms, [15, 18, 27, 46], { marked: true }), trace('quadratic', 'quadratic', ms, [6, 9, 18, 42], { marked: true }),

@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Calibrate.Head;
 
 /// <summary>Estimates the latency for head motion from the distance between both codes, which changes with the speed of the head.</summary>
 /// <remarks>
-/// The hologram appears where the control's code was a latency L ago: h(t) = a + (1 + b) c(t − L). Here a is the distance of the codes,
+/// The hologram appears where the control code was a latency L ago: h(t) = a + (1 + b) c(t − L). Here a is the distance of the codes,
 /// and b is not 0 if the codes have different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v.
 /// The term k c² models the distortion of lens and display. Over a motion back and forth, v and c are uncorrelated.
 /// </remarks>
@@ -25,7 +25,7 @@ static class HeadMotionFit
     /// <summary>Minimum root mean square of the speed, px/s. At lower speeds, 1 px of noise is as large as the effect of the latency.</summary>
     const double MinSpeed = 60;
 
-    /// <summary>Allowed motion of the hologram divided by the motion of the control's code. A hologram that is fixed to the display has 0.</summary>
+    /// <summary>Allowed motion of the hologram divided by the motion of the control code. A hologram that is fixed to the display has 0.</summary>
     const double MinScale = 0.7, MaxScale = 1.4;
 
     /// <summary>Number of parts of the recording. The uncertainty comes from fits that leave out one part each (jackknife).</summary>

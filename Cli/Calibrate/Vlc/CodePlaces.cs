@@ -3,9 +3,9 @@ using Nowpose.Vision;
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Positions of both codes in a picture, px; y points down.</summary>
-/// <param name="Control">Centre of the control's code.</param>
+/// <param name="Control">Centre of the control code.</param>
 /// <param name="Headset">Centre of the headset's code.</param>
-/// <param name="ControlSide">Mean side length of the control's code.</param>
+/// <param name="ControlSide">Mean side length of the control code.</param>
 /// <param name="LaterMs">Time by which a rolling shutter exposed the headset's code later than the control's, ms.</param>
 sealed record CodePlaces((double X, double Y) Control, (double X, double Y) Headset, double ControlSide, double LaterMs)
 {

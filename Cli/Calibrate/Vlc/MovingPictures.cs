@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Rejects pictures that were taken while the headset moved. L_visu must be measured with a still headset.</summary>
 /// <remarks>
 /// A display corrects its frames for head motion, so both codes shift and blur in such a picture. A picture was taken in motion if the
-/// velocity of the control's code from the previous picture is nearly the same as to the next picture, in the order of control time.
+/// velocity of the control code from the previous picture is nearly the same as to the next picture, in the order of control time.
 /// A relocated camera moves only once, and a shaking camera moves back, so neither is rejected.
 /// </remarks>
 static class MovingPictures
@@ -13,7 +13,7 @@ static class MovingPictures
     public const string Fault = PictureFaults.Moved;
 
     /// <summary>
-    /// Speed range of head motion, in sides of the control's code per second. A shaking camera is slower, a relocated one is faster.
+    /// Speed range of head motion, in sides of the control code per second. A shaking camera is slower, a relocated one is faster.
     /// </summary>
     const double MinSpeed = 0.5, MaxSpeed = 20;
 
@@ -48,7 +48,7 @@ static class MovingPictures
 
     static double Length((double X, double Y) velocity) => Math.Sqrt(velocity.X * velocity.X + velocity.Y * velocity.Y);
 
-    /// <returns>Velocity in sides of the control's code per second; 0 if unknown.</returns>
+    /// <returns>Velocity in sides of the control code per second; 0 if unknown.</returns>
     static (double X, double Y) VelocityOf((PictureResult Picture, double Ms) from, (PictureResult Picture, double Ms) to)
     {
         var ms = to.Ms - from.Ms;

@@ -22,7 +22,7 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(46).Within(1e-3));
         Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.Nudge));
         Assert.That(profile.Measurements, Is.EqualTo(4));
-        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("Offset over the velocity"));
+        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("Offset as a function of the velocity"));
     }
 
     [Test]

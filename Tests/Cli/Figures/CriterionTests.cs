@@ -1,6 +1,7 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 using NUnit.Framework;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 

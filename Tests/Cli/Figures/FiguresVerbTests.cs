@@ -95,7 +95,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Settings_FullAndQuick_IncludeOurPredictors()
+    public void Settings_FullAndQuick_IncludeNowposesPredictors()
     {
         foreach (var settings in new[] { FigureSettings.Full, FigureSettings.Quick })
         {

@@ -87,11 +87,11 @@ public class StampWatchTests
     }
 
     [TestCase(-0.11, "110 ms newer")]
-    [TestCase(-0.3, "in the future of the control clock, by 230 ms")]
+    [TestCase(-0.3, "230 ms ahead of the control clock")]
     [TestCase(0.11, "110 ms older")]
     [TestCase(0.9, "900 ms older")]
-    [TestCase(2.5, "before the control clock, by 2.6 s")]
-    [TestCase(-3600.0, "in the future of the control clock, by 60.0 minutes")]
+    [TestCase(2.5, "2.6 s behind the control clock")]
+    [TestCase(-3600.0, "60.0 minutes ahead of the control clock")]
     public void Look_ServedSystemClockCorrectedButNotTheSource_IsAContradictionOfTheSource(double seconds, string expected)
     {
         var clock = new SystemControlClock(_time);
@@ -188,7 +188,7 @@ public class StampWatchTests
         Run(5, () => _own.Now + TimeSpan.FromSeconds(5));
 
         Assert.That(_watch.IsContradicted, Is.True);
-        Assert.That(_watch.Warning, Does.Contain("100 %").And.Contain("in the future").And.Contain("by 4.9 s"));
+        Assert.That(_watch.Warning, Does.Contain("100 %").And.Contain("4.9 s ahead of the control clock"));
         Assert.That(_watch.Found.Reason, Does.Contain("source first"));
         Assert.That(_watch.Found.Remedy, Is.EqualTo("Set the clock of the source, or let its adapter offer that clock."));
     }

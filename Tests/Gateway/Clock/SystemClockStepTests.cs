@@ -142,9 +142,9 @@ public class SystemClockStepTests
         var reason = await BecomesNotReadyAsync(TimeSpan.FromSeconds(30));
 
         Assert.That(refused.Text, Does.Contain(nameof(DropReason.StampInFuture)));
-        Assert.That(reason, Does.Match("in the future of the control clock, by 29[.][0-9] s: they did not follow a correction of the system clock [(]since [^)]*[)][.] Set the clock of the source"));
+        Assert.That(reason, Does.Match("29[.][0-9] s ahead of the control clock: they did not follow a correction of the system clock [(]since [^)]*[)][.] Set the clock of the source"));
         Assert.That(IsLogged("clock: "), Is.True, string.Join('\n', _log));
-        Assert.That((await StateAsync()).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("in the future"));
+        Assert.That((await StateAsync()).GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("ahead of the control clock"));
 
         await ExpectAcceptedAsync(1);
         _system.Skip(Window);

@@ -52,7 +52,7 @@ export const cells = (page, row) => page.locator(`tr:has(th:has-text("${row}"))`
 export const becomes = (page, selector, part) => page.waitForFunction(
   ([selector, part]) => document.querySelector(selector)?.textContent.includes(part), [selector, part]);
 
-/** Waits until the text below the robot has the distance of the displayed tool from the true one, in the given range in mm. */
+/** Waits until the text below the robot contains a distance between the displayed and the true tool within the given range, in mm. */
 export const showsToolError = (page, min = 0, max = Infinity) => {
   const [before, after] = messages.robotMessages.toolError('', 5, null).split(/5\.?0*.mm/);
   return page.waitForFunction(([before, after, min, max]) => {

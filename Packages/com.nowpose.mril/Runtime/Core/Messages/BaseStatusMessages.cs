@@ -42,8 +42,8 @@ namespace Nowpose.Messages
             (hasMarkers ? "as in an earlier run: look at a marker to confirm it" : "as in an earlier run: lock it to confirm it") + Because(problem);
 
         public static string Elsewhere(string metres, bool hasMarkers) => hasMarkers
-            ? $"the headset now reports the base {metres} m elsewhere, which is not followed: look around, or lock again"
-            : $"the headset now reports the base {metres} m elsewhere, which is not followed: look around, or place it again";
+            ? $"the headset now reports a position of the base {metres} m away, which is ignored: look around, or lock again"
+            : $"the headset now reports a position of the base {metres} m away, which is ignored: look around, or place it again";
 
         /// <summary>Returns the end of a line with a problem; empty for null.</summary>
         public static string Because(string problem) => problem == null ? "" : "; " + problem;

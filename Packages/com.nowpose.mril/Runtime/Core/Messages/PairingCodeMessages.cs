@@ -31,7 +31,7 @@ namespace Nowpose.Messages
         public static string Character(int position, int character) =>
             FormattableString.Invariant($"character {position} is U+{character:X4}; allowed: ASCII without spaces and control characters");
 
-        public static string NoVersion(int version) => $"has no version; expected is /{version}?";
+        public static string NoVersion(int version) => $"has no version; expected: /{version}?";
 
         public static string OtherVersion(int version, int supported) =>
             $"has version {version}; this Nowpose reads version {supported}; update Nowpose";

@@ -3,7 +3,7 @@ namespace Nowpose.Messages
     /// <summary>Errors of samples, plans and predictors.</summary>
     static class PredictionMessages
     {
-        public static string History(int max) => $"must be from the degree to {max}";
+        public static string History(int max) => $"must be at least the degree and at most {max}";
 
         public const string UnknownDerivatives = "velocity, acceleration and jerk must be known";
         public const string NegativeSeconds = "must be 0 s or more";

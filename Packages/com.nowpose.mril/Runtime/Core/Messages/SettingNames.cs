@@ -8,12 +8,12 @@ namespace Nowpose.Messages
         public const string DeviceModel = "the name of a model";
         public const string VisualisationSpread = "spread of the visualisation latency";
         public const string MaxRenderTime = "maximum render time measured";
-        public const string BuildingTime = "time for building per frame";
+        public const string BuildingTime = "building time per frame";
         public const string HeadMotionUncertainty = "uncertainty of the head motion latency";
         public const string MaxSweepLoad = "maximum load of the sweep, vertices";
         public const string SweepSteps = "steps of the sweep";
         public const string SettlingTime = "time for a load to settle";
-        public const string LoadTime = "time of a load";
+        public const string LoadTime = "duration of a load";
         public const string CodeMarkerSize = "cell code: marker size";
         public const string CodeSyncPort = "cell code: sync port";
         public const string CodeWebSocketPort = "cell code: WebSocket port";

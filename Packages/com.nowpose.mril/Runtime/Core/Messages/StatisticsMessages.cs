@@ -4,7 +4,7 @@ namespace Nowpose.Messages
     static class StatisticsMessages
     {
         public const string WindowSize = "window must be 1 or more";
-        public const string Empty = "no length was added yet; check Count first";
+        public const string Empty = "no duration has been added yet; check Count first";
         public const string Fraction = "fraction must be 0 to 1";
     }
 }

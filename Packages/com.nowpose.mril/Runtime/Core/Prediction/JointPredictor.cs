@@ -14,8 +14,8 @@ namespace Nowpose.Prediction
     /// </remarks>
     public sealed class JointPredictor
     {
-        /// <summary>Time constant of the decay of the seam, in s: short compared with every latency worth compensating.</summary>
-        const double SeamTimeConstant = 0.005;
+        /// <summary>Time constant with which the jump from the curve to the forecast decays, in s: short compared with every latency worth compensating.</summary>
+        const double JumpTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
         readonly SectionBlend _blend;
@@ -182,13 +182,13 @@ namespace Nowpose.Prediction
             _motion.Reset();
             _forecaster.Reset();
             _isSolved = false;
-            _seam = _residual = 0;
+            _jump = _residual = 0;
         }
 
         void Solve()
         {
             _isSolved = _forecaster.Solve(_motion);
-            _seam = _isSolved && _interpolates ? _forecaster.At(0) : 0;
+            _jump = _isSolved && _interpolates ? _forecaster.At(0) : 0;
         }
 
         // Returns the displayed position if the blend needs it.

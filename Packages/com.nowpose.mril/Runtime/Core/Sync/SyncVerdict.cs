@@ -9,7 +9,7 @@ namespace Nowpose.Sync
         /// <summary>The exchange was used.</summary>
         Consistent,
 
-        /// <summary>The exchange contradicts recent exchanges and is kept aside until a clock step is confirmed or ruled out.</summary>
+        /// <summary>The exchange contradicts recent exchanges and is set aside until a clock step is confirmed or ruled out.</summary>
         SetAside,
 
         /// <summary>A clock stepped: the estimator restarts with the exchanges set aside.</summary>

@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Messages
         public const string NoAnchorStore =
             "the device's XR runtime has no anchor store, so anchors are lost at the next start; place the base again after each start";
 
-        public const string NoOrigin = "there is no XR Origin above the main camera; add one, or assign it";
+        public const string NoOrigin = "the main camera has no XR Origin above it; add one, or assign it";
 
         public static string NoManager(string manager, string need) => $"the XR Origin has no {manager}; add one to it: {need}";
 
@@ -42,7 +42,7 @@ namespace Nowpose.Unity.Messages
 
         public static string NotOffered(string need) => $"the device's XR runtime does not offer it or does not run: {need}";
 
-        public const string NoArSession = "there is no AR Session in the scene; add one (XR > AR Session)";
+        public const string NoArSession = "the scene has no AR Session; add one (XR > AR Session)";
 
         public static string MarkerMode(string component, string mode, string used) =>
             $"QR markers '{component}': the marker manager's mode was {mode}, which shifts codes along the room's axes; it was changed to {used}";

@@ -7,6 +7,6 @@ namespace Nowpose.Unity.Messages
             "latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the profile as a text "
             + $"asset, or copy it to {path}";
 
-        public const string Unkept = "a calibration that is not kept";
+        public const string Unkept = "an unsaved calibration";
     }
 }

@@ -33,7 +33,7 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly double[] _gradient;
 
-        // Gw, kept up to date instead of computed for each solve.
+        // The product Gw, updated with each change instead of computed for each solve.
         readonly double[] _weighted;
 
         /// <param name="regularisation">λ relative to the minimum mean square among the forecasts.</param>

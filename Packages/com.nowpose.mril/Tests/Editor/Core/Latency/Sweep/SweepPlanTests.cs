@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [TestCase(2_000_001, 10, 5, 1, "maximum load of the sweep, vertices: 2000001 is out of range; allowed: 1000 to 2000000")]
         [TestCase(2_000_000, 1, 5, 1, "steps of the sweep: 1 is out of range; allowed: 2 to 100")]
-        [TestCase(2_000_000, 10, 0, 1, "time of a load: 0 s is out of range")]
+        [TestCase(2_000_000, 10, 0, 1, "duration of a load: 0 s is out of range")]
         [TestCase(2_000_000, 10, 5, double.NaN, "time for a load to settle: NaN s is out of range")]
         public void Constructor_OutOfRange_ThrowsWithTheName(int most, int steps, double seconds, double settle, string message)
         {

@@ -2,7 +2,7 @@ using System.Linq;
 using NUnit.Framework;
 using Nowpose.Prediction.Mixing;
 
-namespace Nowpose.Tests.Core.Prediction.Mixing
+namespace Nowpose.Tests.Core.Prediction
 {
     public class RecyclingQueueTests
     {

@@ -4,7 +4,7 @@ using Nowpose.Motion;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Prediction.Mixing
+namespace Nowpose.Tests.Core.Prediction
 {
     public class MixerTests
     {
