@@ -7,7 +7,7 @@ static class Figure08Texts
         $"On the same exchanges the default estimator is within {defaultUs} µs 95 % of the time, {share} of the paper's {paperUs} µs.";
 
     public static string Conditions(int runs, string seconds, string exchangeErrors) =>
-        $"Simulated good WiFi, an exchange every 200 ms, {runs} runs of {seconds} s with skews of 5 to 80 ppm that drift by ±2 ppm; plots "
+        $"Simulated good WiFi, an exchange every 200 ms, {runs} runs of {seconds} s with skews of 5 to 80 ppm that vary by ±2 ppm; plots "
         + $"and file show the first run. RANSAC over 100 exchanges with 20 hypotheses, moving average of 20.{exchangeErrors}";
 
     public static string OffsetSummary(string seconds) => $"Offset error from {seconds} s on, all runs";

@@ -11,8 +11,8 @@ sealed class SimulatedExchanges
 {
     const double Interval = 0.2;
     const double Turnaround = 20e-6;
-    const double DriftPpm = 2;
-    const double DriftPeriod = 120;
+    const double SkewVariationPpm = 2;
+    const double SkewVariationPeriod = 120;
 
     /// <summary>Epoch of the control clock. Like Unix time, it is far from the headset's epoch.</summary>
     static readonly TimeSpan ControlEpoch = TimeSpan.FromTicks(1_700_000_000 * TimeSpan.TicksPerSecond);
@@ -42,14 +42,14 @@ sealed class SimulatedExchanges
     public IReadOnlyList<SyncExchange> All { get; }
 
     /// <summary>Gets the true skew γ₂ − 1 at a headset time, ppm.</summary>
-    public double SkewPpmAt(double seconds) => _skewPpm + DriftPpm * Math.Sin(2 * Math.PI * seconds / DriftPeriod);
+    public double SkewPpmAt(double seconds) => _skewPpm + SkewVariationPpm * Math.Sin(2 * Math.PI * seconds / SkewVariationPeriod);
 
     /// <summary>Gets the true offset Φ at a headset time.</summary>
     public ClockOffset TrueOffset(HeadsetTime t)
     {
         var s = t.SinceEpoch.TotalSeconds;
-        var drifted = DriftPpm * DriftPeriod / (2 * Math.PI) * (1 - Math.Cos(2 * Math.PI * s / DriftPeriod));
-        return new ClockOffset(TimeSpan.FromTicks((long)Math.Round((_skewPpm * s + drifted) * 10)) - ControlEpoch);
+        var variation = SkewVariationPpm * SkewVariationPeriod / (2 * Math.PI) * (1 - Math.Cos(2 * Math.PI * s / SkewVariationPeriod));
+        return new ClockOffset(TimeSpan.FromTicks((long)Math.Round((_skewPpm * s + variation) * 10)) - ControlEpoch);
     }
 
     ControlTime Control(HeadsetTime t) => TrueOffset(t).ToControl(t);

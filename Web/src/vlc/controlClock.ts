@@ -74,9 +74,9 @@ export class ControlClock {
     let low = -Infinity;
     let high = Infinity;
     for (const e of this.exchanges) {
-      const drift = MAX_SKEW * Math.max(0, now - e.at);
-      low = Math.max(low, e.low - drift);
-      high = Math.min(high, e.high + drift);
+      const change = MAX_SKEW * Math.max(0, now - e.at);
+      low = Math.max(low, e.low - change);
+      high = Math.min(high, e.high + change);
     }
     return { low, high };
   }

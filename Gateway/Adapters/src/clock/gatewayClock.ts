@@ -49,8 +49,8 @@ export class GatewayClock {
   observe(time: Nanoseconds, asked: Nanoseconds, heard: Nanoseconds): void {
     let [low, high] = [time - heard, time - asked];
     if (this.#bounds !== null) {
-      const drift = ((heard - this.#bounds.at) * MAX_SKEW_PPM) / 1_000_000n;
-      const [oldLow, oldHigh] = [this.#bounds.low - drift, this.#bounds.high + drift];
+      const change = ((heard - this.#bounds.at) * MAX_SKEW_PPM) / 1_000_000n;
+      const [oldLow, oldHigh] = [this.#bounds.low - change, this.#bounds.high + change];
       if (low <= oldHigh && high >= oldLow) [low, high] = [low > oldLow ? low : oldLow, high < oldHigh ? high : oldHigh];
     }
     this.#bounds = { low, high, at: heard };

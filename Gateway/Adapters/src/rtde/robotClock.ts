@@ -117,11 +117,11 @@ export class RobotClock {
 
   #age(now: Nanoseconds): void {
     const passed = now > this.#updated ? now - this.#updated : 0n;
-    const drift = (passed * MAX_SKEW_PPM) / 1_000_000n;
+    const change = (passed * MAX_SKEW_PPM) / 1_000_000n;
     this.#updated = now;
     if (this.#kept !== null) this.#kept.width -= ((this.#kept.width - this.#kept.assumed) * (passed < RETURN ? passed : RETURN)) / RETURN;
-    if (this.#lower !== null) this.#lower -= drift;
-    this.#uppers = this.#uppers.map(upper => upper + drift);
+    if (this.#lower !== null) this.#lower -= change;
+    this.#uppers = this.#uppers.map(upper => upper + change);
   }
 
   /** Widens the bounds if a package arrived earlier than expected. Adds half of that time, because the next late period may be longer. */

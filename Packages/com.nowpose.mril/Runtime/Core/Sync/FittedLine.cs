@@ -26,9 +26,9 @@ namespace Nowpose.Sync
         /// <summary>Returns the standard error of <see cref="OffsetAt"/>, s; it grows quickly for a line through few points.</summary>
         public double ErrorAt(HeadsetTime t)
         {
-            var drift = SkewError * ClockTicks.Seconds(t - Reference);
+            var change = SkewError * ClockTicks.Seconds(t - Reference);
             var offset = ClockTicks.Seconds(OffsetError);
-            return Math.Sqrt(offset * offset + drift * drift);
+            return Math.Sqrt(offset * offset + change * change);
         }
 
         /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two, not all equal.</param>
