@@ -14,7 +14,9 @@ namespace Nowpose.Prediction
     /// </remarks>
     public sealed class JointPredictor
     {
-        /// <summary>Time constant with which the jump from the curve to the forecast decays, in s: short compared with every latency worth compensating.</summary>
+        /// <summary>
+        /// Time constant with which the jump from the curve to the forecast decays, in s: short compared with every latency worth compensating.
+        /// </summary>
         const double JumpTimeConstant = 0.005;
 
         readonly PredictionLimits _limits;
