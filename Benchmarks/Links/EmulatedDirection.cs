@@ -44,12 +44,12 @@ sealed class EmulatedDirection : IDisposable
 
     void Run()
     {
-        LinuxCalls.SharpenTimeouts();
+        LinuxCalls.SetAccurateTimeouts();
         while (!_isStopped)
         {
             Wait();
-            TakeIn();
-            Release();
+            ReadPackets();
+            WritePackets();
         }
     }
 
@@ -59,7 +59,7 @@ sealed class EmulatedDirection : IDisposable
         if (wait > TimeSpan.Zero) LinuxCalls.WaitReadable(_from, wait < MaxWait ? wait : MaxWait);
     }
 
-    void TakeIn()
+    void ReadPackets()
     {
         while (true)
         {
@@ -76,7 +76,7 @@ sealed class EmulatedDirection : IDisposable
         }
     }
 
-    void Release()
+    void WritePackets()
     {
         while (_queue.TryReceive(_clock.Now, out var packet, out var due))
         {

@@ -45,7 +45,7 @@ static class LinksVerb
 
     static async Task<int> RunAsync(LinkSettings settings, string file, CancellationToken stop)
     {
-        if (WhyImpossible() is string reason)
+        if (FindProblem() is string reason)
         {
             Console.Out.WriteLine($"skipped: {reason}");
             return ExitStatus.Done;
@@ -81,7 +81,7 @@ static class LinksVerb
         return result;
     }
 
-    static string WhyImpossible()
+    static string FindProblem()
     {
         if (!OperatingSystem.IsLinux()) return "network namespaces and TUN devices exist on Linux only";
         if (!LinuxCalls.IsRoot) return "network namespaces and TUN devices need root";

@@ -59,7 +59,7 @@ static class LinuxCalls
     }
 
     /// <summary>Makes timeouts of the calling thread accurate to microseconds and increases its priority.</summary>
-    public static void SharpenTimeouts()
+    public static void SetAccurateTimeouts()
     {
         Check(prctl(TimerSlack, 1, 0, 0, 0), "prctl PR_SET_TIMERSLACK");
         // Errors are ignored, because a container can forbid these calls.

@@ -1,8 +1,6 @@
 using System.CommandLine;
-using Nowpose.Cli.Calibrate.Nudge;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
-using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;

@@ -2,7 +2,6 @@ using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
-using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
@@ -28,7 +27,7 @@ static class RangeVerb
     {
         var pictures = PairTable.Read(file);
         var kind = DeviceOptions.KindOf(source);
-        RequireSight(pictures, file, source);
+        RequireRise(pictures, file, source);
         var fit = FitOf(pictures, file);
         var output = CalibrationOutput.At(folder);
         var profile = RangeProfile.Of(fit, conditions, kind);
@@ -39,7 +38,7 @@ static class RangeVerb
     }
 
     // Requires that the render time changes with the load. Otherwise no limit can be found or monitored. Needs the loads.
-    static void RequireSight(IReadOnlyList<MeasuredPicture> pictures, string file, string source)
+    static void RequireRise(IReadOnlyList<MeasuredPicture> pictures, string file, string source)
     {
         const double MinRise = 0.1;
         var loads = pictures.Where(each => each.Vertices.HasValue).GroupBy(each => each.Vertices.Value).OrderBy(load => load.Key)

@@ -2,7 +2,6 @@ using System.CommandLine;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
-using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;

@@ -4,10 +4,8 @@ using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
-using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
 using Nowpose.Motion;
-using Nowpose.Prediction;
 using Nowpose.Simulation;
 using Nowpose.Simulation.Work;
 

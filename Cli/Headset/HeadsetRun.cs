@@ -6,7 +6,6 @@ using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
 using Nowpose.Recording;
 using Nowpose.Session;
-using Nowpose.Sync;
 
 namespace Nowpose.Cli.Headset;
 

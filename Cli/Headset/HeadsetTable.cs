@@ -25,7 +25,7 @@ static class HeadsetTable
         Row("end-to-end latency", Text(latency.EndToEnd, "0.0", " ms"));
         var pose = result.Pose;
         Row("pose", HeadsetTexts.Pose(pose.State, Text(pose.CurrentAfterS, "0.0", " s"), Text(100 * pose.CurrentShare, "0.0", " %")));
-        Row(HeadsetTexts.LongestOutage, Text(pose.LongestNotCurrentS, "0.00", " s"));
+        Row(HeadsetTexts.OutageDuration, Text(pose.LongestNotCurrentS, "0.00", " s"));
         if (result.MissingJoints.Count > 0) Row("joints without data", string.Join(", ", result.MissingJoints));
         foreach (var joint in result.Joints) Row("joint " + joint.Name, JointOf(joint));
         foreach (var outage in result.Outages)

@@ -1,5 +1,3 @@
-using Nowpose.Network;
-
 namespace Nowpose.Cli.Messages;
 
 /// <summary>Failures and errors of demo, with remedies.</summary>

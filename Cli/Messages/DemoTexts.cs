@@ -10,7 +10,7 @@ static class DemoTexts
     public static string LateFramesValue(int late, int frames, double maxMs) =>
         FormattableString.Invariant($"{late} of {frames}, by up to {maxMs:0} ms: this machine was busy, which increased delays and errors");
 
-    public const string NoLimit = "the profile has no limit, so there is no alarm";
+    public const string NoLimit = "the profile has no limit, so no alarm is raised";
     public const string NeverLeft = "never left, no alarm";
 
     public static string Outside(string visuMs, string insideMs, string rmsMm, string inTimeMm) =>

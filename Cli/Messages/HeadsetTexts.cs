@@ -6,7 +6,7 @@ static class HeadsetTexts
     public static string Title(string robot) => $"{robot}: results of a headset at this gateway";
     public static string Pose(string state, string after, string share) => $"{state}; current after {after}, then for {share} of the frames";
 
-    public const string LongestOutage = "longest time not current";
+    public const string OutageDuration = "longest time not current";
 
     public static string NotCurrent(string time) => $"frames that were not current: {time}";
     public static string CurrentShare(string share, string from, string to) => $"current for {share} of the frames from {from} to {to}";

@@ -8,7 +8,7 @@ static class KinematicsMessages
 
     public static string NotAPair(string entry) => $"--joints: '{entry}' is not of the form name=value";
     public static string FixedJoint(string joint) => $"{joint} is a fixed joint";
-    public static string UnknownJoint(string joint) => $"there is no joint {joint}";
+    public static string UnknownJoint(string joint) => $"the robot has no joint {joint}";
 
     public const string NoMovingJoint = "this robot has no moving joint";
 

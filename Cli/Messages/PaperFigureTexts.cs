@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Options;
-
 namespace Nowpose.Cli.Messages;
 
 /// <summary>Conditions of the figures of demo --paper.</summary>

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Next steps in Unity after the verb <c>unity</c>.</summary>
+/// <summary>Steps in Unity after the verb unity.</summary>
 static class UnityNextSteps
 {
     public const string InUnity =

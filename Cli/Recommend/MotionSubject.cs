@@ -18,7 +18,7 @@ sealed class MotionSubject : ISubject
         _path = path;
         SamplingMs = samplingMs;
         LatencyMs = latencyMs;
-        var middle = motion.Times[Halving.MiddleOf(WaysOf(motion))];
+        var middle = motion.Times[MotionHalves.MiddleOf(WaysOf(motion))];
         _halves = [motion.Between(0, middle), motion.Between(middle, motion.Duration)];
         if (_halves.Any(half => half == null))
             throw new InputException(RecommendMessages.TooFewRows(path));

@@ -43,9 +43,9 @@ static class RecommendVerb
     static int Run(string path, (double SamplingMs, double LatencyMs)[] conditions, bool json, CancellationToken cancel)
     {
         var recording = SessionFileReader.IsSession(path) ? OfSession(path) : OfMotion(path, conditions);
-        var contest = new Contest(recording.Subjects);
-        CountProgress.Run("trying predictors", "runs", contest.Runs, report => contest.Run(report, cancel));
-        (Verdict, BlendCost)[] results = [.. contest.Verdicts().Select(verdict => (verdict, new BlendCost(verdict, cancel)))];
+        var evaluation = new CandidateEvaluation(recording.Subjects);
+        CountProgress.Run("trying predictors", "runs", evaluation.Runs, report => evaluation.Run(report, cancel));
+        (Verdict, BlendCost)[] results = [.. evaluation.Verdicts().Select(verdict => (verdict, new BlendCost(verdict, cancel)))];
         if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, results));
         else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, results);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;

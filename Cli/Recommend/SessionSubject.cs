@@ -43,6 +43,6 @@ sealed class SessionSubject : ISubject
                 last[value.Joint] = value.Position;
             }
         }
-        return Halving.MiddleOf(ways);
+        return MotionHalves.MiddleOf(ways);
     }
 }

@@ -27,7 +27,7 @@ sealed class ReplayLoop
         _duration = duration;
         _axes = axes;
         _settings = settings;
-        RequireBearableLength();
+        RequireMaxLength();
     }
 
     /// <summary>Runs once to the end of the recording, or until it is cancelled.</summary>
@@ -58,7 +58,7 @@ sealed class ReplayLoop
         throw NothingScored();
     }
 
-    void RequireBearableLength()
+    void RequireMaxLength()
     {
         var values = _duration * _settings.FrameRateHz * _axes;
         var samples = _duration / _settings.SamplingInterval;

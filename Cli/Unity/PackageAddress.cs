@@ -1,5 +1,4 @@
 using Nowpose.Cli.Messages;
-using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;

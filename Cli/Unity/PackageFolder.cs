@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Nowpose.Cli.Messages;
-using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
-using Nowpose.Editor;
 using Nowpose.Editor.Setup;
 using Nowpose.Gateway.Options;
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;

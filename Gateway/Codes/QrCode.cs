@@ -35,7 +35,7 @@ sealed class QrCode : IDisposable
         var text = new StringBuilder();
         for (var row = 0; row < Edge; row += 2)
         {
-            // Sets black on white in place of the terminal's own colours, because some readers refuse an inverted code.
+            // Sets black on white independently of the terminal's own colours, because some readers refuse an inverted code.
             if (hasColours) text.Append("\u001b[30;107m");
             for (var column = 0; column < Edge; column++)
                 text.Append(Block(IsInk(row, column, hasColours), IsInk(row + 1, column, hasColours)));

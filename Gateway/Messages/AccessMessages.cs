@@ -1,5 +1,3 @@
-using Microsoft.AspNetCore.Http;
-
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Answers to clients without access, and lines about them in the log.</summary>

@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.Messages;
 static class SyncServerMessages
 {
     public static string NotAccepted(string kind, string reason) => $"sync: a connection could not be accepted ({kind}: {reason})";
-    public static string Refused(int max) => $"sync: refused a connection beyond the maximum of {max}";
+    public static string Refused(int max) => $"sync: refused a connection, because the maximum of {max} connections are open, which is the maximum";
 
     /// <param name="cause">Null if it is unknown or needs no text.</param>
     public static string Closed(Closure why, Exception cause) => cause == null

@@ -1,8 +1,6 @@
 using Nowpose.Frames;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
-using Nowpose.Gateway.Rosbridge;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Plants;

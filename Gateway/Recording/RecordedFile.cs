@@ -1,4 +1,3 @@
-using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Recording;
 

@@ -1,9 +1,7 @@
-using System.Globalization;
 using System.Text;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using static Nowpose.Gateway.Rosbridge.ReceivedValue;
 

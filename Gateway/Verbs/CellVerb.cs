@@ -4,7 +4,6 @@ using System.Net;
 using Nowpose.Gateway.Codes;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
-using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 

@@ -86,7 +86,7 @@ public class KinematicsVerbTests
         Assert.That(run.Output, Does.Contain('"' + tool + '"'));
     }
 
-    [TestCase("nothing=1", "there is no joint nothing; allowed: lead, follow")]
+    [TestCase("nothing=1", "the robot has no joint nothing; allowed: lead, follow")]
     [TestCase("mount=1", "mount is a fixed joint; allowed: lead, follow")]
     [TestCase("lead=1,lead=1", "lead is given twice")]
     [TestCase("lead=x", "lead: 'x' is not a finite number in m")]

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Compares the clock that <c>gateway simulate</c> prints at its start with the clock that it serves.</summary>
+/// <summary>Compares the clock that <c>gateway simulate</c> prints at its start with the clock that it serves on the sync port.</summary>
 [Platform("Linux")]
 public partial class AnnouncedClockTests
 {
@@ -30,14 +30,14 @@ public partial class AnnouncedClockTests
         var reply = await sync.ExchangeAsync(SyncFrame.Request(1, t1));
         var t4 = MonotonicNs();
 
-        // The request is received after t1 and the reply is sent before t4. Times on the wire are multiples of 100 ns.
+        // The gateway receives the request after t1 and sends the reply before t4. The times in the reply are multiples of 100 ns.
         Assert.That((decimal)reply.Value.T2Ns, Is.GreaterThanOrEqualTo(ControlNs(t1) - 200));
         Assert.That((decimal)reply.Value.T3Ns, Is.LessThanOrEqualTo(ControlNs(t4) + 200));
         Assert.That(rate, Is.EqualTo(1.0003m));
     }
 
     [Test]
-    public async Task Simulate_MotionStart_IsWhenTheClockStarted()
+    public async Task Simulate_MotionStart_IsBetweenTheStartOfTheClockAndTheAnnouncedTime()
     {
         using var gateway = new PeerProcess(
             "Nowpose.Gateway.dll", "simulate", "--sync-port", "0", "--ws-port", "0", "--clock-start-s", "1000");

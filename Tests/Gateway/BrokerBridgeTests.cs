@@ -7,16 +7,16 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>A gateway with the plant, a real broker, and a gateway in another hall, connected by the two bridges as processes.</summary>
+/// <summary>Runs a gateway with the plant, a real broker, and a gateway in another hall. Two bridge processes connect them.</summary>
 public class BrokerBridgeTests
 {
     const string Topic = "nowpose/cell-1";
 
-    /// <summary>Far from the time of this machine, so that no clock can agree with it by chance.</summary>
+    /// <summary>Start of the plant's clock. It is far from this machine's time, so no other clock can agree with it by chance.</summary>
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(70_000);
 
     [Test]
-    public async Task Headset_AtTheOtherGateway_ReceivesThePlantsSamplesAndTime()
+    public async Task Headset_ConnectedToTheOtherGateway_ReceivesThePlantsSamplesAndTime()
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
         using var folder = new TemporaryFolder();
@@ -28,7 +28,7 @@ public class BrokerBridgeTests
         var subscribe = Configure(folder, "subscribe", broker, $"  clock: {{ host: 127.0.0.1, port: {near.SyncEndPoint.Port} }}\n");
         await using var nearBridge = AdapterProcesses.Start([new PlantFile(publish, "hall", "")], near);
         await using var farBridge = AdapterProcesses.Start([new PlantFile(subscribe, "hall", "")], far);
-        // Waits for a small error bound, which is valid from the first exchange. When the clock becomes synchronised depends on the machine's load.
+        // Waits for a small error bound instead of the state synchronised, because a busy machine reaches that state late.
         await Soon.BecomesAsync(
             () => far.PlantClocks.Control is { Name: "hall", Exchanges: >= 10 } hall && hall.Model.ErrorBound < TimeSpan.FromMilliseconds(50),
             "the other hall has the plant's time");
@@ -52,7 +52,7 @@ public class BrokerBridgeTests
     }
 
     [Test]
-    public async Task JointsNotLive_AtTheOtherGateway_AreNamedWithTheirReasonUntilThePlantsGatewayEnds()
+    public async Task OtherGateway_JointsNotLiveAtThePlant_ReportsTheirReasonsUntilThePlantsGatewayEnds()
     {
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
         using var folder = new TemporaryFolder();
@@ -82,7 +82,7 @@ public class BrokerBridgeTests
         Assert.That(joints[1].GetProperty("uncertain").GetString(), Is.EqualTo("the stop itself was not observed"));
         foreach (var joint in joints)
             Assert.That(joint.GetProperty("since_utc").GetDateTimeOffset().ToUnixTimeSeconds(), Is.EqualTo(since).Within(30));
-        await Soon.BecomesAsync(() => Joints(far)[1].GetProperty("state").GetString() == "fault", "the other hall says that the plant's gateway is away");
+        await Soon.BecomesAsync(() => Joints(far)[1].GetProperty("state").GetString() == "fault", "the other hall reports the fault");
     }
 
     static JsonElement[] Joints(GatewayServer gateway)
@@ -92,7 +92,7 @@ public class BrokerBridgeTests
         return [.. JsonDocument.Parse(state).RootElement.GetProperty("joints").EnumerateArray()];
     }
 
-    /// <summary>Publishes joint states until one arrives, and returns it.</summary>
+    /// <summary>Publishes joint states until the headset receives one, and returns it.</summary>
     static async Task<JointStateMessage> FirstAsync(RawRosbridgeClient headset, Action publish)
     {
         var received = headset.ReceiveAsync();

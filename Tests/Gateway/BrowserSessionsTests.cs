@@ -24,7 +24,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Open_BeyondTheMaximum_EndsTheSessionIdleForLongest()
+    public void Open_TooManySessions_EndsTheSessionThatIsIdleLongest()
     {
         var time = new SteppedTime();
         var sessions = new BrowserSessions(time);
@@ -39,7 +39,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Id_EachSession_HasUnique256Bits()
+    public void Id_OfEachSession_IsUniqueWith256Bits()
     {
         var sessions = new BrowserSessions(TimeProvider.System);
 

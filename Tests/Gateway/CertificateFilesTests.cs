@@ -31,7 +31,7 @@ public class CertificateFilesTests
     }
 
     [Test]
-    public void Generate_Twice_CreatesTwoKeys()
+    public void Generate_Twice_CreatesDifferentKeys()
     {
         using var first = CertificateFiles.Generate();
         using var second = CertificateFiles.Generate();
@@ -55,7 +55,7 @@ public class CertificateFilesTests
 
     [TestCase("bad.pfx")]
     [TestCase("bad.pem")]
-    public void LoadOrGenerate_OtherFile_IsRefusedInOneLine(string name)
+    public void LoadOrGenerate_FileIsNoCertificate_ThrowsWithOneLine(string name)
     {
         var path = Path.Combine(_folder, name);
         File.WriteAllText(path, "not a certificate");
@@ -66,7 +66,7 @@ public class CertificateFilesTests
     }
 
     [Test]
-    public void LoadOrGenerate_CertificateWithoutKey_IsRefused()
+    public void LoadOrGenerate_CertificateWithoutKey_Throws()
     {
         var path = Path.Combine(_folder, "public.pem");
         using var whole = CertificateFiles.Generate();

@@ -13,7 +13,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The page with the control clock's code, and the time request of the page. Web/test checks its drawing in a browser.</summary>
+/// <summary>Tests the page with the control clock's code, and its requests for the time. Web/test checks the drawing in a browser.</summary>
 public class CodePageTests
 {
     const string TimeRequest = "POST /vlc/time";
@@ -38,14 +38,14 @@ public class CodePageTests
         var page = await response.Content.ReadAsStringAsync().Bounded();
 
         if (LightCodePage.Html == null) Assert.Ignore("built without Node.js");
-        Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.OK), "a browser that opens it has no token to send");
+        Assert.That(response.StatusCode, Is.EqualTo(HttpStatusCode.OK), "a browser that opens the page has no token");
         Assert.That(response.Content.Headers.ContentType.MediaType, Is.EqualTo("text/html"));
         Assert.That(page, Does.Contain("connect-src 'self'").And.Not.Contain(Gateways.ObserverToken).And.Not.Contain("https://"));
         Assert.That(gateway.CodePageUris, Is.EqualTo(new[] { new Uri($"http://127.0.0.1:{gateway.WebSocketEndPoint.Port}/vlc") }));
     }
 
     [Test]
-    public async Task Page_RequestedByManyKeepAliveClients_ClosesTheirConnections()
+    public async Task Page_ManyKeepAliveClients_ClosesTheirConnections()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawWebSocket.ConnectAsync(gateway);
@@ -61,7 +61,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Page_NotBuilt_AnswersInOneLineWithTheRemedy()
+    public async Task Page_NotBuilt_AnswersOneLineWithTheRemedy()
     {
         var counters = new ConnectionCounters();
         var accessControl = new AccessControl(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });
@@ -87,7 +87,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_Requested_LiesBetweenRequestAndAnswerInOrder()
+    public async Task Time_Requested_IsBetweenRequestAndAnswer()
     {
         var clock = new StopwatchControlClock(Gateways.Start) { Resolution = TimeSpan.FromMicroseconds(250), IsSynchronised = false };
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -119,7 +119,7 @@ public class CodePageTests
     [TestCase(null, HttpStatusCode.Unauthorized)]
     [TestCase("guess", HttpStatusCode.Unauthorized)]
     [TestCase(Gateways.ObserverToken, HttpStatusCode.OK)]
-    public async Task Time_WithTokens_RequiresOne(string token, HttpStatusCode status)
+    public async Task Time_GatewayWithTokens_RequiresAToken(string token, HttpStatusCode status)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 
@@ -129,7 +129,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_ConnectionBeyondTheLimit_IsRefusedUntilAnotherConnectionEnds()
+    public async Task Time_TooManyConnections_IsRefusedUntilAnotherEnds()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawWebSocket.ConnectAsync(gateway);
@@ -138,7 +138,7 @@ public class CodePageTests
         Assert.That(await first.RequestAsync(Empty, TimeRequest), Does.StartWith("HTTP/1.1 200 "));
         Assert.That(await second.RequestAsync(Empty, TimeRequest), Does.StartWith("HTTP/1.1 503 ").And.Contain("Connection: close"));
         first.Dispose();
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "place given back");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "no longer counted");
 
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.RoundTripAsync();
@@ -151,7 +151,7 @@ public class CodePageTests
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SyncRequestsPerSecond = 1 });
         using var hasty = await RawWebSocket.ConnectAsync(gateway);
 
-        // Both requests are sent at once, so that even on a busy machine they are less than a second apart.
+        // Sends both requests together, so that they are less than a second apart even on a busy machine.
         var request = $"{TimeRequest} HTTP/1.1\r\nHost: localhost\r\n{Empty}\r\n";
         await hasty.SendAsync(Encoding.ASCII.GetBytes(request + request));
 
@@ -161,7 +161,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_UnknownHostName_AnswersWithTheGatewaysNames()
+    public async Task Time_UnknownHostName_AnswersWithTheHostNamesOfTheGateway()
     {
         await using var gateway = await Gateways.StartAsync();
 

@@ -4,7 +4,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The configuration file and --check as used on a command line.</summary>
+/// <summary>Tests the configuration file and --check through the command line.</summary>
 public class ConfigurationTests
 {
     string _folder;
@@ -46,7 +46,7 @@ public class ConfigurationTests
     [TestCase("check: true", "no such entry")]
     [TestCase("config: other.yaml", "no such entry")]
     [TestCase("? [a]\n: b", "a key must be a word")]
-    [TestCase("clock: UPPER", "'UPPER' names no clock")]
+    [TestCase("clock: UPPER", "'UPPER' is not the name of a clock")]
     [TestCase("\"a", ": not valid YAML")]
     [TestCase("plants: []", "has no value")]
     [TestCase("ws-port: []", "is a list; give one value")]
@@ -60,7 +60,7 @@ public class ConfigurationTests
     [TestCase("!all {cell: foo}", "\"key: value\"")]
     [TestCase("[a, b]", "\"key: value\"")]
     [TestCase("word", "\"key: value\"")]
-    public async Task Entry_Invalid_IsReportedInOneLineWithFileLineAndKey(string entry, string part)
+    public async Task Entry_Invalid_IsReportedInOneLineWithFileLineNumberAndKey(string entry, string part)
     {
         foreach (var isCheck in new[] { true, false })
         {
@@ -77,7 +77,7 @@ public class ConfigurationTests
     [TestCase("{pairing: headsets.txt, cell: --tls}")]
     [TestCase("{pairing: headsets.txt, cell: press.urdf}")]
     [TestCase("skew-ppm: -5")]
-    public async Task Entry_LooksLikeAnArgument_IsReadAsItsValue(string entry)
+    public async Task Entry_ValueLooksLikeAnArgument_IsReadAsAValue(string entry)
     {
         var (status, _, errors) = await CheckAsync(entry, "--ws-port", "0", "--sync-port", "0");
 
@@ -95,7 +95,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Entries_AlsoOnTheCommandLine_AreOverridden()
+    public async Task Entries_AlsoGivenOnTheCommandLine_AreOverridden()
     {
         var (status, output, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\ncell: from the file\nbind: 127.0.0.2\n", "--bind", "localhost");
 
@@ -115,7 +115,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Paths_Relative_StartAtTheFolderOfTheFile()
+    public async Task Paths_Relative_AreResolvedInTheFolderOfTheFile()
     {
         Save("observer a-token-of-an-observer\n", "tokens.txt");
 
@@ -127,7 +127,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Robot_ByFile_StartsAtTheFolderOfTheFile()
+    public async Task Robot_RelativePath_IsResolvedInTheFolderOfTheFile()
     {
         File.Copy(Path.Combine(AppContext.BaseDirectory, "Robots", "ur5.urdf"), Path.Combine(_folder, "press.xml"));
 
@@ -164,14 +164,14 @@ public class ConfigurationTests
         Assert.That(status, Is.EqualTo(2));
         foreach (var part in new[] { "old.pfx", "tokens.txt, line 1", "headsets.txt, line 1", "is a file", "none.urdf" })
             Assert.That(errors, Has.Some.Contains(part), string.Join(" | ", errors));
-        // Errors in tokens.txt and headsets.txt name the lines of these files.
+        // Errors in tokens.txt and headsets.txt contain the line numbers of these files.
         foreach (var (line, part) in new[] { (3, "certificate: "), (6, "recordings "), (7, "robot: "), (8, "plants: ") })
             Assert.That(errors, Has.Some.Contains($"gateway.yaml:{line}: {part}"), string.Join(" | ", errors));
         Assert.That(output, Does.Not.Contain("state checked"));
     }
 
     [Test]
-    public async Task Check_PortsInUse_NamesThemAndSucceeds()
+    public async Task Check_PortsInUse_ReportsThemAndSucceeds()
     {
         await using var other = await Gateways.StartAsync();
         var (sync, webSocket) = (other.SyncEndPoint.Port, other.WebSocketEndPoint.Port);
@@ -187,7 +187,7 @@ public class ConfigurationTests
         Assert.That(started.Errors.Single(), Does.Contain("gateway.yaml:2: sync-port "));
     }
 
-    // A start may be repeated until the address exists, but a check must report it.
+    // A service manager can repeat a start until the address exists, but a check must report that it is missing.
     [Test]
     public async Task Bind_AddressOfAnotherMachine_IsReportedInsteadOfThePorts()
     {
@@ -214,10 +214,10 @@ public class ConfigurationTests
         }
     }
 
-    // No user can create files in /proc, including root. A start continues nevertheless, as with a disk that fails later.
+    // No user, not even root, can create files in /proc. Only a check reports the folder: a start continues, as if the disk failed later.
     [Test]
     [Platform("Linux")]
-    public async Task Check_RecordingsFolderNotWritable_IsReportedWithItsLine()
+    public async Task Check_RecordingsFolderNotWritable_ReportsItWithItsLineNumber()
     {
         var (status, _, errors) = await CheckAsync("ws-port: 0\nsync-port: 0\nrecordings: /proc\n");
 
@@ -237,7 +237,7 @@ public class ConfigurationTests
     [TestCase("robot: none.urdf", "robot: ", "none.urdf: file not found")]
     [TestCase("certificate-key: a.pem", "certificate-key: needs --certificate")]
     [TestCase("plants: [none.yaml]", "plants: ", "none.yaml: file not found")]
-    public async Task Entry_Unusable_IsReportedWithItsLineByCheckAndStart(string entry, string part, string more = "")
+    public async Task Entry_Unusable_IsReportedWithItsLineNumberByCheckAndStart(string entry, string part, string more = "")
     {
         foreach (var isCheck in new[] { true, false })
         {
@@ -277,11 +277,11 @@ public class ConfigurationTests
         foreach (var error in errors) Assert.That(error, Does.Match(@"(tokens\.txt|stationary-objects\.json): cannot be read").Or.Contain("press.yaml: file not found"));
     }
 
-    // Matches "# key: value" with a key of one word.
+    // Whether a line is a commented-out entry, "# key: value".
     static bool IsKey(string line) => System.Text.RegularExpressions.Regex.IsMatch(line, "^# [a-z-]+:( |$)");
 
     [Test]
-    public void Parse_DeeplyNested_IsRefusedQuickly()
+    public void Parse_DeeplyNestedText_IsRefusedQuickly()
     {
         foreach (var text in new[] { new string('[', 60_000), string.Concat(Enumerable.Repeat("a: {", 15_000)), string.Concat(Enumerable.Repeat("? ", 30_000)) })
         {

@@ -10,14 +10,14 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The gateway keeps no data of a client that has disconnected.</summary>
+/// <summary>Tests that the gateway keeps no data of a client that has disconnected.</summary>
 [NonParallelizable]
 public class DepartedClientTests
 {
     const int Clients = 100;
 
     [Test]
-    public void Session_Disposed_IsNotReferenced()
+    public void Session_Disposed_IsNoLongerReferenced()
     {
         var hub = new MessageHub();
         var plant = new PlantClocks(null, new StopwatchHeadsetClock());
@@ -34,7 +34,7 @@ public class DepartedClientTests
     }
 
     [Test]
-    public async Task Clients_DisconnectedFromBothPorts_ReleaseConnectionsAndTopics()
+    public async Task Clients_DisconnectedFromBothPorts_LeaveNoConnectionsAndTopics()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         var topics = gateway.Hub.Topics;
@@ -44,7 +44,7 @@ public class DepartedClientTests
             using var socket = await RawRosbridgeClient.ConnectAsync(
                 gateway, set => set.SetRequestHeader("Authorization", "Bearer " + Gateways.SourceToken));
             await socket.SendAsync(RosbridgeWriter.Subscribe($"/topic_{i}"));
-            await socket.ReceiveAsync(); // a warning: the gateway has no such topic
+            await socket.ReceiveAsync(); // the warning that the gateway has no such topic
             await socket.SendAsync(Gateways.StateText(i, $"joint_{i}"));
             await socket.RoundTripAsync();
             using var sync = await RawSyncClient.ConnectAsync(gateway);
@@ -55,7 +55,7 @@ public class DepartedClientTests
         await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all gone");
         Assert.That(gateway.Hub.Topics, Is.EqualTo(topics));
         Assert.That(gateway.WatchedTokens, Is.Zero);
-        await Soon.BecomesAsync(() => gateway.PendingCount == 0, "no place is taken");
+        await Soon.BecomesAsync(() => gateway.PendingCount == 0, "no connection is counted");
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]

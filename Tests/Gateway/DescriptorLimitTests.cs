@@ -17,7 +17,7 @@ public class DescriptorLimitTests
     [TestCase(2000, 1024ul, "use 1 to 387, or raise the limit")]
     [TestCase(1, 200ul, "the system allows 200; raise the limit to 252")]
     [TestCase(10_000, ulong.MaxValue, null)]
-    public void Problem_LimitOfTheSystem_IsComparedWithTheConnections(int maxConnections, ulong allowed, string part)
+    public void Problem_LimitTooLowForTheConnections_ReturnsTheRemedy(int maxConnections, ulong allowed, string part)
     {
         var problem = DescriptorLimit.Problem(maxConnections, allowed);
 
@@ -25,7 +25,7 @@ public class DescriptorLimitTests
     }
 
     [Test]
-    public async Task Gateway_WithTooFewDescriptors_EndsWithOneLine()
+    public async Task Gateway_TooFewDescriptors_EndsWithOneLine()
     {
         if (OperatingSystem.IsWindows()) Assert.Ignore("Windows has no such limit");
         using var gateway = PeerProcess.OfShell(

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The poses that headsets display, sent to observers.</summary>
+/// <summary>Tests how the gateway forwards the poses that headsets display.</summary>
 public class DisplayedTopicTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
@@ -19,7 +19,7 @@ public class DisplayedTopicTests
         gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
 
     [Test]
-    public async Task Displayed_FromAnObserver_ReachesSubscribersButIsNotASample()
+    public async Task Displayed_PublishedByAnObserver_ReachesSubscribersButIsNoSample()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var page = await ObserverAsync(gateway);
@@ -35,7 +35,7 @@ public class DisplayedTopicTests
         Assert.That(shown.Displayed.FrameId, Is.EqualTo("left door"));
         Assert.That(shown.Displayed.Stamp, Is.EqualTo(Gateways.Start));
         Assert.That(shown.Displayed.Positions, Is.EqualTo(new[] { 0.5 }));
-        await page.RoundTripAsync(); // no other message came
+        await page.RoundTripAsync(); // no other message has arrived
     }
 
     [Test]
@@ -71,10 +71,10 @@ public class DisplayedTopicTests
         await headset.SendAsync(Shown("h1"));
         await headset.ExpectErrorAsync("the name h1 belongs to another source");
         await other.Socket.CloseAsync(System.Net.WebSockets.WebSocketCloseStatus.NormalClosure, "", default).Bounded();
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the other one is gone");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the other has disconnected");
 
         await headset.SendAsync(Shown("h1"));
-        await headset.RoundTripAsync(); // no status came
+        await headset.RoundTripAsync(); // no status has arrived
     }
 
     [Test]
@@ -97,7 +97,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_LaterSubscriber_DoesNotReceiveIt()
+    public async Task Displayed_SubscribedAfterPublication_IsNotReceived()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -111,7 +111,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public async Task Displayed_StampAnHourAhead_IsDropped()
+    public async Task Displayed_TimeStampAnHourAhead_IsDropped()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var headset = await ObserverAsync(gateway);
@@ -133,7 +133,7 @@ public class DisplayedTopicTests
     }
 
     [Test]
-    public void Displayed_WithANameBeyondTheLimit_IsRefused()
+    public void Displayed_NameTooLong_IsRefused()
     {
         Assert.That(RosbridgeReader.TryRead(Shown(new string('x', ProtocolLimits.NameLength + 1)), out _, out var reason), Is.False);
         Assert.That(reason, Is.EqualTo(DropReason.NameTooLong));

@@ -8,7 +8,7 @@ public class FragmentCounterTests
     const int Seed = 5;
 
     [Test]
-    public void Pong_InPieces_IsPassedOnUnmasked()
+    public void Feed_PongInPieces_ReturnsItsUnmaskedPayload()
     {
         var pongs = new List<byte[]>();
         var counter = new FragmentCounter { Pong = payload => pongs.Add(payload.ToArray()) };
@@ -19,7 +19,7 @@ public class FragmentCounterTests
         foreach (var one in frames) counter.Feed([one]);
         counter.Feed(frames);
 
-        Assert.That(pongs, Is.EqualTo(Enumerable.Repeat(payload, 4)), "a pong without payload answers no ping of the gateway");
+        Assert.That(pongs, Is.EqualTo(Enumerable.Repeat(payload, 4)), "the pong without payload is ignored");
         Assert.That((counter.Take(), counter.Take(), counter.Take()), Is.EqualTo((1, 1, 0)));
     }
 
@@ -63,7 +63,7 @@ public class FragmentCounterTests
         _ => random.Next(65536, 70_000),
     };
 
-    // A frame as in RFC 6455, 5.2, masked like a client's. Its content does not matter, but is not zero.
+    // Adds a frame (RFC 6455, 5.2) that is masked like the frames of a client. The payload may be anything but zero.
     static void Frame(List<byte> into, Random random, int first, int length)
     {
         into.Add((byte)first);

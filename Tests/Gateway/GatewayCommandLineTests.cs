@@ -65,12 +65,12 @@ public class GatewayCommandLineTests
 
         var (status, errors) = await RunAsync(["serve", .. ports.Split(' ')]);
 
-        Assert.That(status, Is.EqualTo(1), "a service manager tries again what may pass");
+        Assert.That(status, Is.EqualTo(1), "with this status a service manager starts the gateway again, because the cause may be temporary");
         Assert.That(errors.Single(), Does.StartWith("nowpose-gateway: ").And.Contain(part));
     }
 
     [Test]
-    public async Task Serve_ConfiguredPortInUse_NamesItsLine()
+    public async Task Serve_ConfiguredPortInUse_ReportsItsLineInTheFile()
     {
         await using var other = await Gateways.StartAsync();
         using var file = new TemporaryFile($"ws-port: 0\nsync-port: {other.SyncEndPoint.Port}\n");

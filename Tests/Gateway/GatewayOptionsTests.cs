@@ -21,11 +21,11 @@ public class GatewayOptionsTests
     }
 
     [Test]
-    public void Start_PlainOnTheLan_RequiresInsecureLan() => Refuse(Lan, "--insecure-lan");
+    public void Start_UnencryptedOnTheLan_RequiresInsecureLan() => Refuse(Lan, "--insecure-lan");
 
     [TestCase(false)]
     [TestCase(true)]
-    public void Start_TokensOnThePlainLan_IsRefused(bool insecure) =>
+    public void Start_TokensWithoutTlsOnTheLan_IsRefused(bool insecure) =>
         Refuse(Lan with { Tokens = Gateways.Tokens, AllowInsecureLan = insecure }, "--tls");
 
     [Test]
@@ -38,7 +38,7 @@ public class GatewayOptionsTests
     }
 
     [Test]
-    public async Task Start_PlainOnTheLanWhenAllowed_Runs()
+    public async Task Start_UnencryptedOnTheLanWithInsecureLan_Runs()
     {
         await using var gateway = await Gateways.StartAsync(Lan with { AllowInsecureLan = true });
 
@@ -46,11 +46,11 @@ public class GatewayOptionsTests
     }
 
     [Test]
-    public async Task Start_PortInUse_NamesIt()
+    public async Task Start_PortInUse_ThrowsWithTheOption()
     {
         await using var gateway = await Gateways.StartAsync();
 
-        // This is not invalid input, because the port may be free at the next start.
+        // The exception is not an InputException, because the port may be free at the next start.
         Refuse<IOException>(Gateways.Options() with { SyncPort = gateway.SyncEndPoint.Port }, $"--sync-port {gateway.SyncEndPoint.Port}");
         Refuse<IOException>(
             Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");

@@ -22,7 +22,7 @@ public sealed class HeadsetFileTests
     public void Remove() => Directory.Delete(_folder, true);
 
     [Test]
-    public void Add_SeveralHeadsets_AreLoadedInTheirOrder()
+    public void Load_SeveralHeadsetsAdded_ReturnsThemInOrder()
     {
         HeadsetFile.Open(_path);
         HeadsetFile.Add(_path, First);
@@ -43,7 +43,7 @@ public sealed class HeadsetFileTests
     }
 
     [Test]
-    public void Remove_OneEntry_KeepsCommentsOtherEntriesAndFileMode()
+    public void Remove_OneHeadset_KeepsCommentsOtherHeadsetsAndTheFileMode()
     {
         HeadsetFile.Open(_path);
         HeadsetFile.Add(_path, First);
@@ -76,7 +76,7 @@ public sealed class HeadsetFileTests
     }
 
     [Test]
-    public void List_DamagedLine_RevokedTokensAreRefused()
+    public void List_RevocationAndADamagedLine_RefusesTheRevokedToken()
     {
         var log = new List<string>();
         HeadsetFile.Open(_path);
@@ -96,7 +96,7 @@ public sealed class HeadsetFileTests
     [TestCase("observer sha256/AAAA 2026-11-20T12:00:00Z a")]
     [TestCase("observer sha256/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA= yesterday a")]
     [TestCase("observer sha256/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA= 2026-11-20T12:00:00Z")]
-    public void Load_OtherLine_NamesFileAndLineOnly(string line)
+    public void Load_InvalidLine_ThrowsWithFileAndLineNumberOnly(string line)
     {
         File.WriteAllText(_path, "# head\n" + line + "\n");
 
@@ -109,7 +109,8 @@ public sealed class HeadsetFileTests
     [TestCase(" \t\n", "headset")]
     [TestCase(" a\u0000b\n ", "ab")]
     [TestCase("a\u202Eb\u2028c\u200Bd", "abcd")]
-    public void NameOf_AnyText_IsOneLine(string name, string expected) => Assert.That(PairedHeadset.NameOf(name), Is.EqualTo(expected));
+    public void NameOf_TextWithControlCharacters_IsOneLineWithoutThem(string name, string expected) =>
+        Assert.That(PairedHeadset.NameOf(name), Is.EqualTo(expected));
 
     [Test]
     public void NameOf_LongText_IsShortened() => Assert.That(PairedHeadset.NameOf(new string('a', 500)), Has.Length.EqualTo(64));

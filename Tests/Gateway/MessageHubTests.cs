@@ -28,7 +28,7 @@ public class MessageHubTests
         Assert.That(second.TryPublish(Gateways.State(2, "c", "b")), Is.EqualTo("b"));
         Assert.That(_received.Count, Is.EqualTo(1));
 
-        // The refused message reserves none of its joints.
+        // The hub has reserved no joints of the refused message for its source.
         using var third = _hub.OpenSource();
         Assert.That(third.TryPublish(Gateways.State(3, "c")), Is.Null);
     }
@@ -57,7 +57,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Release_Topic_ReleasesOnlyThatTopic()
+    public void Release_OneTopic_KeepsTheOthers()
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
@@ -72,7 +72,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscribe_AfterTheDescription_ReceivesTheNewest()
+    public void Subscribe_AfterTheDescription_ReceivesTheNewestDescription()
     {
         using var source = _hub.OpenSource();
         source.TryDescribe("<old/>");
@@ -99,7 +99,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscriptions_ToManyTopics_AreRemoved()
+    public void Dispose_SubscriptionsToManyTopics_RemovesTheTopics()
     {
         var before = _hub.Topics;
         var other = _hub.Subscribe("/other", _ => { });
@@ -107,7 +107,7 @@ public class MessageHubTests
         {
             var twice = new[] { _hub.Subscribe($"/topic{i}", _ => { }), _hub.Subscribe($"/topic{i}", _ => { }) };
             foreach (var subscription in twice) subscription.Dispose();
-            // Disposing twice has no effect.
+            // Disposing a subscription a second time must have no effect.
             twice[0].Dispose();
         }
 
@@ -117,7 +117,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscribe_TopicWithoutSubscribersBefore_ReceivesTheDescriptionAndLaterMessages()
+    public void Subscribe_FirstSubscriberOfATopic_ReceivesTheDescriptionAndLaterMessages()
     {
         using var source = _hub.OpenSource();
         _hub.Subscribe(RosTopics.RobotDescription, _ => { }).Dispose();
@@ -141,7 +141,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Subscribe_AfterSetPoints_ReceivesTheNewestOfEachSource()
+    public void Subscribe_AfterSetPoints_ReceivesTheNewestSetPointsOfEachSource()
     {
         using var arm = _hub.OpenSource();
         var gripper = _hub.OpenSource();

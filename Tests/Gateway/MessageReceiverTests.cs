@@ -11,7 +11,7 @@ public class MessageReceiverTests
 {
     [TestCase(4.9, DropReason.None)]
     [TestCase(5.1, DropReason.TooSlow)]
-    public async Task Message_CompletedTooLate_IsDroppedAndTheNextAccepted(double seconds, object expected)
+    public async Task Message_CompletedAfterSeconds_IsDroppedIfLateAndTheNextIsAccepted(double seconds, object expected)
     {
         var time = new ManualTime();
         using var socket = new ScriptedWebSocket(
@@ -29,7 +29,7 @@ public class MessageReceiverTests
         Assert.That(next, Is.EqualTo(("the next", DropReason.None, (Closure?)null, Count(seconds + 60 + 4.9))));
     }
 
-    // Copies the text, because the next message is received into the same memory.
+    // Copies the text, because the next message is written to the same memory.
     static (string Text, DropReason Fault, Closure? End, long Count) Content(in Received received) =>
         (Encoding.UTF8.GetString(received.Utf8.Span), received.Fault, received.End, received.Count);
 

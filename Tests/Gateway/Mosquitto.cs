@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Debian's MQTT broker on a free port of loopback, stopped with the test.</summary>
+/// <summary>Runs Debian's MQTT broker mosquitto on a free port of loopback. Dispose stops it.</summary>
 sealed class Mosquitto : IDisposable
 {
     readonly string _file;
@@ -31,10 +31,10 @@ sealed class Mosquitto : IDisposable
             var broker = new Mosquitto(file, port);
             await broker.ListensAsync();
             if (!broker._process.HasExited) return broker;
-            // Another program took the port in the meantime. Any other reason is an error.
-            var said = await broker._process.StandardError.ReadToEndAsync();
+            // Another program has taken the port in the meantime. Any other reason is an error.
+            var output = await broker._process.StandardError.ReadToEndAsync();
             broker.Dispose();
-            Assert.That(said, Does.Contain("in use"), "why mosquitto ended");
+            Assert.That(output, Does.Contain("in use"), "why mosquitto ended");
         }
     }
 
@@ -45,7 +45,7 @@ sealed class Mosquitto : IDisposable
         _process.WaitForExit();
     }
 
-    /// <summary>Starts the broker again, on the same port.</summary>
+    /// <summary>Starts the broker again on the same port.</summary>
     public async Task RestartAsync()
     {
         _process.Dispose();
@@ -66,7 +66,7 @@ sealed class Mosquitto : IDisposable
             }
             catch (Win32Exception)
             {
-                // Debian installs it in a folder that is only on root's path.
+                // Debian installs mosquitto in a folder that only root has in PATH.
             }
         }
 

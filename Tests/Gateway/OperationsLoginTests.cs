@@ -8,7 +8,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The log-in of a browser, which opens pages and WebSockets without the token's header.</summary>
+/// <summary>Tests the login of a browser, which cannot send the header with the token when it opens pages and WebSockets.</summary>
 public sealed class OperationsLoginTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
@@ -46,7 +46,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Cookie_InventedOrOfAnotherGateway_Is401()
+    public async Task Request_CookieInventedOrOfAnotherGateway_Returns401()
     {
         await using var other = await Gateways.StartAsync(WithTokens);
         await using var gateway = await Gateways.StartAsync(WithTokens);
@@ -58,7 +58,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Cookie_AfterItsTokenWasRevoked_Is401()
+    public async Task Request_TokenOfTheCookieRevoked_Returns401()
     {
         await using var gateway = await PairingGateway.StartAsync(isSecure: false);
         var token = new HeadsetList(gateway.ListPath).Add("tablet", out _);
@@ -72,7 +72,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Cookie_AfterLogout_Is401()
+    public async Task Request_CookieUsedAfterLogout_Returns401()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var answer = await LoginAsync(gateway, Gateways.OperatorToken);
@@ -85,7 +85,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task WebSocket_AfterLogout_IsClosedAndOthersAreNot()
+    public async Task Logout_OpenWebSockets_ClosesOnlyThoseOfTheSession()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var answer = await LoginAsync(gateway, Gateways.OperatorToken);
@@ -103,7 +103,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Cookie_ForeignPage_Returns403()
+    public async Task Request_CookieFromAForeignPage_Returns403()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var answer = await LoginAsync(gateway, Gateways.OperatorToken);
@@ -120,7 +120,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Login_WrongTokens_Return401ThenAreBlocked()
+    public async Task Login_ManyWrongTokens_Returns401ThenBlocks()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         for (var i = 0; i < 10; i++)
@@ -160,7 +160,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Page_WithoutAToken_IsServedForItsForm()
+    public async Task Page_RequestedWithoutAToken_IsServedWithTheLoginForm()
     {
         if (Nowpose.Web.OperationsPage.Html == null) Assert.Ignore("built without Node.js");
         await using var gateway = await Gateways.StartAsync(WithTokens);

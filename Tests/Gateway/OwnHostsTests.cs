@@ -10,14 +10,14 @@ public class OwnHostsTests
 
     [TestCase("0.0.0.0")]
     [TestCase("::")]
-    public void Reachable_AllAddresses_AreAcceptedAsOrigin(string bind)
+    public void Reachable_BoundToAllAddresses_ReturnsHostsThatAreAccepted(string bind)
     {
         var hosts = OwnHosts.Reachable(IPAddress.Parse(bind)).ToList();
 
         Assert.That(hosts, Does.Contain(Environment.MachineName).And.None.EqualTo("0.0.0.0").And.None.EqualTo("[::]"));
         foreach (var host in hosts)
         {
-            // A host name may stand for any of the addresses.
+            // For a host name, the local address of the connection can be any address.
             var local = IPAddress.TryParse(Page(host).IdnHost, out var address) ? address : IPAddress.Parse("192.0.2.1");
             Assert.That(OwnHosts.Contain(Page(host), local), Is.True, host);
         }
@@ -26,7 +26,7 @@ public class OwnHostsTests
     [TestCase("127.0.0.1", "127.0.0.1")]
     [TestCase("192.0.2.7", "192.0.2.7")]
     [TestCase("2001:db8::7", "[2001:db8::7]")]
-    public void Reachable_OneAddress_ReturnsIt(string bind, string host)
+    public void Reachable_BoundToOneAddress_ReturnsThisAddress(string bind, string host)
     {
         Assert.That(OwnHosts.Reachable(IPAddress.Parse(bind)), Is.EqualTo(new[] { host }));
     }
@@ -34,7 +34,7 @@ public class OwnHostsTests
     [TestCase("127.0.0.1")]
     [TestCase("::ffff:192.0.2.7")]
     [TestCase("2001:db8::7")]
-    public void Of_Address_ReturnsAcceptedHostsOnly(string local)
+    public void Of_LocalAddress_ReturnsHostsThatAreAccepted(string local)
     {
         var address = IPAddress.Parse(local);
 

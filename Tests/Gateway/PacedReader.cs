@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>A client that subscribes to joint states, reads a given number of bytes at a time, and answers each ping when it reads it.</summary>
+/// <summary>Subscribes to joint states, reads a limited number of bytes at a time, and answers each ping when it has read the ping.</summary>
 sealed class PacedReader : IDisposable
 {
     const int Header = 2, LongHeader = 4;
@@ -18,23 +18,23 @@ sealed class PacedReader : IDisposable
 
     PacedReader(RawWebSocket socket) => _socket = socket;
 
-    /// <summary>Stamp of the newest joint state read.</summary>
+    /// <summary>Time stamp of the newest joint state that was read.</summary>
     public ControlTime Newest { get; private set; }
 
-    /// <summary>Number of joint states read.</summary>
+    /// <summary>Number of joint states that were read.</summary>
     public int Samples { get; private set; }
 
-    /// <summary>Longest time from the stamp of a joint state to the time at which it was read.</summary>
+    /// <summary>Largest age of a joint state when it was read, measured from its time stamp.</summary>
     public TimeSpan MaxAge { get; private set; }
 
     public int Pongs { get; private set; }
 
-    /// <param name="receiveBytes">Size of the system's receive buffer; 0 leaves the default.</param>
+    /// <param name="receiveBytes">Size of the socket's receive buffer; 0 keeps the default of the system.</param>
     public static async Task<PacedReader> OpenAsync(GatewayServer gateway, int receiveBytes = 0)
     {
         var reader = new PacedReader(await RawWebSocket.OpenAsync(gateway, receiveBytes: receiveBytes));
         await reader._socket.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.Subscribe(RosTopics.JointStates)));
-        // The subscription is active when the call after it is answered.
+        // When the gateway has answered this call, the subscription is active.
         await reader._socket.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.CallService(RosTopics.GetTime, "subscribed")));
         await reader._socket.Stream.ReadExactlyAsync(reader._buffer.AsMemory(0, Header)).AsTask().Bounded();
         var rest = reader._buffer[1] == LongLength ? await reader.LongLengthAsync() : reader._buffer[1];
@@ -42,8 +42,8 @@ sealed class PacedReader : IDisposable
         return reader;
     }
 
-    /// <summary>Reads the received bytes, up to a maximum number.</summary>
-    /// <param name="now">Time of the reading.</param>
+    /// <summary>Reads at most this number of received bytes.</summary>
+    /// <param name="now">Control time at which the bytes are read.</param>
     public async Task ReadAsync(int bytes, ControlTime now)
     {
         var count = Math.Min(Math.Min(bytes, _socket.Available), _buffer.Length - _length);

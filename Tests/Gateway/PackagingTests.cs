@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The files that start the gateway at boot and in a container. Neither can run here, so tools check the files.</summary>
+/// <summary>Tests the files with which systemd and containers start the gateway. Neither can run in a test, so tools check the files.</summary>
 public class PackagingTests
 {
     const string Program = "/opt/nowpose-gateway/Nowpose.Gateway";
@@ -26,7 +26,7 @@ public class PackagingTests
 
     static string Unit => File.ReadAllText(Path.Combine(Folder, "nowpose-gateway.service"));
 
-    // The program is not installed on the test machine.
+    // Saves the unit with another path of the program, because the program is not installed on the test machine.
     string SavedUnit()
     {
         var path = Path.Combine(_folder, "nowpose-gateway.service");
@@ -47,7 +47,7 @@ public class PackagingTests
     }
 
     [Test]
-    public void Gateway_IdleThreads_DoNotSpin()
+    public void Gateway_ThreadsIdle_DoNotSpin()
     {
         using var settings = JsonDocument.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "Nowpose.Gateway.runtimeconfig.json")));
 
@@ -61,7 +61,7 @@ public class PackagingTests
         var (status, output) = Analyze("verify", "--man=no", SavedUnit());
 
         Assert.That(status, Is.EqualTo(0), output);
-        Assert.That(output, Does.Not.Contain("nowpose-gateway.service:"), "no entry is passed over");
+        Assert.That(output, Does.Not.Contain("nowpose-gateway.service:"), "no entry is ignored");
     }
 
     [Test]
@@ -75,10 +75,10 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_User_IsUnprivilegedAndMayCompileAtRunTime()
+    public void Unit_Sandbox_HasAnUnprivilegedUserAndAllowsRuntimeCompilation()
     {
         Assert.That(Unit, Does.Contain("\nType=exec\n").And.Contain("\nUser=nowpose\nGroup=nowpose\n").And.Contain("\nNoNewPrivileges=yes\n"));
-        Assert.That(Unit, Does.Not.Match(@"(?m)^MemoryDenyWriteExecute"), ".NET and Node.js compile as they run");
+        Assert.That(Unit, Does.Not.Match(@"(?m)^MemoryDenyWriteExecute"), ".NET and Node.js compile at runtime");
         Assert.That(Unit, Does.Not.Match(@"(?mi)^User=root"));
     }
 
@@ -91,15 +91,16 @@ public class PackagingTests
     }
 
     [Test]
-    public void Unit_TemporaryFault_IsRetriedForever()
+    public void Unit_GatewayFails_IsRestartedWithoutLimit()
     {
         Assert.That(Unit, Does.Contain("\nStartLimitIntervalSec=0\n").And.Contain("\nRestart=on-failure\n"));
         Assert.That(Unit, Does.Not.Contain("StartLimitBurst"));
     }
 
-    // A copy would keep tokens that are removed from the file, and a check before the start would be repeated forever.
+    // The unit must not copy the tokens: a copy would still contain tokens that were removed from the file. It must not check the
+    // configuration before the start either, because a failed check would be repeated forever.
     [Test]
-    public void Unit_Tokens_AreReadFromTheFileWithoutPreparation()
+    public void Unit_TokensFile_IsReadDirectlyWithoutPreparation()
     {
         var entries = Unit.Split('\n').Where(line => !line.StartsWith('#')).ToArray();
 
@@ -139,12 +140,12 @@ public class PackagingTests
     }
 
     [Test]
-    public void Container_Node_IsFromOnePinnedImage()
+    public void Container_Node_IsCopiedFromOnePinnedImage()
     {
         var text = File.ReadAllText(Path.Combine(Folder, "Containerfile"));
 
         Assert.That(text, Does.Match(@"(?m)^FROM docker\.io/library/node:22-\S+ AS node$").And.Not.Match("apt-get install [^&]*nodejs"));
-        Assert.That(Regex.Count(text, "(?m)^COPY --from=node /usr/local/bin/node "), Is.EqualTo(2), "where it is built, and where it runs");
+        Assert.That(Regex.Count(text, "(?m)^COPY --from=node /usr/local/bin/node "), Is.EqualTo(2), "in the build stage and the final stage");
     }
 
     [Test]

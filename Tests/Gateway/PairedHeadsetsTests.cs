@@ -4,11 +4,11 @@ using static Nowpose.Headless.Tests.Gateway.RosbridgeAnswer;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The gateway's list of the paired headsets.</summary>
+/// <summary>Tests the gateway's list of paired headsets.</summary>
 public sealed class PairedHeadsetsTests
 {
     [Test]
-    public async Task List_Restarted_HasOnlyHashesAndStillAcceptsTheToken()
+    public async Task List_GatewayRestarted_ContainsOnlyHashesAndStillAcceptsTheToken()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token, "Anna's\n \u0007headset")).Token;
@@ -37,7 +37,7 @@ public sealed class PairedHeadsetsTests
     }
 
     [Test]
-    public async Task Pairings_Revoke_RemovesTheHeadsetsOfThatName()
+    public async Task Pairings_Revoke_RemovesAllHeadsetsOfThatName()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var first = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token, "Anna's headset")).Token;
@@ -51,7 +51,7 @@ public sealed class PairedHeadsetsTests
     }
 
     [Test]
-    public async Task List_DamagedWhileRunning_IsLoggedOnceAndTheFormerStaysInUse()
+    public async Task List_DamagedWhileRunning_IsLoggedOnceAndTheFormerListIsUsed()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token)).Token;
@@ -64,7 +64,7 @@ public sealed class PairedHeadsetsTests
     }
 
     [Test]
-    public async Task List_CannotBeWritten_Is503AndTheCodeStaysValid()
+    public async Task Exchange_ListCannotBeWritten_Returns503AndTheCodeStaysValid()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();

@@ -7,14 +7,14 @@ using static Nowpose.Headless.Tests.Gateway.RosbridgeAnswer;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The exchange of a shown code for a token: the headset's side and the gateway's side, over sockets of this machine.</summary>
+/// <summary>Tests the exchange of a pairing code for a token between headset and gateway, over sockets of this machine.</summary>
 public sealed class PairingExchangeTests
 {
     static readonly CertificatePin OtherPin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));
 
     [TestCase(true)]
     [TestCase(false)]
-    public async Task Exchange_ShownCode_ReturnsAnAcceptedToken(bool isSecure)
+    public async Task Exchange_DisplayedCode_ReturnsAValidToken(bool isSecure)
     {
         await using var gateway = await PairingGateway.StartAsync(isSecure);
         Assert.That(await RosbridgeStatusAsync(gateway, null), Is.EqualTo(HttpStatusCode.Unauthorized), "the gateway requires a token");
@@ -29,7 +29,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Token_OfAHeadset_OpensTheSyncConnection()
+    public async Task Token_OfAPairedHeadset_OpensTheSyncConnection()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token)).Token;
@@ -44,7 +44,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Exchange_SameCodeTwice_WorksOnce()
+    public async Task Exchange_SameCodeTwice_SucceedsOnlyOnce()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -59,7 +59,7 @@ public sealed class PairingExchangeTests
 
     [TestCase(299, true)]
     [TestCase(300, false)]
-    public async Task Exchange_CodeOfAnyAge_IsAcceptedForFiveMinutes(int seconds, bool works)
+    public async Task Exchange_CodeOfSomeSeconds_SucceedsWithinFiveMinutes(int seconds, bool works)
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -71,7 +71,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Renew_ShownCode_InvalidatesTheFormer()
+    public async Task Renew_CodeDisplayed_InvalidatesTheFormerCode()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var former = await gateway.ShownAsync();
@@ -84,7 +84,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Exchange_NoCodeShown_IsRefused()
+    public async Task Exchange_NoCodeDisplayed_IsRefused()
     {
         await using var gateway = await PairingGateway.StartAsync();
 
@@ -110,7 +110,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Exchange_OtherKeyThanPinned_SendsNothing()
+    public async Task Exchange_GatewayKeyDiffersFromThePin_SendsNothing()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();

@@ -11,11 +11,11 @@ using Nowpose.Pairing;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Access to the page and its code. Web/test checks its drawing in a browser.</summary>
+/// <summary>Tests the access to the pairing page and its code. Web/test checks the drawing in a browser.</summary>
 public sealed class PairingPageTests
 {
     [Test]
-    public async Task Page_OfThisMachine_ContainsNoSecret()
+    public async Task Page_RequestedFromThisMachine_ContainsNoSecret()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -31,12 +31,12 @@ public sealed class PairingPageTests
     [TestCase("GET", "/pair")]
     [TestCase("POST", "/pair/code")]
     [TestCase("POST", "/pair/cell")]
-    public async Task Request_UnderAnotherHostName_Is403(string method, string path)
+    public async Task Request_WithAnotherHostName_Returns403(string method, string path)
     {
         await using var gateway = await PairingGateway.StartAsync();
         using var body = new StringContent("{}");
 
-        // A page whose host name was redirected to this machine sends such a request (DNS rebinding).
+        // With DNS rebinding, a foreign page whose host name has been redirected to this machine sends such a request.
         var (status, text) = await gateway.SendAsync(new HttpMethod(method), path, method == "POST" ? body : null, ("Host", "evil.example"));
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
@@ -51,7 +51,7 @@ public sealed class PairingPageTests
     [TestCase("127.0.0.1", "127.0.0.1", null, 200)]
     [TestCase("::ffff:10.0.0.9", "::ffff:10.0.0.7", null, 403)]
     [TestCase("::1", "::1", null, 200)]
-    public async Task Code_RequestedFromAnAddress_IsReturnedOnlyToThisMachineAndOperators(string remote, string local, string token, int expected)
+    public async Task Code_RequestedByAClient_IsReturnedOnlyToThisMachineAndOperators(string remote, string local, string token, int expected)
     {
         using var folder = new TemporaryFile("");
         var options = Gateways.Options() with { Headsets = new HeadsetList(folder.Path), Tokens = Gateways.Tokens };
@@ -72,8 +72,8 @@ public sealed class PairingPageTests
         await routes.ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();
 
         Assert.That(context.Response.StatusCode, Is.EqualTo(expected));
-        var told = Encoding.UTF8.GetString(((MemoryStream)context.Response.Body).ToArray());
-        Assert.That(told.Contains("nowpose:token"), Is.EqualTo(expected == 200));
+        var body = Encoding.UTF8.GetString(((MemoryStream)context.Response.Body).ToArray());
+        Assert.That(body.Contains("nowpose:token"), Is.EqualTo(expected == 200));
     }
 
     [Test]
@@ -100,7 +100,7 @@ public sealed class PairingPageTests
     }
 
     [Test]
-    public async Task Code_GatewayWithTls_ShowsTheKeyOfTheQuestion()
+    public async Task Code_GatewayWithTls_ContainsTheKeyThatAHeadsetShows()
     {
         await using var gateway = await PairingGateway.StartAsync();
 

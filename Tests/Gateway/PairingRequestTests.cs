@@ -5,15 +5,15 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Pairing requests that the gateway refuses, and requests without a valid answer.</summary>
+/// <summary>Tests pairing requests that the gateway refuses, and requests without a valid answer.</summary>
 public sealed class PairingRequestTests
 {
     [Test]
-    public void Exchange_PlainToAnotherMachine_IsRefusedWithoutConnection() => Assert.ThrowsAsync<InputException>(
+    public void Exchange_UnencryptedToAnotherMachine_IsRefusedWithoutConnection() => Assert.ThrowsAsync<InputException>(
         () => PairingRequest.SendAsync(new ConnectionSettings("10.0.0.7", insecureLan: true), "token", CancellationToken.None));
 
     [Test]
-    public async Task Exchange_PairingDisabled_NamesTheOption()
+    public async Task Exchange_PairingDisabled_FailsWithTheNameOfTheOption()
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -63,7 +63,7 @@ public sealed class PairingRequestTests
     [TestCase("{\"token\":1,\"name\":\"a\"}")]
     [TestCase("{\"token\":\"a\",\"token\":\"a\",\"name\":\"a\"}")]
     [TestCase("{\"token\":{\"a\":{}},\"name\":\"a\"}")]
-    public async Task Request_Malformed_Is400(string body)
+    public async Task Request_Malformed_Returns400(string body)
     {
         await using var gateway = await PairingGateway.StartAsync();
 
@@ -74,7 +74,7 @@ public sealed class PairingRequestTests
     }
 
     [Test]
-    public async Task Request_TooLong_Is413()
+    public async Task Request_TooLong_Returns413()
     {
         await using var gateway = await PairingGateway.StartAsync();
 

@@ -24,7 +24,7 @@ public class PlantJointsTests
     }
 
     [Test]
-    public void Plants_MaximumNumberOfJoints_HaveAll()
+    public void Plants_MaximumNumberOfJoints_AreAccepted()
     {
         var robot = Chain(256);
 
@@ -33,7 +33,7 @@ public class PlantJointsTests
     }
 
     [Test]
-    public void Plants_TooManyJoints_ThrowWithNumberAndMaximum()
+    public void Plants_TooManyJoints_ThrowsWithNumberAndMaximum()
     {
         var robot = Chain(257);
 

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>A plain rosbridge client over a real socket.</summary>
+/// <summary>Minimal rosbridge client that sends and receives texts over a real socket.</summary>
 sealed class RawRosbridgeClient : IDisposable
 {
     readonly byte[] _buffer = new byte[2 * 1024 * 1024];
@@ -24,7 +24,7 @@ sealed class RawRosbridgeClient : IDisposable
         return client;
     }
 
-    /// <summary>Connects to another address than the gateway's own.</summary>
+    /// <summary>Connects to any address.</summary>
     public static async Task<RawRosbridgeClient> ConnectAsync(Uri uri, Action<ClientWebSocketOptions> set = null)
     {
         var client = new RawRosbridgeClient();
@@ -58,7 +58,7 @@ sealed class RawRosbridgeClient : IDisposable
         return message;
     }
 
-    /// <summary>Waits until the gateway has read everything sent before.</summary>
+    /// <summary>Calls a service and waits for the answer. The gateway has then handled all earlier messages of this client.</summary>
     public async Task<RosbridgeMessage> RoundTripAsync()
     {
         await SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "round trip"));
@@ -73,7 +73,7 @@ sealed class RawRosbridgeClient : IDisposable
         await RoundTripAsync();
     }
 
-    /// <summary>Expects a status of level error that contains the text.</summary>
+    /// <summary>Receives a message, which must be a status of the level error that contains the text.</summary>
     public async Task ExpectErrorAsync(string part)
     {
         var message = await ReceiveAsync();

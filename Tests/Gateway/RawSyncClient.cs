@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Sends and receives bytes on the sync port.</summary>
+/// <summary>Sends and receives bytes and frames on the sync port.</summary>
 sealed class RawSyncClient : IDisposable
 {
     readonly TcpClient _tcp;
@@ -44,7 +44,7 @@ sealed class RawSyncClient : IDisposable
         }
         catch (IOException)
         {
-            // The gateway closed the connection with unread bytes, which causes a reset.
+            // The gateway has closed the connection before it read all bytes, which causes a reset.
             return null;
         }
     }

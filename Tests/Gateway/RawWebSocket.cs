@@ -5,7 +5,7 @@ using Nowpose.Gateway;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Sends and receives bytes and frames on the WebSocket port, including those that WebSocket classes do not send or show.</summary>
+/// <summary>Sends and receives any bytes and frames on the WebSocket port, including invalid ones and control frames.</summary>
 sealed class RawWebSocket : IDisposable
 {
     public const int Text = 1;
@@ -16,10 +16,10 @@ sealed class RawWebSocket : IDisposable
     readonly TcpClient _tcp = new() { NoDelay = true };
     Stream _stream;
 
-    /// <summary>The stream, for bytes in another order than this class sends and reads them.</summary>
+    /// <summary>The stream of the connection, for tests that read and write the bytes themselves.</summary>
     public Stream Stream => _stream;
 
-    /// <summary>Bytes that can be read without waiting.</summary>
+    /// <summary>Number of bytes that can be read without waiting.</summary>
     public int Available => _tcp.Available;
 
     /// <summary>Ends the sending direction; data can still be read.</summary>
@@ -35,7 +35,7 @@ sealed class RawWebSocket : IDisposable
         }
     }
 
-    /// <param name="receiveBytes">Size of the system's receive buffer; 0 leaves the default.</param>
+    /// <param name="receiveBytes">Size of the socket's receive buffer; 0 keeps the default of the system.</param>
     public static async Task<RawWebSocket> ConnectAsync(GatewayServer gateway, int receiveBytes = 0)
     {
         var raw = new RawWebSocket();
@@ -54,7 +54,7 @@ sealed class RawWebSocket : IDisposable
         return raw;
     }
 
-    /// <summary>Sends a request and returns the head of the answer.</summary>
+    /// <summary>Sends an HTTP request and returns the header of the answer.</summary>
     public async Task<string> RequestAsync(string headers = "", string request = "GET /")
     {
         await SendAsync(Encoding.ASCII.GetBytes($"{request} HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n"));
@@ -64,11 +64,11 @@ sealed class RawWebSocket : IDisposable
         return head.ToString();
     }
 
-    /// <summary>Sends a whole message or control frame. The mask is zero, so the bytes do not change (RFC 6455, 5.2).</summary>
+    /// <summary>Sends a message or control frame in one frame. The mask is zero, so the payload bytes do not change (RFC 6455, 5.2).</summary>
     public Task SendFrameAsync(int opcode, params byte[] payload) =>
         SendAsync([(byte)(0x80 | opcode), (byte)(0x80 | payload.Length), 0, 0, 0, 0, .. payload]);
 
-    /// <summary>Sends a whole message of 126 to 65535 bytes, which may have a zero mask.</summary>
+    /// <summary>Sends a text message of 126 to 65535 bytes in one frame with a zero mask.</summary>
     public Task SendTextAsync(string text)
     {
         var payload = Encoding.UTF8.GetBytes(text);
@@ -83,26 +83,26 @@ sealed class RawWebSocket : IDisposable
         return (header[0] & 0x0F, await ReadAsync(header[1]));
     }
 
-    /// <summary>Waits until the gateway has closed the connection and ignores data received before.</summary>
+    /// <summary>Waits until the gateway has closed the connection, and ignores all data that arrive before.</summary>
     public Task ExpectEndAsync() => CopyToEndAsync(Stream.Null);
 
     /// <summary>Returns all data that the gateway sends until it closes the connection.</summary>
     public async Task<string> ReadToEndAsync()
     {
-        using var said = new MemoryStream();
-        await CopyToEndAsync(said);
-        return Encoding.UTF8.GetString(said.ToArray());
+        using var received = new MemoryStream();
+        await CopyToEndAsync(received);
+        return Encoding.UTF8.GetString(received.ToArray());
     }
 
-    async Task CopyToEndAsync(Stream said)
+    async Task CopyToEndAsync(Stream received)
     {
         try
         {
-            await _stream.CopyToAsync(said).Bounded();
+            await _stream.CopyToAsync(received).Bounded();
         }
         catch (IOException)
         {
-            // The gateway closed the connection with unread bytes, which causes a reset.
+            // The gateway has closed the connection before it read all bytes, which causes a reset.
         }
     }
 

@@ -25,11 +25,11 @@ public class ReaderProgressTests
             time.Advance(step);
         }
 
-        Assert.That(pings, Has.Count.EqualTo(1), "after the first message that makes it due, not after the last one");
+        Assert.That(pings, Has.Count.EqualTo(1), "the ping is sent after the first message that makes it due");
     }
 
     [Test]
-    public async Task IsSilent_LongMessageInTransit_AllowsTheTimeOfASlowReader()
+    public async Task IsSilent_LongMessageInTransit_IsFalseForTheTimeThatASlowReaderNeeds()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -41,14 +41,14 @@ public class ReaderProgressTests
 
         time.Advance(TimeSpan.FromSeconds(LongMessage / 4000.0));
 
-        Assert.That(pings, Has.Count.EqualTo(2), "one before the message, and one behind it");
+        Assert.That(pings, Has.Count.EqualTo(2), "one ping before the message and one after it");
         Assert.That(progress.IsSilent(), Is.False);
         time.Advance(TimeSpan.FromSeconds(9));
         Assert.That(progress.IsSilent(), Is.True, "the time for the message and for the pong is over");
     }
 
     [Test]
-    public void IsSilent_ClientAnsweredOnceAndSends_IsTrueWithoutAPong()
+    public void IsSilent_ClientThatAnsweredAPingOnlySends_IsTrue()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -62,11 +62,11 @@ public class ReaderProgressTests
         time.Advance(PongTimeout + TimeSpan.FromSeconds(2));
         progress.OnReceived();
 
-        Assert.That(progress.IsSilent(), Is.True, "it sends, and has stopped reading");
+        Assert.That(progress.IsSilent(), Is.True, "the client sends, but has stopped reading");
     }
 
     [Test]
-    public void IsSilent_ClientNeitherAnswersNorSends_IsTrueAfterTheTimeout()
+    public void IsSilent_ClientSendsNothing_IsTrueAfterTheTimeout()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -83,7 +83,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public void IsSilent_ClientNeverAnswersAPingButSends_IsFalse()
+    public void IsSilent_ClientThatNeverAnswersPingsSends_IsFalse()
     {
         var time = new SteppedTimers();
         using var progress = Progress(time, []);
@@ -101,7 +101,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public async Task OpensAsync_ClientThatNeverAnswersAPing_IsReportedOnce()
+    public async Task OpensAsync_ClientNeverAnswersPings_ReportsItOnce()
     {
         var time = new SteppedTimers();
         var reports = 0;
@@ -141,7 +141,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public async Task OpensAsync_PongOfAnotherPing_IsIgnored()
+    public async Task OpensAsync_PongDoesNotAnswerThePing_IsIgnored()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();

@@ -25,7 +25,7 @@ public class RecordedPlantTests
     }
 
     [Test]
-    public void At_NamesOfTheRobot_MoveTheNamedJoints()
+    public void At_ColumnsNamedLikeJoints_MovesTheseJoints()
     {
         var motion = Played("t,wrist_3_joint,elbow_joint", "ur5");
 
@@ -33,7 +33,7 @@ public class RecordedPlantTests
     }
 
     [Test]
-    public void At_OtherNames_MoveTheJointsInOrder()
+    public void At_ColumnsWithOtherNames_MovesTheJointsInOrder()
     {
         var motion = Played("t,q1,elbow_joint", "ur5");
 
@@ -46,7 +46,7 @@ public class RecordedPlantTests
     [TestCase(5, 0.3)]
     [TestCase(6, 0.1)]
     [TestCase(6 + 5, 0.3)]
-    public void At_Time_PlaysForwardAndBackward(double seconds, double expected)
+    public void At_AnyTime_PlaysForwardThenBackward(double seconds, double expected)
     {
         var motion = Played("t,q1,q2", "ur5");
 
@@ -55,7 +55,7 @@ public class RecordedPlantTests
     }
 
     [Test]
-    public void At_FingerColumn_MovesTheMimic()
+    public void At_ColumnOfAFinger_MovesItsMimicJoint()
     {
         var motion = Played("t,gripper_finger_joint_l,arm_joint_1", "youbot");
 

@@ -18,7 +18,7 @@ public class RequestRateTests
     }
 
     [Test]
-    public void TryTake_OneTooManyWithinASecond_IsRefused()
+    public void TryTake_OneRequestTooManyWithinASecond_IsRefused()
     {
         var rate = new RequestRate(100);
         for (var i = 0; i < 100; i++)

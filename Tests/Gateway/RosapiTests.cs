@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Service calls and messages of clients that were written for rosbridge.</summary>
+/// <summary>Tests service calls and messages of clients that were written for rosbridge.</summary>
 public class RosapiTests
 {
     [TestCase("/rosapi/topics")]
@@ -17,7 +17,7 @@ public class RosapiTests
 
         var text = await client.ReceiveTextAsync();
         Assert.That(text, Does.Contain("\"" + RosTopics.JointStates + "\"").And.Contain("\"sensor_msgs/JointState\"").And.Contain("\"result\":true"));
-        Assert.That(text, Does.Contain("\"service\":\"" + service + "\""), "answered by the name that was called");
+        Assert.That(text, Does.Contain("\"service\":\"" + service + "\""), "the answer contains the service name of the call");
     }
 
     [Test]
@@ -80,7 +80,7 @@ public class RosapiTests
     [TestCase("topic_type", "[]", """{"type":""}""")]
     [TestCase("service_type", """{"service":"/rosapi/get_time"}""", """{"type":"rosapi/GetTime"}""")]
     [TestCase("get_ros_version", "{}", """{"version":1,"distro":""}""")]
-    public async Task Service_OfRosapi_ReturnsItsValues(string service, string args, string values)
+    public async Task Call_RosapiService_ReturnsItsValues(string service, string args, string values)
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -94,7 +94,7 @@ public class RosapiTests
 
     [TestCase("none", false)]
     [TestCase("error", true)]
-    public async Task SetLevel_Level_FiltersStatusMessages(string level, bool isSent)
+    public async Task SetLevel_AnyLevel_FiltersStatusMessages(string level, bool isSent)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

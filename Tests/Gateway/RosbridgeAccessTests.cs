@@ -48,11 +48,11 @@ public class RosbridgeAccessTests
         await observer.ExpectErrorAsync("role");
 
         Assert.That(gateway.Drops[DropReason.NotAllowed], Is.EqualTo(3));
-        await observer.RoundTripAsync(); // no message was published
+        await observer.RoundTripAsync(); // no message has arrived
     }
 
     [Test]
-    public async Task Source_Publishes_ReachesTheObserver()
+    public async Task Source_Publishes_ObserverReceivesTheMessage()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
@@ -70,7 +70,7 @@ public class RosbridgeAccessTests
     [TestCase("http://127.0.0.1:1")]
     [TestCase("http://127.0.0.2:{port}")]
     [TestCase("file://")]
-    public async Task Origin_Foreign_Is403(string origin)
+    public async Task Origin_Foreign_Returns403(string origin)
     {
         await using var gateway = await Gateways.StartAsync();
         var value = origin.Replace("{port}", gateway.WebSocketEndPoint.Port.ToString());
@@ -82,7 +82,7 @@ public class RosbridgeAccessTests
     }
 
     [Test]
-    public async Task Origin_ReboundName_Returns403()
+    public async Task Origin_HostNameRedirectedToThisMachine_Returns403()
     {
         await using var gateway = await Gateways.StartAsync();
         var name = "evil.example:" + gateway.WebSocketEndPoint.Port;

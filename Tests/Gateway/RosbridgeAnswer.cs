@@ -3,7 +3,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The answer of a gateway to a headset that connects to its WebSocket port.</summary>
+/// <summary>Connects to the WebSocket port of a gateway like a headset, and returns the HTTP status of the answer.</summary>
 static class RosbridgeAnswer
 {
     public static async Task<HttpStatusCode> RosbridgeStatusAsync(PairingGateway gateway, string token)

@@ -47,7 +47,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Start_ManyTimesWithAStoppedReader_HasOnePumpAndCountsDrops()
+    public async Task Start_ManySubscriptionsWithAStoppedReader_UsesOnePumpAndCountsDrops()
     {
         const int Changes = 5000;
         using var socket = new StuckWebSocket();
@@ -64,18 +64,18 @@ public class RosbridgeConnectionTests
 
         await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
         Assert.That(connection.Pumps, Is.EqualTo(1));
-        Assert.That(drops[DropReason.SlowReader], Is.EqualTo(Changes - 2), "all but the one that is being sent and the one that waits");
+        Assert.That(drops[DropReason.SlowReader], Is.EqualTo(Changes - 2), "all but the message that is being sent and the message that waits");
     }
 
     [Test]
-    public async Task Start_WhileTheFormerSubscriptionSends_KeepsTheOrder()
+    public async Task Start_FormerSubscriptionStillSends_KeepsTheOrder()
     {
         using var socket = new StuckWebSocket();
         using var connection = Over(socket);
         using var source = _hub.OpenSource();
         var former = Subscribe(RosTopics.JointStates);
         connection.Start(former);
-        // A stamp in the future, so that no sample becomes too old.
+        // The time of arrival is in the future, so that no sample becomes too old.
         var receivedAt = Stopwatch.GetTimestamp() + (3600 * Stopwatch.Frequency);
         for (var i = 0; i < 5; i++) source.TryPublish(Gateways.State(i, "a"), receivedAt);
         await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
@@ -106,10 +106,10 @@ public class RosbridgeConnectionTests
     [Test]
     public async Task Reader_SendsButNeverReads_IsClosed()
     {
-        // Without pings, so that only the missing reads can end the connection.
+        // The gateway sends no pings here, so only the missing reads can end the connection.
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMinutes(5), PongTimeout = TimeSpan.FromMilliseconds(300) };
         await using var gateway = await Gateways.StartAsync(options);
-        // A small receive buffer: the gateway sends 2 kB/s to a client that does not answer pings, and the buffers must be full first.
+        // The gateway sends 2 kB/s to a client that does not answer pings. With a small receive buffer, all buffers are soon full.
         using var client = await RawWebSocket.OpenAsync(gateway, receiveBytes: 1024);
         await client.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes(RosbridgeWriter.Subscribe(RosTopics.JointStates)));
         using var source = gateway.Hub.OpenSource();

@@ -12,7 +12,7 @@ public class RosbridgeMessageTests
     const string StampedAt = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":""";
 
     [Test]
-    public async Task Description_NearlyAMebibyte_IsForwarded()
+    public async Task Description_OfNearly1MiB_IsForwarded()
     {
         await using var gateway = await Gateways.StartAsync();
         using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -26,7 +26,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task GetTime_Called_IsControlTime()
+    public async Task GetTime_Called_ReturnsTheControlTime()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(1e9), 1e-3);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -87,7 +87,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_OfTwoMebibytes_IsDroppedAndTheConnectionStaysOpen()
+    public async Task Message_Of2MiB_IsDroppedAndTheConnectionStaysOpen()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -113,7 +113,7 @@ public class RosbridgeMessageTests
 
     [TestCase(64, true)]
     [TestCase(65, false)]
-    public async Task Message_InFragments_IsAcceptedUpTo64(int count, bool expected)
+    public async Task Message_InFragments_IsAcceptedWithUpTo64(int count, bool expected)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -132,7 +132,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_NeverEnding_ClosesTheConnectionWithTheReason()
+    public async Task Message_NeverEnds_ClosesTheConnectionWithTheReason()
     {
         var options = Gateways.Options() with { MessageTimeout = TimeSpan.FromMilliseconds(50), DrainTimeout = TimeSpan.FromMilliseconds(100) };
         await using var gateway = await Gateways.StartAsync(options);
@@ -146,7 +146,7 @@ public class RosbridgeMessageTests
     }
 
     [Test]
-    public async Task Message_BeyondTheDrainLimit_ClosesTheConnection()
+    public async Task Message_LongerThanTheDrainLimit_ClosesTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { DrainBytes = 2_000_000 });
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -157,7 +157,7 @@ public class RosbridgeMessageTests
         }
         catch (WebSocketException)
         {
-            // The gateway closed the connection during sending.
+            // The gateway has closed the connection during the send.
         }
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.EndlessMessage] == 1, "counted");

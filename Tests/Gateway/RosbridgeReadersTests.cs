@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 public class RosbridgeReadersTests
 {
     [Test]
-    public async Task Reader_Stops_DropsItsOldestWithoutDelayingOthers()
+    public async Task Reader_Stops_DropsItsOldestMessagesWithoutDelayingOthers()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
         using var slow = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
@@ -18,7 +18,7 @@ public class RosbridgeReadersTests
         using var source = gateway.Hub.OpenSource();
         var names = Enumerable.Range(0, 256).Select(i => "joint" + i).ToArray();
 
-        // Fills all buffers between the gateway and the slow client, then its queue once more.
+        // Publishes until all buffers between the gateway and the slow client are full and the queue has overflowed.
         var sent = 0;
         while (gateway.Drops[DropReason.SlowReader] < 100)
         {
@@ -40,7 +40,7 @@ public class RosbridgeReadersTests
     public async Task Reader_StopsAfterAPong_ReceivesAtMostAWindowAndAQueue()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
-        // Uses the system's default buffers, which hold thousands of samples.
+        // The connection has the default buffers of the system, which can hold thousands of samples.
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SubscribeAsync(RosTopics.JointStates);
         using var source = gateway.Hub.OpenSource();
@@ -61,11 +61,11 @@ public class RosbridgeReadersTests
 
         var bytes = Encoding.UTF8.GetByteCount(Gateways.StateText(0));
         Assert.That(received, Is.Ordered);
-        Assert.That(received.Count * bytes, Is.LessThan(6000 + (16 * bytes)), "what was on its way, and what waited");
-        Assert.That(received.Count, Is.EqualTo(Count - gateway.Drops[DropReason.SlowReader]), "each of the others is counted");
+        Assert.That(received.Count * bytes, Is.LessThan(6000 + (16 * bytes)), "messages in transit and in the queue");
+        Assert.That(received.Count, Is.EqualTo(Count - gateway.Drops[DropReason.SlowReader]), "all other messages are counted as dropped");
     }
 
-    // Both the age and the pace of the readers are measured in samples of the source, because a busy machine slows down both.
+    // Ages and read rates are measured in samples of the source and not in real time, because a busy machine slows both down.
     [Test]
     public async Task Reader_At4KilobytesPerSecond_ReceivesNoSampleOlderThanASecond()
     {
@@ -100,7 +100,7 @@ public class RosbridgeReadersTests
     {
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMilliseconds(100), PongTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
-        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // answers pings only while it receives
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway); // this client answers pings only while it receives
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Silence] == 1, "closed for silence");
     }
@@ -116,7 +116,7 @@ public class RosbridgeReadersTests
         await using var gateway = await Gateways.StartAsync(options);
         using var raw = await RawWebSocket.OpenAsync(gateway);
 
-        // Longer than a connection without pongs lasts.
+        // Reads for longer than a connection without pongs stays open.
         for (var i = 0; i < 35; i++)
         {
             var (opcode, payload) = await raw.ReceiveFrameAsync();
@@ -130,11 +130,11 @@ public class RosbridgeReadersTests
     }
 
     [Test]
-    public async Task Subscription_Throttled_ReceivesTheNewestAtItsRate()
+    public async Task Subscription_Throttled_ReceivesTheNewestMessageInEachInterval()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
-        // The throttle interval is much longer than publishing all samples takes.
+        // The throttle interval is much longer than the time in which all samples are published.
         await client.SubscribeAsync(RosTopics.JointStates, null, 2000);
         using var source = gateway.Hub.OpenSource();
         var since = System.Diagnostics.Stopwatch.GetTimestamp();
@@ -156,7 +156,7 @@ public class RosbridgeReadersTests
         return reader.Newest == newest;
     }
 
-    // About 450 bytes as JSON, like the state of a moving arm.
+    // Returns a joint state that has about 450 bytes as JSON, like the state of a moving arm.
     static JointStateMessage SevenJoints(ControlTime stamp)
     {
         var seconds = (stamp - Gateways.Start).TotalSeconds;

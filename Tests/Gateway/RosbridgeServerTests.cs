@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Gateway;
 public class RosbridgeServerTests
 {
     [Test]
-    public async Task Connections_BeyondTheLimit_AreAnswered503()
+    public async Task Connections_TooMany_AreAnsweredWith503()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -18,7 +18,7 @@ public class RosbridgeServerTests
     }
 
     [Test]
-    public async Task Connections_AnsweredInPlainHttp_DoNotCountTowardsTheLimit()
+    public async Task Connections_WithHttpRequestsOnly_DoNotCountTowardsTheLimit()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawWebSocket.ConnectAsync(gateway);
@@ -45,7 +45,7 @@ public class RosbridgeServerTests
 
     [TestCase(RawWebSocket.Text, "a byte that is not UTF-8")]
     [TestCase(3, "an opcode that is reserved")]
-    [TestCase(0x40 | RawWebSocket.Text, "the bit that says it is compressed")]
+    [TestCase(0x40 | RawWebSocket.Text, "the bit of a compressed message")]
     public async Task Frame_ViolatesTheProtocol_ClosesTheConnectionAndIsCounted(int opcode, string what)
     {
         await using var gateway = await Gateways.StartAsync();

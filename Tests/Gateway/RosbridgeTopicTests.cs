@@ -10,7 +10,7 @@ public class RosbridgeTopicTests
     [TestCase("sensor_msgs/JointState", "secs")]
     [TestCase("sensor_msgs/msg/JointState", "sec")]
     [TestCase(null, "sec")]
-    public async Task Subscribe_TypeNamed_ReceivesItsTimeFormat(string type, string seconds)
+    public async Task Subscribe_WithType_ReceivesTheTimeFormatOfTheType(string type, string seconds)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -27,13 +27,13 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Messages_InRoslibFormat_AreServed()
+    public async Task Messages_OfRoslib_AreServed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
         using var page = await RawRosbridgeClient.ConnectAsync(gateway);
 
-        // The messages of roslib.js, field for field.
+        // These messages have exactly the fields that roslib.js sends.
         await page.SendAsync("""{"op":"subscribe","id":"subscribe:/joint_states:1","type":"sensor_msgs/JointState","""
             + """ "topic":"/joint_states","compression":"none","throttle_rate":0,"queue_length":0}""");
         await page.RoundTripAsync();
@@ -51,7 +51,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Unsubscribe_ThenPublish_ReceivesNothing()
+    public async Task Unsubscribe_BeforePublication_ReceivesNothing()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -66,7 +66,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Unsubscribe_OneOfTwoIds_KeepsTheOther()
+    public async Task Unsubscribe_OneOfTwoIds_KeepsTheOtherSubscription()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -79,7 +79,7 @@ public class RosbridgeTopicTests
         source.TryPublish(Gateways.State(0.5, "a"));
 
         Assert.That((await client.ReceiveAsync()).JointState, Is.Not.Null);
-        await client.RoundTripAsync(); // the sample is not sent a second time
+        await client.RoundTripAsync(); // the sample has not been sent a second time
     }
 
     [Test]
@@ -108,7 +108,7 @@ public class RosbridgeTopicTests
 
         await client.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, null));
         await client.ExpectErrorAsync("64");
-        await SubscribeToUnknownAsync(client, "/topic0"); // no further topic is created
+        await SubscribeToUnknownAsync(client, "/topic0"); // the gateway creates no further topic
         await client.SendAsync(RosbridgeWriter.Unsubscribe("/topic0"));
         await SubscribeToUnknownAsync(client, "/one_more");
         Assert.That(gateway.Drops[DropReason.TooManyTopics], Is.EqualTo(2));
@@ -162,7 +162,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Source_SecondForAJoint_IsRefusedUntilTheFirstEnds()
+    public async Task SecondSource_OfAJoint_IsRefusedUntilTheFirstEnds()
     {
         await using var gateway = await Gateways.StartAsync();
         using var first = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -176,7 +176,7 @@ public class RosbridgeTopicTests
         await second.RoundTripAsync();
 
         await first.Socket.CloseAsync(WebSocketCloseStatus.NormalClosure, "", default).Bounded();
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "first gone");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the first has disconnected");
         await second.SendAsync(Gateways.StateText(2));
         await second.RoundTripAsync();
         Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1));

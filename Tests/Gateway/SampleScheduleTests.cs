@@ -21,7 +21,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Taken_Samples_AreMultiplesOfTheInterval()
+    public void Taken_AllSamples_AreMultiplesOfTheInterval()
     {
         var samples = First(100, 50, 0, 0);
 
@@ -31,7 +31,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Taken_IntervalBetweenCycles_IsRoundedToTheCycleWithoutDrift()
+    public void Taken_IntervalNotAMultipleOfTheCycle_IsRoundedToCyclesWithoutDrift()
     {
         var samples = First(1001, 12.5, 0, 0);
 
@@ -40,7 +40,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Sent_Delays_CoverTheRangeInOrder()
+    public void Sent_DelaysShorterThanTheInterval_CoverTheRangeInOrder()
     {
         var samples = First(2000, 200, 55, 105);
         var delays = samples.Select(sample => (sample.Sent - sample.Taken).TotalMilliseconds).ToArray();
@@ -59,7 +59,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Sent_SameSeed_Repeats()
+    public void Sent_SameSeed_ReturnsTheSameTimes()
     {
         Assert.That(First(50, 50, 55, 105, 7), Is.EqualTo(First(50, 50, 55, 105, 7)));
         Assert.That(First(50, 50, 55, 105, 7), Is.Not.EqualTo(First(50, 50, 55, 105, 8)));
@@ -68,6 +68,6 @@ public class SampleScheduleTests
     [TestCase(0.5, 0, 0)]
     [TestCase(50, -1, 0)]
     [TestCase(50, 10, 5)]
-    public void CellTiming_Invalid_IsRefused(double sampling, double min, double max) =>
+    public void CellTiming_InvalidTimes_Throws(double sampling, double min, double max) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new CellTiming(Ms(sampling), Ms(min), Ms(max)));
 }

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Returns the given pieces of text messages, one for each receive call. Runs the piece's action first.</summary>
+/// <summary>Returns the given pieces of text messages, one for each call of receive. Before each piece it runs the action of the piece.</summary>
 sealed class ScriptedWebSocket(params (string Text, bool IsEnd, Action Meanwhile)[] pieces) : WebSocket
 {
     int _next;

@@ -8,7 +8,7 @@ public class SendWindowTests
 {
     static readonly TimeSpan Step = TimeSpan.FromMilliseconds(1);
 
-    /// <summary>Maximum age: one second minus the 0.25 s that queue and acquisition take.</summary>
+    /// <summary>Maximum age of a received message: one second minus the 0.25 s that queue and acquisition take.</summary>
     const double MaxAgeSeconds = 0.75;
 
     [Test]
@@ -37,7 +37,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void IsTooSlow_EachMessageTakesASecond_IsTrueAfterAFewMessages()
+    public void IsTooSlow_ReadingAMessageTakesASecond_IsTrueAfterAFewMessages()
     {
         var run = new Run(bytesPerSecond: 450, messageBytes: 450, intervalMs: 20, roundTripMs: 1);
 
@@ -65,7 +65,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_Fast_ReceivesAllDespiteALongRoundTrip([Values(1, 40, 120, 180)] int roundTripMs)
+    public void Reader_FastWithALongRoundTrip_ReceivesAllMessages([Values(1, 40, 120, 180)] int roundTripMs)
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs);
         run.Continue(TimeSpan.FromSeconds(5));
@@ -77,20 +77,20 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_BehindALossyPath_ReceivesNearlyAllMessages([Values(250, 350)] int stallMs, [Values(20, 40)] int roundTripMs)
+    public void Reader_FastOverALossyPath_ReceivesNearlyAllMessages([Values(250, 350)] int stallMs, [Values(20, 40)] int roundTripMs)
     {
-        // Simulates joint positions and object poses at 30 kB/s. After a lost packet, TCP delivers nothing until it has sent the packet again.
+        // The gateway sends 30 kB/s of joint positions and poses. After a lost packet, TCP delivers nothing until it has sent the packet again.
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 750, intervalMs: 25, roundTripMs) { StallMs = stallMs };
         run.Continue(TimeSpan.FromSeconds(10));
         var refused = run.Refused;
 
         run.Continue(TimeSpan.FromSeconds(60));
 
-        Assert.That((run.Refused - refused) / (60 / 0.025), Is.LessThan(0.05), "share of messages that the window refused");
+        Assert.That((run.Refused - refused) / (60 / 0.025), Is.LessThan(0.05), "fraction of the messages that the window refused");
     }
 
     [Test]
-    public void Reader_At4KilobytesPerSecondBehindALossyPath_ReceivesOnlyRecentMessages([Values(250, 350)] int stallMs)
+    public void Reader_At4KilobytesPerSecondOverALossyPath_ReceivesOnlyRecentMessages([Values(250, 350)] int stallMs)
     {
         var run = new Run(bytesPerSecond: 4000, messageBytes: 450, intervalMs: 20, roundTripMs: 40) { StallMs = stallMs };
 
@@ -157,7 +157,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void Reader_AnswersItsFirstPingLate_ReceivesAllFromThenOn()
+    public void Reader_AnswersItsFirstPingLate_ReceivesAllLaterMessages()
     {
         var run = new Run(bytesPerSecond: 1e7, messageBytes: 450, intervalMs: 20, roundTripMs: 1) { AnswersPings = false };
         run.Continue(TimeSpan.FromSeconds(10));
@@ -171,7 +171,7 @@ public class SendWindowTests
     }
 
     [Test]
-    public void IsOpen_ClientAnsweredOnce_StaysClosedUntilThePong()
+    public void IsOpen_ClientHasAnsweredAPing_IsFalseUntilTheNextPong()
     {
         var window = new SendWindow();
         window.OnPong(window.OnPing(TimeSpan.Zero), Step);
@@ -187,7 +187,7 @@ public class SendWindowTests
 
     [TestCase(9, SendWindow.NearPingBytes)]
     [TestCase(11, SendWindow.FirstBytes)]
-    public void IsPingDue_ClientNearOrFar_IsTrueAfterItsNumberOfBytes(int pongMs, int bytes)
+    public void IsPingDue_ShortOrLongRoundTrip_IsTrueAfterTheExpectedNumberOfBytes(int pongMs, int bytes)
     {
         var window = new SendWindow();
         window.OnSent(450, TimeSpan.Zero);
@@ -210,12 +210,12 @@ public class SendWindowTests
         Assert.That(window.IsPingDueBefore(SendWindow.FirstBytes + 1), Is.False);
     }
 
-    /// <summary>Simulates a reader behind buffers of any size on a path with a delay, in steps of a millisecond.</summary>
+    /// <summary>Simulates a reader, buffers of unlimited size and a path with a delay, in steps of a millisecond.</summary>
     sealed class Run(double bytesPerSecond, int messageBytes, int intervalMs, int roundTripMs)
     {
         const int PingBytes = 10;
 
-        // Messages on their way: remaining bytes, time of creation, and the number of a ping (0 for a message).
+        // Messages and pings in transit: time of arrival, remaining bytes, time of creation, and the number of the ping (0 for a message).
         readonly Queue<(TimeSpan Arrives, double Bytes, TimeSpan Made, long Ping)> _way = [];
         readonly Queue<(TimeSpan Arrives, long Ping)> _pongs = [];
         TimeSpan _now;
@@ -230,7 +230,7 @@ public class SendWindowTests
         public int ReadMessages { get; private set; }
         public int Refused { get; private set; }
 
-        /// <summary>Time at the start of every two seconds in which nothing arrives at the client, ms.</summary>
+        /// <summary>At the start of each period of two seconds, nothing arrives at the client for this time in ms.</summary>
         public int StallMs { get; init; }
 
         TimeSpan OneWay => TimeSpan.FromMilliseconds(roundTripMs / 2.0);
@@ -263,7 +263,7 @@ public class SendWindowTests
             }
         }
 
-        /// <summary>Sends messages with a total of this many bytes as soon as the window is open.</summary>
+        /// <summary>Sends messages with this total number of bytes as soon as the window is open.</summary>
         public void SendBurst(int bytes) => _burst = bytes;
 
         void SendWhenOpen()

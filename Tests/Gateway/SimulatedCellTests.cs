@@ -15,7 +15,7 @@ public class SimulatedCellTests
     static readonly CellTiming Timing = new(TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
 
     [Test]
-    public async Task Publish_RealTime_SendsTheTruthOfTheStampAfterItsDelay()
+    public async Task Publish_RealTime_SendsTheTruePositionsOfTheTimeStampAfterTheDelay()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50), 100e-6);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -38,11 +38,11 @@ public class SimulatedCellTests
             Assert.That(samples[i].Positions, Is.EqualTo(truth));
         }
 
-        // A busy machine stalls longer than samples are kept, so some may be missing. All intervals remain multiples of the sampling interval.
+        // On a busy machine a pause may be longer than samples are kept, so some samples may be missing. The others keep their intervals.
         var intervals = samples.Zip(samples.Skip(1), (a, b) => b.Stamp - a.Stamp).ToList();
         Assert.That(intervals, Has.All.GreaterThan(TimeSpan.Zero));
         Assert.That(intervals.Select(interval => interval.Ticks % Timing.SamplingInterval.Ticks), Has.All.Zero);
-        // Only the minimum is asserted: samples are never early, but a busy machine delays them.
+        // Only the minimum delay is asserted: samples are never sent early, but a busy machine may send them late.
         Assert.That(samples.Select(sample => (published[sample.Stamp] - sample.Stamp).TotalMilliseconds), Has.All.GreaterThanOrEqualTo(20));
     }
 
@@ -64,7 +64,7 @@ public class SimulatedCellTests
     }
 
     [Test]
-    public void TruthAt_BeforeTheStart_IsTheHomePosition()
+    public void TruthAt_TimeBeforeTheStart_IsTheHomePosition()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(50));
         var motion = new PickAndPlaceMotion(RobotFiles.Load("youbot"));
@@ -100,7 +100,7 @@ public class SimulatedCellTests
         var work = new CellWork(robot, motion);
         using var cell = new SimulatedCell(motion, new LookedAtClock(), Timing, 1, false, work);
         var frames = new ConcurrentQueue<HubMessage>();
-        // A second hub, like that of a restarted gateway: it must get the stationary frames and all signals, too.
+        // Publishes into a first hub before. The second hub, like that of a restarted gateway, must also get the stationary frames and all signals.
         await SampleOf(cell, new MessageHub());
         var hub = new MessageHub();
         using var description = hub.OpenSource();
@@ -160,7 +160,7 @@ public class SimulatedCellTests
         .Where(message => message.Topic == topic).Select(message => (TransformsMessage)message.Content)
         .SelectMany(message => Enumerable.Range(0, message.Count).Select(i => message[i].Child));
 
-    /// <summary>Advances by a millisecond with each reading, so pauses of a busy machine between two readings have no effect.</summary>
+    /// <summary>A clock that advances by a millisecond with each reading. Pauses of a busy machine between readings have no effect on it.</summary>
     sealed class LookedAtClock : IControlClock
     {
         long _looks;

@@ -34,7 +34,7 @@ public class StopwatchControlClockTests
     }
 
     [Test]
-    public void Now_WholeCycles_IsRoundedDown()
+    public void Now_WithResolution_IsRoundedDown()
     {
         var clock = new StopwatchControlClock(new ControlTime(new TimeSpan(-12_345)), 0) { Resolution = TimeSpan.FromMilliseconds(1) };
 
@@ -61,6 +61,6 @@ public class StopwatchControlClockTests
 
     [TestCase(double.NaN)]
     [TestCase(0.5)]
-    public void Constructor_ImpossibleSkew_IsRefused(double skew) =>
+    public void Constructor_ImpossibleSkew_Throws(double skew) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new StopwatchControlClock(Epoch, skew));
 }

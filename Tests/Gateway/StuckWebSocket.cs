@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Accepts sent messages but completes no send until the test continues it. It receives no messages.</summary>
+/// <summary>Accepts messages to send, but completes no send before the test calls <see cref="GoOn"/>. It receives no messages.</summary>
 sealed class StuckWebSocket : WebSocket
 {
     readonly TaskCompletionSource _goOn = new(TaskCreationOptions.RunContinuationsAsynchronously);

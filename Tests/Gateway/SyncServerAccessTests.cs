@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Tokens and TLS on the sync port.</summary>
+/// <summary>Tests tokens and TLS on the sync port.</summary>
 public class SyncServerAccessTests
 {
     [Test]
@@ -34,7 +34,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Token_Missing_RequestClosesTheConnection()
+    public async Task Request_TokenMissing_ClosesTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -43,7 +43,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Token_NotInTime_ClosesTheConnection()
+    public async Task Token_NotSentInTime_ClosesTheConnection()
     {
         var options = Gateways.Options() with { Tokens = Gateways.Tokens, TokenTimeout = TimeSpan.FromMilliseconds(200) };
         await using var gateway = await Gateways.StartAsync(options);
@@ -54,7 +54,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Token_LongerThanAllowed_ClosesTheConnection()
+    public async Task Token_TooLong_ClosesTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -67,7 +67,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Token_ServerWithoutTokens_AcceptsAny()
+    public async Task Token_GatewayWithoutTokens_AnyIsAccepted()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -78,7 +78,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Tls_PinOfTheGateway_MatchesAndIsServed()
+    public async Task Tls_ClientWithThePinOfTheGateway_IsServed()
     {
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate, Tokens = Gateways.Tokens });
@@ -96,7 +96,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Tls_PlainClient_IsClosed()
+    public async Task Tls_UnencryptedClient_IsDisconnected()
     {
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The frames, rates and connections for which the sync port closes a connection.</summary>
+/// <summary>Tests for which frames, rates and numbers of connections the sync port closes a connection.</summary>
 public class SyncServerLimitTests
 {
     /// <summary>A limit long enough for answers on a busy machine and short enough for a test to wait for.</summary>
@@ -29,7 +29,7 @@ public class SyncServerLimitTests
 
     [TestCase(SyncFrameKind.Reply)]
     [TestCase(SyncFrameKind.TokenReply)]
-    public async Task Frame_OfAServer_ClosesTheConnection(object kind)
+    public async Task Frame_OfAKindThatOnlyServersSend_ClosesTheConnection(object kind)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -74,7 +74,7 @@ public class SyncServerLimitTests
         var frame = new byte[SyncFrame.Size];
         SyncFrame.Request(2, 2).Write(frame);
 
-        // Valid frames, never silent, but each takes about five times as long as allowed.
+        // The frames are valid and the client is never silent, but each frame takes about five times as long as allowed.
         for (var i = 0; i < 10 * SyncFrame.Size && gateway.SyncConnections[Closure.Silence] == 0; i++)
         {
             await TrySendAsync(client, [frame[i % SyncFrame.Size]]);
@@ -97,7 +97,7 @@ public class SyncServerLimitTests
     }
 
     [Test]
-    public async Task Connections_BeyondTheLimit_AreRefusedAndOthersServed()
+    public async Task Connections_TooMany_AreRefusedAndTheOthersAreServed()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawSyncClient.ConnectAsync(gateway);

@@ -9,11 +9,11 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>The answers of the sync port, and its recovery from failures.</summary>
+/// <summary>Tests the replies of the sync port and its recovery from failures.</summary>
 public class SyncServerTests
 {
     [Test]
-    public async Task Request_Answered_EchoesAndStampsInOrder()
+    public async Task Request_Valid_ReplyEchoesItAndHasTimeStampsInOrder()
     {
         var clock = new StopwatchControlClock(ControlTime.FromSeconds(-3), 50e-6);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -35,7 +35,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Request_ClockNotSynchronised_IsAnsweredWithStateBoundAndResolution()
+    public async Task Request_ClockNotSynchronised_ReplyContainsStateBoundAndResolution()
     {
         var clock = new StopwatchControlClock(Gateways.Start)
         {
@@ -53,7 +53,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Reply_ClockGoesBackByMicroseconds_IsStampedAfterTheRequest()
+    public async Task Reply_ClockGoesBackByMicroseconds_IsNotStampedBeforeTheRequest()
     {
         await using var gateway = await Gateways.StartAsync(clock: new BackwardClock());
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -64,7 +64,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Clock_Fails_EndsOnlyTheConnection()
+    public async Task Request_ClockThrows_EndsOnlyTheConnection()
     {
         await using var gateway = await Gateways.StartAsync(clock: new BrokenClock());
         using var client = await RawSyncClient.ConnectAsync(gateway);
@@ -74,7 +74,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Thread_CannotStart_ReleasesItsPlace()
+    public async Task Connection_ThreadCannotStart_IsNoLongerCounted()
     {
         var log = new ConcurrentQueue<string>();
         var attempts = 0;
@@ -116,7 +116,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Gateway_StoppedWithOpenConnections_StartsAgainOnTheSamePorts()
+    public async Task Gateway_StoppedWithOpenConnections_CanRestartOnTheSamePorts()
     {
         var first = await Gateways.StartAsync();
         using var sync = await RawSyncClient.ConnectAsync(first);

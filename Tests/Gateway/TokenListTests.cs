@@ -20,7 +20,7 @@ public class TokenListTests
     }
 
     [Test]
-    public void Read_RolesCommentsAndBlanks_ReturnsTheRoles()
+    public void Read_TextWithCommentsAndBlankLines_ReturnsTheRoles()
     {
         var tokens = Read("# the cell\n\nobserver abc\n  source\tdef  \noperator ghi\n");
 
@@ -36,7 +36,7 @@ public class TokenListTests
     [TestCase("observer a\nadmin secret\n")]
     [TestCase("observer a\nsource\n")]
     [TestCase("observer a\nsource secret more\n")]
-    public void Read_InvalidLine_NamesFileAndLineButNoToken(string text)
+    public void Read_InvalidLine_ThrowsWithFileAndLineNumberButNoToken(string text)
     {
         var error = Assert.Throws<InputException>(() => Read(text));
 
@@ -44,11 +44,11 @@ public class TokenListTests
     }
 
     [Test]
-    public void Read_NoToken_IsRefused() => Assert.Throws<InputException>(() => Read("# none\n"));
+    public void Read_TextWithoutToken_Throws() => Assert.Throws<InputException>(() => Read("# none\n"));
 
     [Test]
-    public void Read_TooLong_IsRefused() => Assert.Throws<InputException>(() => Read("source " + new string('x', 513)));
+    public void Read_TokenTooLong_Throws() => Assert.Throws<InputException>(() => Read("source " + new string('x', 513)));
 
     [Test]
-    public void Read_NoFile_IsRefused() => Assert.Throws<InputException>(() => TokenList.Read(_path + ".none"));
+    public void Read_FileMissing_Throws() => Assert.Throws<InputException>(() => TokenList.Read(_path + ".none"));
 }

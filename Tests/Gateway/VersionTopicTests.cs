@@ -14,7 +14,7 @@ public class VersionTopicTests
         new SessionSettings(new ConnectionSettings("127.0.0.1"), VisualisationLatency.FromMilliseconds(40)), RobotFiles.Load("youbot"), new StopwatchHeadsetClock());
 
     [Test]
-    public async Task Subscribe_Version_ReceivesTheVersionOfTheGateway()
+    public async Task Subscribe_VersionTopic_ReceivesTheVersionOfTheGateway()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -25,7 +25,7 @@ public class VersionTopicTests
     }
 
     [Test]
-    public async Task Publish_VersionByAClient_IsRefused()
+    public async Task Publish_VersionTopicByAClient_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -41,7 +41,7 @@ public class VersionTopicTests
     [TestCase("9.9.9", true)]
     [TestCase(NowposeVersion.Text, false)]
     [TestCase("unreadable", false)]
-    public void Session_VersionOfTheGateway_IsComparedWithItsOwn(string version, bool isMismatch)
+    public void Session_ReceivesTheVersionOfTheGateway_ComparesItWithItsOwn(string version, bool isMismatch)
     {
         using var session = NewSession();
 
@@ -51,7 +51,7 @@ public class VersionTopicTests
     }
 
     [Test]
-    public void Session_Diagnostics_HaveTheVersion()
+    public void Diagnostics_OfASession_ContainItsVersion()
     {
         using var session = NewSession();
 

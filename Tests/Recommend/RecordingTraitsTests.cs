@@ -72,8 +72,8 @@ public class RecordingTraitsTests
     {
         double[] ways = [.. Enumerable.Repeat(1.0, 40), .. Enumerable.Repeat(0.0, 40)];
 
-        Assert.That(Halving.MiddleOf(ways), Is.EqualTo(20));
-        Assert.That(Halving.MiddleOf([.. ways.Reverse()]), Is.EqualTo(60));
+        Assert.That(MotionHalves.MiddleOf(ways), Is.EqualTo(20));
+        Assert.That(MotionHalves.MiddleOf([.. ways.Reverse()]), Is.EqualTo(60));
     }
 
     [Test]
@@ -81,7 +81,7 @@ public class RecordingTraitsTests
     {
         double[] jump = [1.0, .. Enumerable.Repeat(0.0, 99)];
 
-        Assert.That(Halving.MiddleOf(jump), Is.EqualTo(20));
-        Assert.That(Halving.MiddleOf(new double[100]), Is.EqualTo(50));
+        Assert.That(MotionHalves.MiddleOf(jump), Is.EqualTo(20));
+        Assert.That(MotionHalves.MiddleOf(new double[100]), Is.EqualTo(50));
     }
 }

@@ -16,7 +16,7 @@ sealed partial class SourceTexts
     public static IReadOnlyList<SourceText> In(string source)
     {
         var texts = new SourceTexts(source);
-        texts.Read("", '\0');
+        texts.Read("", '\0', null);
         return texts._found;
     }
 
@@ -27,11 +27,11 @@ sealed partial class SourceTexts
     /// <summary>Reads up to the end of a pair of brackets.</summary>
     /// <param name="call">The name before the opening bracket.</param>
     /// <param name="end">The closing bracket; '\0' for the end of the file.</param>
-    void Read(string call, char end)
+    /// <param name="assigned">Name of the member to which the brackets' content is assigned; null for none.</param>
+    void Read(string call, char end, string assigned)
     {
         // The names before the current position, such as "new Command" or "Description".
         var before = "";
-        string assigned = null;
         StringBuilder text = null;
         var last = '\0';
         while (_at < _source.Length)
@@ -61,14 +61,14 @@ sealed partial class SourceTexts
             }
             if (c is '(' or '[' or '{')
             {
-                if (c == '[' && last is '\0' or ';' or '{' or '}' or ']' or ',' && IsAttribute(last)) SkipAttribute();
-                else
-                {
-                    if (c == '{') End();
-                    Read(c == '(' ? before : "", c == '(' ? ')' : c == '[' ? ']' : '}');
-                    if (c == '{') End();
-                    c = c == '(' ? ')' : c == '[' ? ']' : '}';
-                }
+                var isAttribute = c == '[' && last is '\0' or ';' or '{' or '}' or ']' && Attribute().IsMatch(_source.AsSpan(_at));
+                var closing = c == '(' ? ')' : c == '[' ? ']' : '}';
+                if (c == '{') End();
+                var count = _found.Count;
+                Read(c == '(' ? before : "", closing, assigned);
+                if (isAttribute) _found.RemoveRange(count, _found.Count - count);
+                if (c == '{') End();
+                c = closing;
             }
             else if (c == '=' && _source[_at] is not ('=' or '>') && last == 'a') assigned = before;
             else if (c is ',' or ';' or '?' or ':' or '=' or '&' or '|' or '<' or '>') End();
@@ -82,8 +82,6 @@ sealed partial class SourceTexts
             if (text != null) _found.Add(new SourceText(text.ToString(), call, assigned));
             text = null;
         }
-
-        bool IsAttribute(char previous) => previous is not ',' && Attribute().IsMatch(_source.AsSpan(_at));
     }
 
     // Comments, directives, blanks and characters.
@@ -92,14 +90,6 @@ sealed partial class SourceTexts
         var skipped = Blank().Match(_source, _at);
         _at += skipped.Length;
         return skipped.Success;
-    }
-
-    void SkipAttribute() => Read("", ']', _found.Count);
-
-    void Read(string call, char end, int keep)
-    {
-        Read(call, end);
-        _found.RemoveRange(keep, _found.Count - keep);
     }
 
     void ReadString(StringBuilder text, string start)
@@ -123,7 +113,7 @@ sealed partial class SourceTexts
             {
                 _at += isRaw ? dollars : 1;
                 text.Append('0');
-                Read("", '}');
+                Read("", '}', null);
                 if (isRaw) _at += dollars - 1;
             }
             else Take(text, 1);
@@ -145,7 +135,7 @@ sealed partial class SourceTexts
     [GeneratedRegex(@"\G[@\w]+")]
     private static partial Regex Name();
 
-    [GeneratedRegex(@"\G(?:\s+|//[^\n]*|/\*.*?\*/|#[^\n]*|'(?:\\.[^']*|[^'\\])')", RegexOptions.Singleline)]
+    [GeneratedRegex(@"\G(?:\s+|//[^\n]*|/\*.*?\*/|(?<=\n[ \t]*)#[^\n]*|'(?:\\.[^']*|[^'\\])')", RegexOptions.Singleline)]
     private static partial Regex Blank();
 
     [GeneratedRegex(@"\A\s*(?:\w+:\s*)?[A-Z]\w*(?:\.\w+)*\s*[\](,]")]

@@ -224,7 +224,7 @@ public class PlayedObjectTests : PlayedParts
         var (_, grip, _) = NewGrip("hand");
         Run(1);
 
-        Assert.That(grip.Fault, Does.Match("^the robot '.+' has no link 'hand'$"));
+        Assert.That(grip.Fault, Does.Match("^the robot '.+' has no link 'hand'; correct Link$"));
         Assert.That(_cell.Messages, Has.Exactly(1).Matches("grip by reach 'grip': the robot '.+' has no link 'hand'"));
         _session.Parts.Update();
         Assert.That(_session.Parts.Faults, Does.Contain("gripper grip: " + grip.Fault));

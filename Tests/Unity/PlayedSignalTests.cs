@@ -151,7 +151,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Signal_NoGateway_FaultStatesIt()
+    public void Signal_NoGateway_FaultNamesTheMissingGateway()
     {
         var signal = Below<CellSignal>("gripper", _session.transform);
         Run(0.5);

@@ -87,7 +87,7 @@ export interface LatencyData {
   label?: string;
 }
 
-/** Times in s since the start, durations in ms. An alarm is the interval from its begin to its end. */
+/** Times in s since the start, durations in ms. An alarm is the interval from its start to its end. */
 export interface RangeData {
   t: number[];
   render_ms: Value[];

@@ -3,7 +3,6 @@ using CsvHelper;
 using CsvHelper.Configuration;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
-using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Range;

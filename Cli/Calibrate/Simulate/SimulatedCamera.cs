@@ -13,8 +13,8 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
     /// <summary>Maximum motion of the hand-held camera between two pictures, px.</summary>
     const double Shake = 2;
 
-    /// <param name="spoiledBy">Name of the defect in the picture; empty if there is none.</param>
-    public Shot Take(int picture, out string spoiledBy)
+    /// <param name="defect">Name of the defect in the picture; empty if there is none.</param>
+    public Shot Take(int picture, out string defect)
     {
         var random = new RandomStream(settings.Seed, purpose: -1 - picture);
         var place = new SimulatedPlace(picture / settings.PicturesPerPlace, settings.Seed);
@@ -31,8 +31,8 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
                 new DrawnCode(headset, headsetLit, place.HeadsetLight, 0, null),
             ],
             place.Blur, motion, [], [], place.Noise, picture);
-        spoiledBy = "";
-        return random.Next() < settings.Spoiled ? Spoiling.Of(shot, random, out spoiledBy) : shot;
+        defect = "";
+        return random.Next() < settings.Spoiled ? PictureDefects.AddRandom(shot, random, out defect) : shot;
     }
 
     /// <summary>Moves both codes as seen by a camera that turns with the headset. The hologram follows the room.</summary>

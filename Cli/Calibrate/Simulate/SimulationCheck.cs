@@ -20,18 +20,18 @@ sealed class SimulationCheck
         var sweep = new SimulatedSweep(settings);
         var camera = new SimulatedCamera(settings, sweep);
         var reader = new PictureReader(settings.ReadoutMs, 0);
-        var spoiled = new string[settings.Pictures];
+        var defects = new string[settings.Pictures];
         using var pool = new VisionPool();
         CountProgress.Run("reading pictures", "pictures", settings.Pictures, report => pool.Look(
-            Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out spoiled[i]))),
+            Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out defects[i]))),
             (place, seen) =>
             {
                 var result = reader.Read(FormattableString.Invariant($"{place}"), seen);
-                check._pictures[place] = new(result, result.VisuMs - sweep.VisuMsOf(sweep.Moments[place]), spoiled[place]);
+                check._pictures[place] = new(result, result.VisuMs - sweep.VisuMsOf(sweep.Moments[place]), defects[place]);
                 report(check._pictures.Count);
             },
             cancellation));
-        check.RejectStrays();
+        check.RejectOutliers();
         return check;
     }
 
@@ -42,7 +42,7 @@ sealed class SimulationCheck
     public int Misread => Wrong().Count();
 
     /// <summary>Share of the pictures without a defect that were read.</summary>
-    public double ReadOfGood => _pictures.Values.Where(picture => picture.SpoiledBy.Length == 0).Select(picture => picture.Result.IsRead ? 1.0 : 0).DefaultIfEmpty(1).Average();
+    public double ReadOfGood => _pictures.Values.Where(picture => picture.Defect.Length == 0).Select(picture => picture.Result.IsRead ? 1.0 : 0).DefaultIfEmpty(1).Average();
 
     /// <summary>Mean error of all pictures that were read, ms.</summary>
     public double MeanErrorMs => Errors().DefaultIfEmpty(double.NaN).Average();
@@ -55,17 +55,17 @@ sealed class SimulationCheck
     {
         yield return SimulationMessages.Read(Pictures, Read, 100 * ReadOfGood, Misread, MisreadMs);
         yield return SimulationMessages.Error(MeanErrorMs, ErrorP95Ms);
-        foreach (var group in _pictures.Values.GroupBy(picture => picture.SpoiledBy).OrderBy(group => group.Key, StringComparer.Ordinal))
+        foreach (var group in _pictures.Values.GroupBy(picture => picture.Defect).OrderBy(group => group.Key, StringComparer.Ordinal))
             yield return Text($"{(group.Key.Length == 0 ? "no defect" : group.Key)}: {group.Count()} pictures, {group.Count(picture => picture.Result.IsRead)} read");
         foreach (var fault in _pictures.Values.Where(picture => !picture.Result.IsRead).GroupBy(picture => picture.Result.Fault).OrderByDescending(fault => fault.Count()))
             yield return Text($"rejected: {fault.Key}: {fault.Count()}");
-        foreach (var (result, error, spoiledBy) in Wrong().Take(20)) yield return Text($"misread: picture {result.File} by {error:0.0} ms{(spoiledBy.Length == 0 ? "" : ", " + spoiledBy)}");
+        foreach (var (result, error, defect) in Wrong().Take(20)) yield return Text($"misread: picture {result.File} by {error:0.0} ms{(defect.Length == 0 ? "" : ", " + defect)}");
     }
 
-    void RejectStrays()
+    void RejectOutliers()
     {
         int[] places = [.. _pictures.Keys];
-        var results = Strays.Rejected([.. places.Select(place => _pictures[place].Result)]);
+        var results = Outliers.Rejected([.. places.Select(place => _pictures[place].Result)]);
         for (var i = 0; i < places.Length; i++) _pictures[places[i]] = _pictures[places[i]] with { Result = results[i] };
     }
 
@@ -76,5 +76,5 @@ sealed class SimulationCheck
 
     static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
-    readonly record struct Checked(PictureResult Result, double ErrorMs, string SpoiledBy);
+    readonly record struct Checked(PictureResult Result, double ErrorMs, string Defect);
 }

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;
@@ -25,12 +24,12 @@ static class SimulationOutput
             SweepLog.WriteHeader(log);
             foreach (var row in sweep.Rows) SweepLog.Write(log, row);
         }
-        var spoiled = new string[settings.Pictures];
+        var defects = new string[settings.Pictures];
         string NameOf(int picture) => FormattableString.Invariant($"picture-{picture + 1:00000}.jpg");
         var done = 0;
         using var pool = new VisionPool();
         CountProgress.Run("taking pictures", "pictures", settings.Pictures, report => pool.Look(
-            Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out spoiled[i]), Path.Combine(pictures, NameOf(i)))),
+            Enumerable.Range(0, settings.Pictures).Select(i => PictureRequest.Made(camera.Take(i, out defects[i]), Path.Combine(pictures, NameOf(i)))),
             (_, made) =>
             {
                 if (made.Fault != null) throw new InputException($"--out: {folder}: {made.Fault}");
@@ -39,16 +38,16 @@ static class SimulationOutput
             cancellation));
         using var truth = File.CreateText(Path.Combine(folder, TruthFile));
         truth.Write(TruthHeader + "\n");
-        for (var i = 0; i < settings.Pictures; i++) truth.Write(TruthOf(sweep, i, NameOf(i), spoiled[i]) + "\n");
+        for (var i = 0; i < settings.Pictures; i++) truth.Write(TruthOf(sweep, i, NameOf(i), defects[i]) + "\n");
         return done;
     }
 
-    static string TruthOf(SimulatedSweep sweep, int picture, string name, string spoiledBy)
+    static string TruthOf(SimulatedSweep sweep, int picture, string name, string defect)
     {
         var moment = sweep.Moments[picture];
         var start = sweep.StartOf(moment.Frame);
         var led = moment.Middle.SinceEpoch.TotalMilliseconds % TimestampCode.PeriodMs;
-        return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{spoiledBy}");
+        return FormattableString.Invariant($"{name},{led:0.000},{TimestampCode.ValueOf(start)},{sweep.VisuMsOf(moment):0.000},{defect}");
     }
 
     // Removes the pictures of an earlier run. Without a truth file, the pictures can come from a real camera, so the folder is rejected.

@@ -26,7 +26,7 @@ static class FilmedJog
                 if (places.Count == 0) RequireWithin(robot, width, height, "--robot-box");
                 if (places.Count == 0) RequireWithin(hologram, width, height, "--hologram-box");
                 places.Add(tracker.Follow(width, height, bytes));
-                RequireSeen(places[^1], path, places.Count);
+                RequireMatches(places[^1], path, places.Count);
                 report(places.Count);
             }
         });
@@ -43,7 +43,7 @@ static class FilmedJog
         throw new InputException(SineMessages.BoxOutside(option, box.X, box.Y, box.Width, box.Height, width, height));
     }
 
-    static void RequireSeen(IReadOnlyList<TrackedPlace> places, string path, int frame)
+    static void RequireMatches(IReadOnlyList<TrackedPlace> places, string path, int frame)
     {
         for (var i = 0; i < places.Count; i++)
             if (!(places[i].Score >= MinScore))

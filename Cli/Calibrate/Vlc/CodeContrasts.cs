@@ -37,7 +37,7 @@ sealed class CodeContrasts
         }
         if (dark.Count + brighter > 0)
             Fault = dark.Count >= brighter
-                ? AreRowsFromAnEdge(dark) ? PictureFaults.PartlyDark : "partly covered"
+                ? AreRowsAtEdge(dark) ? PictureFaults.PartlyDark : "partly covered"
                 : code.WhiteShare >= MinWhiteShare ? PictureFaults.Overexposed
                 : PictureFaults.Disturbed;
     }
@@ -51,7 +51,7 @@ sealed class CodeContrasts
     public double this[int pair] => _contrasts[pair];
 
     /// <summary>Gets whether the pairs fill the first or the last rows of the code. A display that is lit row by row causes this.</summary>
-    static bool AreRowsFromAnEdge(List<int> pairs) =>
+    static bool AreRowsAtEdge(List<int> pairs) =>
         pairs.Count % TimestampCode.PairsPerRow == 0 && (pairs[^1] == pairs.Count - 1 || pairs[0] == TimestampCode.PairCount - pairs.Count);
 
     /// <summary>Gets the code word: each bit states which cell of a pair is brighter.</summary>

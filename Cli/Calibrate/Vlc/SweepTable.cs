@@ -1,6 +1,5 @@
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
-using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;
 

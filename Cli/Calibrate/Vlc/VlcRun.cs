@@ -34,7 +34,7 @@ sealed class VlcRun(PictureReader reader)
                 report(_results.Count);
             },
             cancellation));
-        var pictures = Strays.Rejected(OfOneSize());
+        var pictures = Outliers.Rejected(OfOneSize());
         if (!isStill) return new VlcResult(pictures);
         pictures = MovingPictures.Rejected(pictures, out var refusal);
         return new VlcResult(pictures) { Refusal = refusal };

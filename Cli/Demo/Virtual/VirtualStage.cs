@@ -56,7 +56,7 @@ sealed class VirtualStage
 
     DemoRun Run()
     {
-        var loop = new DemoFrameLoop(_settings, _headset, _clock, _truth, GoOnTo);
+        var loop = new DemoFrameLoop(_settings, _headset, _clock, _truth, AdvanceTo);
         loop.Run((_, _) => { }, CancellationToken.None);
         return new DemoRun(
             _settings, _truth, loop.Frames, _headset.Log.ApplicationLatencies, _headset.Session.Statistics(_clock.Read),
@@ -64,7 +64,7 @@ sealed class VirtualStage
         { Bodies = loop.Bodies, Exchanges = _headset.Log.Exchanges() };
     }
 
-    void GoOnTo(HeadsetTime time)
+    void AdvanceTo(HeadsetTime time)
     {
         _clock.Set(time);
         var from = time - MaxPause;

@@ -2,7 +2,6 @@ using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
-using Nowpose.Latency;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;
@@ -10,7 +9,7 @@ namespace Nowpose.Cli.Figures.Display;
 /// <summary>Fig. 11: the constant-latency range, in plots of L_visu against the load and against the render time.</summary>
 static class Figure11
 {
-    /// <summary>Maximum relative difference between two limits. Each of them is found within −6 and +2 % of the true limit.</summary>
+    /// <summary>Maximum relative difference between two limits. Each deviates by −6 to +2 % from the true limit.</summary>
     const double LimitShare = 0.08;
 
     /// <summary>Maximum difference between a picture's L_visu and the stored one, ms.</summary>

@@ -1,4 +1,4 @@
-using Nowpose.Cli.Calibrate.Nudge;
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Sine;
 using Nowpose.Cli.Figures.Model;
 

@@ -1,10 +1,10 @@
-// Finds the errors of a configuration without starting a process.
+// Finds the errors in a configuration without starting a process.
 import { parts } from './parts.mjs';
 
 const { readConfiguration, kinds } = await parts('configuration/configuration', 'kinds');
 const checks = Object.fromEntries(Object.entries(kinds).map(([name, kind]) => [name, kind.check]));
 
-/** Returns the lines that --check would write; empty for a valid configuration. */
+/** Returns the lines that --check writes for a configuration file; none if the file is valid. */
 export function wrongIn(path, environment = {}) {
   try {
     readConfiguration(path, environment, checks);

@@ -9,7 +9,7 @@ const { Resolution, PlantClock, ofFileTime, toRosTime } = await parts('clock/res
 const MS = 1_000_000n;
 const T = 1_700_000_000_000n * MS;
 
-const told = (times, between = MS) => {
+const observed = (times, between = MS) => {
   const resolution = new Resolution();
   times.forEach((time, i) => resolution.observe(time, BigInt(i) * between, BigInt(i) * between + 1000n));
   return resolution;
@@ -18,19 +18,19 @@ const eight = step => Array.from({ length: 9 }, (_, i) => T + BigInt(7 * i * i +
 
 describe('resolution', () => {
   for (const step of [1n, 100n, 1000n, MS, 10n * MS, 1000n * MS]) {
-    it(`Resolution_TimesInStepsOf${step}ns_IsTheStep`, () => assert.equal(told(eight(step)).value, step));
+    it(`Resolution_TimesInStepsOf${step}ns_IsTheStep`, () => assert.equal(observed(eight(step)).value, step));
   }
 
-  it('Resolution_TooFewTimes_IsUnknown', () => assert.equal(told(eight(MS).slice(0, 7)).value, 0n));
+  it('Resolution_TooFewTimes_IsUnknown', () => assert.equal(observed(eight(MS).slice(0, 7)).value, 0n));
 
-  it('Resolution_ClockStandsStillBetweenUpdates_IsTheUpdateInterval', () => {
+  it('Resolution_ClockConstantBetweenUpdates_IsTheUpdateInterval', () => {
     const times = eight(100n).flatMap(time => [time, time, time]);
 
-    // The third reading was requested two intervals after the first, which had arrived 1 µs after its request.
-    assert.equal(told(times, 50n * MS).value, 100n * MS - 1000n);
+    // The first reading arrived 1 µs after its request. The third shows the same time and was requested 100 ms after the first request.
+    assert.equal(observed(times, 50n * MS).value, 100n * MS - 1000n);
   });
 
-  it('Resolution_ClockStoppedOnce_IsFineAgainAfterAMinute', () => {
+  it('Resolution_ClockStoppedOnce_RecoversWithinAMinute', () => {
     const resolution = new Resolution();
     let now = 0n;
     const observe = time => {
@@ -44,7 +44,7 @@ describe('resolution', () => {
 
     for (let i = 1n; i < 310n; i++) observe(T + (11_000n + 200n * i) * MS);
 
-    // The clock showed the same time for 600 ms, then advanced by 1000 ms, so it may have stood still for 1000 ms.
+    // The clock showed the same time for 600 ms and then advanced by 1000 ms, so its resolution may have been 1000 ms.
     assert.deepEqual([soonAfter, resolution.value], [1000n * MS, MS]);
   });
 });
@@ -52,7 +52,7 @@ describe('resolution', () => {
 describe('times', () => {
   it('FileTime_Of1970_IsZero', () => assert.equal(ofFileTime(116444736000000000n), 0n));
 
-  it('FileTime_HundredNanoseconds_AreKept', () =>
+  it('FileTime_Any_KeepsTheResolutionOf100ns', () =>
     assert.deepEqual(toRosTime(ofFileTime(116444736000000000n + 12_345_678_901n)), { sec: 1234, nanosec: 567890100 }));
 });
 
@@ -83,7 +83,7 @@ describe('plant clock', () => {
     assert.ok(clock.isSettled);
   });
 
-  it('Clock_DetachedWhileMeasured_IsNeitherReadNorOffered', async () => {
+  it('Clock_DetachedDuringMeasurement_IsNeitherReadNorOffered', async () => {
     const gateway = link(), clock = new PlantClock(gateway, 'cell');
     let time = T;
     const attached = clock.attach(async () => {
@@ -130,7 +130,7 @@ describe('plant clock', () => {
       pass(3n * MS);
       return { received: time, sent: time };
     }, never);
-    // A gateway reads the clock every 200 ms.
+    // Reads the clock every 200 ms, like a gateway.
     const asked = async () => {
       pass(197n * MS);
       return gateway.services.get('/nowpose/plant_time/cell').answer();
@@ -148,8 +148,8 @@ describe('plant clock', () => {
     assert.equal(after.resolution_ns, 1_000_000);
   });
 
-  // 15.625 ms is the resolution of Windows' clock. A gateway that is synchronised reads once a second and never sees the clock stand still.
-  it('Resolution_CoarseClockReadRarely_StaysCoarse', async () => {
+  // The clock of Windows has a resolution of 15.625 ms. A synchronised gateway reads it once a second, so it never reads the same time twice.
+  it('Resolution_CoarseClockReadOnceASecond_StaysCoarse', async () => {
     let now = 0n;
     const gateway = link(), clock = new PlantClock(gateway, 'cell', null, () => now), step = 15_625_000n;
     await clock.attach(async () => {
@@ -157,20 +157,20 @@ describe('plant clock', () => {
       const time = T + now / step * step;
       return { received: time, sent: time };
     }, never);
-    const told = [];
+    const observed = [];
     for (let second = 0; second < 200; second++) {
       now += 997n * MS;
-      told.push((await gateway.services.get('/nowpose/plant_time/cell').answer()).resolution_ns);
+      observed.push((await gateway.services.get('/nowpose/plant_time/cell').answer()).resolution_ns);
       await clock.settled;
     }
 
-    assert.deepEqual([...new Set(told)], [15_625_000]);
+    assert.deepEqual([...new Set(observed)], [15_625_000]);
   });
 
   for (const [step, expected] of [[1000n * MS, [1000n * MS]], [10n * MS, []]])
     it(`Clock_InStepsOf${step / MS}ms_${expected.length > 0 ? 'IsReportedAsCoarse' : 'IsNotReported'}`, async () => {
       let now = 0n;
-      const told = new Set(), clock = new PlantClock(link(), 'cell', null, () => now, coarse => told.add(coarse));
+      const observed = new Set(), clock = new PlantClock(link(), 'cell', null, () => now, coarse => observed.add(coarse));
       const read = async () => {
         now += 50n * MS;
         const time = T + now / step * step;
@@ -182,10 +182,10 @@ describe('plant clock', () => {
         await clock.settled;
       }
 
-      assert.deepEqual([...told].filter(coarse => coarse !== null), expected);
+      assert.deepEqual([...observed].filter(coarse => coarse !== null), expected);
     });
 
-  it('Now_AfterDetach_IsUnknown', async () => {
+  it('Now_ClockDetached_IsUnknown', async () => {
     const clock = new PlantClock(link(), 'cell', MS);
     await clock.attach(async () => ({ received: T, sent: T }), never);
     const known = clock.now;

@@ -29,7 +29,7 @@ joints:
     offset: -1.5
 `;
 
-/** Returns the errors after one change of the valid file. */
+/** Returns the errors in the valid file after one replacement. */
 function linesOf(from, to) {
   const text = GOOD.replace(from, to);
   assert.notEqual(text, GOOD);
@@ -111,7 +111,7 @@ describe('configuration', () => {
     });
   }
 
-  it('Joint_Silence_OverridesThatOfThePlant', () => {
+  it('Silence_OfAJoint_OverridesTheSilenceOfThePlant', () => {
     const joints = `joints:
   - { joint: a, node: i=1, unit: mm, silence: rest, max_deceleration: 2 }
   - { joint: b, node: i=2 }
@@ -123,14 +123,14 @@ describe('configuration', () => {
     assert.deepEqual(read, [[null, 2, true], [3000, 15, false]]);
   });
 
-  it('Silence_NotConfigured_MeansRestForChangesAndFaultForPeriodicSources', () => {
+  it('Silence_NotConfigured_MeansRestForSourcesOfChangesAndFaultForPeriodicSources', () => {
     const silenceOf = text => readConfiguration(temporaryFile('plant.yaml', text), {}, {}).plant.silence;
 
     assert.equal(silenceOf(GOOD), 'rest');
     assert.deepEqual(silenceOf('plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\n'), { fault_after_s: 1 });
   });
 
-  it('Check_Tab_IsTheOnlyReportedError', () => {
+  it('Check_TabInTheFile_ReportsOnlyTheTab', () => {
     const lines = linesOf('  endpoint', '\tendpoint');
 
     assert.deepEqual(lines, [`line 5: ${fileMessages.tab}`]);
@@ -144,7 +144,7 @@ describe('configuration', () => {
     ]);
   });
 
-  it('Check_AddressesOfAllForms_AreValid', () => {
+  it('Check_AllFormsOfAddresses_FindsNoError', () => {
     for (const address of ['plc', 'plc:1/path', '[fe80::1]', '[fe80::1%eth0]:4840', '[::1]:65535', '10.0.0.1:4840/a/b'])
       assert.deepEqual(wrongIn(temporaryFile('plant.yaml', GOOD.replace('plc.example:4840', address))), [], address);
   });
@@ -161,13 +161,13 @@ describe('configuration', () => {
     assert.deepEqual(wrongIn(path), []);
   });
 
-  it('Check_SeveralInvalidEntries_AreReportedTogetherInOrder', () => {
+  it('Check_SeveralInvalidEntries_ReportsAllInOrder', () => {
     const lines = linesOf(/unit: deg[^]*/, 'unit: feet\n  - joint: ""\n    node: 3\n    offset: much\n  - {}\n');
 
     assert.deepEqual(lines.map(line => Number(/line (\d+)/.exec(line)[1])), [9, 10, 11, 12, 13, 13]);
   });
 
-  it('Check_InvalidFile_EndsWithStatusTwo', async t => {
+  it('Check_InvalidFile_ExitsWithStatus2', async t => {
     const path = temporaryFile('plant.yaml', GOOD.replace('unit: deg', 'unit: feet'));
 
     const { status, lines } = await check(t, path);
@@ -176,14 +176,14 @@ describe('configuration', () => {
     assert.deepEqual(lines, wrongIn(path));
   });
 
-  it('Check_MissingFile_IsReported', async t => {
+  it('Check_FileMissing_ReportsIt', async t => {
     const { status, lines } = await check(t, 'nowhere.yaml');
 
     assert.equal(status, 2);
     assert.equal(lines[0], `nowhere.yaml, line 1: ${fileMessages.configurationNotReadable('ENOENT')}`);
   });
 
-  it('Check_TokenFileReadableByAll_IsRefusedWithoutShowingTheToken', { skip: process.platform === 'win32' }, () => {
+  it('Check_TokenFileReadableByAll_RefusesItWithoutShowingTheToken', { skip: process.platform === 'win32' }, () => {
     const path = temporaryFile('plant.yaml', GOOD.replace('plant:', '  token_file: token\nplant:'));
     writeFileSync(join(dirname(path), 'token'), 'hush-hush\n');
     chmodSync(join(dirname(path), 'token'), 0o644);
@@ -194,7 +194,7 @@ describe('configuration', () => {
     assert.doesNotMatch(lines.join('\n'), /hush-hush/);
   });
 
-  it('Check_TokenOverPlainNetwork_IsRefused', () => {
+  it('Check_TokenOverUnencryptedConnection_RefusesIt', () => {
     const path = temporaryFile('plant.yaml', GOOD.replace('ws://127.0.0.1:47011', 'ws://gateway.example:47011'));
 
     const lines = wrongIn(path, { NOWPOSE_TOKEN: 'hush-hush' });
@@ -203,7 +203,7 @@ describe('configuration', () => {
     assert.doesNotMatch(lines.join('\n'), /hush-hush/);
   });
 
-  it('Check_ByteOrderMark_IsValid', () => {
+  it('Check_FileWithByteOrderMark_FindsNoError', () => {
     assert.deepEqual(wrongIn(temporaryFile('plant.yaml', `\uFEFF${GOOD}`)), []);
   });
 });

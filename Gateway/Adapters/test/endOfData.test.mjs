@@ -1,4 +1,4 @@
-// Detects data that ends in mid-motion, in virtual time: no false alarm for stops, an alarm for motions that are cut off.
+// Tests in virtual time how data that ends in mid-motion is detected: stops cause no false alarm, motions that are cut off an alarm.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { changes, smooth, trapezoid } from './motions.mjs';
@@ -13,7 +13,7 @@ const START = 1_700_000_000n * 1_000_000_000n;
 const stampOf = time => START + BigInt(Math.round((time + 10) * 1e9));
 const logarithmic = (random, from, to) => from * (to / from) ** random();
 
-/** Resolution and errors of each kind of source, for one sampling interval. */
+/** Resolution and errors of each kind of source, for a sampling interval in s. */
 const SOURCES = {
   Exact: interval => ({ interval }),
   Quantised: (interval, random) => ({ interval, quantum: logarithmic(random, 1e-5, 3e-3) }),
@@ -54,23 +54,23 @@ describe('end of data', () => {
 
           const judge = judgeOf(samples), verdict = judge.verdict(interval);
 
-          // An emergency stop stops all joints. If the other joints keep moving, a hard stop counts as an end of data, so it is not checked here.
+          // An emergency stop stops all joints. A hard stop while other joints move counts as an end of data, so this case is not checked here.
           if (motion !== 'Emergency' && name !== 'WithLooksLeftOut') assert.equal(judge.verdict(interval, true), null, `alone, stop ${i} of seed ${SEED}`);
           assert.equal(verdict, null, `stop ${i} of seed ${SEED}: ${JSON.stringify(options)} ${JSON.stringify(samples.slice(-4))}`);
         }
       });
 
   for (const [interval, speed] of [[0.01, 0.25], [0.02, 0.5], [0.05, 1.2], [0.1, 2.4]])
-    it(`Verdict_SineCutAt${speed}RadPerSecondEvery${1000 * interval}Ms_IsEndInMotion`, () => {
+    it(`Verdict_SineCutAt${speed}RadPerSecondEvery${1000 * interval}Ms_DetectsTheEndOfData`, () => {
       const random = seeded(SEED), peak = 1.2 * speed, amplitude = peak / 2;
       let found = 0;
       for (let i = 0; i < 200; i++) {
-        // Cuts the sine after at least one reversal, where its speed is at least `speed`.
+        // The data end after at least one reversal of the motion, while the joint moves with at least `speed`.
         const cut = (Math.PI * (3 + i % 3) + (random() - 0.5)) / 2, sine = { position: t => amplitude * Math.sin(2 * t) };
         const judge = judgeOf(changes(sine, random, { interval, from: 0, until: cut, jitter: 0.2, quantum: 1e-5 }));
         if (judge.verdict(interval) !== null) found++;
       }
-      // Short last intervals and the rounding of the positions hide a few ends.
+      // A few ends are not detected, because the last interval is short or the positions are rounded.
       assert.ok(found >= 190, `${found} of 200`);
     });
 
@@ -79,7 +79,7 @@ describe('end of data', () => {
 
     const { required, limit } = judge.verdict(0.02);
 
-    // v / h, minus the resolution: the smallest step at the start is far smaller than the steps of the motion.
+    // v/h is 50 rad/s². The resolution, which is derived from the smallest step at the start of the motion, reduces it slightly.
     assert.ok(required > 45 && required <= 50, `${required}`);
     assert.equal(limit, FLOOR);
   });
@@ -91,7 +91,7 @@ describe('end of data', () => {
     assert.equal(judgeOf(samples, new EndOfData(FLOOR, 30)).verdict(0.02).limit, 30);
   });
 
-  it('Verdict_DecelerationObservedBefore_RaisesTheLimit', () => {
+  it('Verdict_LargerDecelerationObservedBefore_RaisesTheLimit', () => {
     const random = seeded(SEED), judge = new EndOfData(FLOOR);
     const braked = trapezoid({ v: 4, a: 5, brakeAt: 1, brake: 40 });
     judgeOf(changes(braked, random, { interval: 0.01, until: braked.end + 0.5 }), judge);
@@ -103,7 +103,7 @@ describe('end of data', () => {
 
   for (const [place, isLearned] of [['Same', true], ['Another', false]])
     it(`Verdict_MotionStartsAgainAt${place}Place_${isLearned ? 'LearnsTheStop' : 'LearnsNothing'}`, () => {
-      // The data ends at the motion's highest speed, 0.5 rad/s.
+      // The data end at the highest speed of the motion, 0.5 rad/s.
       const swing = { position: t => 0.25 * Math.sin(2 * t) }, cut = [...changes(swing, () => 0, { interval: 0.05, from: 0, until: 3 * Math.PI })];
       const judge = judgeOf(cut), before = judge.verdict(0.05, true), shift = place === 'Same' ? 0 : 0.2;
       const later = { position: t => cut.at(-1).value + shift + 0.25 * Math.sin(2 * t) };

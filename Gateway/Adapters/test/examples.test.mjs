@@ -1,4 +1,4 @@
-// The examples are valid, because users copy them.
+// Checks that the examples are valid, because users copy them.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
@@ -23,11 +23,11 @@ for (const name of names)
 
 const withRobot = names.map(name => [name, parse(readFileSync(join(folder, name), 'utf8'))]).filter(([, { robot }]) => robot !== undefined);
 
-it('Examples_OfControlSystems_NameTheirRobot', () =>
+it('Examples_OfControlSystems_ContainARobot', () =>
   assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads.yaml', 'mqtt.yaml', 'opcua.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
 
 for (const [name, { robot, joints }] of withRobot)
-  it(`Example_${name}_NamesAllJointsOfItsArm`, () => {
+  it(`Example_${name}_ContainsAllJointsOfItsArm`, () => {
     const turning = [...robotOf({ path: join(folder, name) }, ['robot'], robot).matchAll(/<joint\s+name="([^"]+)"\s+type="(?:revolute|continuous)"/g)].map(m => m[1]);
 
     assert.ok(turning.length >= 5);

@@ -1,4 +1,4 @@
-// The control clock as an adapter reads it from its gateway, in virtual time.
+// Tests in virtual time how an adapter reads the control clock from its gateway.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
@@ -9,7 +9,7 @@ const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
 
 const us = number => BigInt(Math.round(number)) * 1000n;
 
-/** A clock that is read once a second for a minute. The control clock is `ahead` of the counter and faster by `ppm`. */
+/** Reads the gateway's clock once a second. The control clock is ahead of this machine's counter and faster than the counter by `ppm`. */
 function read({ ppm = 0n, seed = 1, seconds = 60, trip = random => us(200 + 3000 * random() ** 2) } = {}) {
   const random = seeded(seed), time = { now: 0n };
   const clock = new GatewayClock({}, () => time.now), control = at => T + at + (at * ppm) / 1_000_000n;
@@ -31,11 +31,11 @@ describe('clock of the gateway', () => {
       it(`Now_Skew${ppm}ppm_Seed${seed}_ErrsByLessThanTheFastestRoundTrip`, () => {
         const { clock, control, time } = read({ ppm, seed });
 
-        // The drift that is allowed for between two readings widens the bounds by 0.7 ms.
+        // The bounds contain 0.7 ms for the drift between two readings.
         assert.ok(size(clock.now - control(time.now)) < MS, `${clock.now - control(time.now)} ns`);
       });
 
-  it('Now_SlowPathOneWay_ErrsByAtMostHalfTheRoundTrip', () => {
+  it('Now_AsymmetricDelays_ErrsByAtMostHalfTheRoundTrip', () => {
     const asked = 0n, heard = 10n * MS, clock = new GatewayClock({}, () => heard);
 
     clock.observe(T, asked, heard);
@@ -51,7 +51,7 @@ describe('clock of the gateway', () => {
     assert.equal(clock.now, T + 3600n * S - MS / 2n);
   });
 
-  it('PlantClock_WithoutAClockOfThePlant_ReadsThatOfTheGateway', async () => {
+  it('PlantClock_PlantHasNoClock_ReadsTheClockOfTheGateway', async () => {
     const time = { now: 5n * S }, stop = new AbortController();
     const gateway = { offer: () => {}, call: async () => ({ time: { sec: Number(T / S), nanosec: 0 } }) };
     const clock = new PlantClock(gateway, 'cell', MS, () => time.now);
@@ -67,7 +67,7 @@ describe('clock of the gateway', () => {
     stop.abort();
   });
 
-  it('PlantClock_GatewayAway_IsUnknownUntilTheStop', async () => {
+  it('PlantClock_GatewayNotConnected_IsUnknown', async () => {
     const stop = new AbortController(), clock = new PlantClock({ offer: () => {}, call: async () => { throw new Error('away'); } }, 'cell');
 
     const known = clock.doWithout(stop.signal);

@@ -1,4 +1,4 @@
-// The connection of an adapter to a gateway, without a plant.
+// Tests the connection of an adapter to its gateway, without a plant.
 import assert from 'node:assert/strict';
 import { createHash, X509Certificate } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -32,7 +32,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   });
   const tls = () => ({ key: own.pem, cert: own.cert });
 
-  it('Version_OfAnotherGateway_IsLoggedOnceAndOwnIsReported', async t => {
+  it('Version_GatewayHasAnother_IsLoggedOnceAndTheAdapterReportsItsOwn', async t => {
     const bridge = await RosbridgeDouble.start(t);
     const run = await adapter(t, bridge.url);
     const isSubscription = ({ op, topic }) => op === 'subscribe' && topic === '/nowpose/version';
@@ -56,7 +56,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.match(run.out, /^\d+\.\d+\.\d+(\+[0-9a-f]{40})?\n$/);
   });
 
-  it('Token_OfEnvironment_IsSentAndNeverLogged', async t => {
+  it('Token_FromTheEnvironment_IsSentAndNeverLogged', async t => {
     const bridge = await RosbridgeDouble.start(t, { tls: tls(), token: TOKEN });
     const run = await adapter(t, 'ws://127.0.0.1:1', { env: { NOWPOSE_GATEWAY: bridge.url, NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: pin } });
 
@@ -66,7 +66,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.doesNotMatch(run.err, new RegExp(TOKEN));
   });
 
-  it('Pin_OfAnotherKey_EndsAfterTheTlsHandshake', async t => {
+  it('Pin_OfAnotherKey_ConnectionEndsAfterTheTlsHandshake', async t => {
     const bridge = await RosbridgeDouble.start(t, { tls: tls() });
     const other = `sha256/${'A'.repeat(43)}=`;
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: other } });
@@ -86,17 +86,17 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(bridge.headers.length, 0);
   });
 
-  it('Token_Unknown_IsLoggedOnce', async t => {
+  it('Token_RefusedByTheGateway_IsLoggedOnce', async t => {
     const bridge = await RosbridgeDouble.start(t, { token: 'another' });
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
     await run.said(gatewayMessages.noToken);
 
     await until(() => bridge.headers.length > 2, 'more attempts');
 
-    assert.equal(run.err.match(/401, the token/g).length, 1);
+    assert.equal(run.err.match(/status 401: the token/g).length, 1);
   });
 
-  it('Robot_OfTheConfiguration_IsPublishedAfterEachConnection', async t => {
+  it('Robot_Configured_IsPublishedAfterEachConnection', async t => {
     const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
     const path = temporaryFile('plant.yaml', configuration(first.url, 'opc.tcp://127.0.0.1:9', [], JOINTS) + 'robot: arm.urdf\n');
     writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
@@ -110,7 +110,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(second.published('/robot_description')[0].data, '<robot name="arm"><joint name="a"/></robot>');
   });
 
-  it('Child_ParentEnded_Ends', async t => {
+  it('Adapter_ParentProcessEnded_Ends', async t => {
     const bridge = await RosbridgeDouble.start(t);
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_SUPERVISED: '1' }, stdin: 'pipe' });
     await until(() => bridge.heard.length > 0, 'a message');
@@ -131,7 +131,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     });
   }
 
-  it('Offer_WithoutRequests_IsRepeated', async t => {
+  it('ClockOffer_RefusedByTheGateway_IsRepeated', async t => {
     const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
     link.offer('/nowpose/plant_time/cell', 'nowpose/PlantTime', async () => ({ synchronised: true }));
@@ -139,16 +139,16 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const offers = () => bridge.heard.filter(m => m.op === 'advertise_service').length;
     await until(() => offers() === 1, 'the offer');
 
-    // Another connection still holds that service.
+    // The gateway refuses the offer, for example because a former connection still serves this clock.
     bridge.send({ op: 'status', level: 'error', msg: 'advertise_service: taken' });
 
-    await until(() => offers() === 2, 'the offer again');
+    await until(() => offers() === 2, 'the second offer');
     assert.deepEqual((await bridge.call('/nowpose/plant_time/cell')).values, { synchronised: true });
     ending.abort();
     await running;
   });
 
-  it('Status_OfAnEarlierConnection_IsLoggedAgainOnTheNext', async t => {
+  it('GatewayStatus_RepeatedOnANewConnection_IsLoggedAgain', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     const refuse = async count => {
       await until(() => bridge.clients.length > 0, 'the link');
@@ -163,7 +163,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     await refuse(2);
   });
 
-  it('Status_ClockStillMeasured_IsLoggedAsMeasuring', async t => {
+  it('GatewayStatus_ClockStillBeingMeasured_IsLoggedAsMeasurement', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     await until(() => bridge.clients.length > 0, 'the link');
 
@@ -176,7 +176,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.doesNotMatch(run.err, /Unsynchronised/);
   });
 
-  it('Status_Repeated_IsLoggedOnce', async t => {
+  it('GatewayStatus_RepeatedOnOneConnection_IsLoggedOnce', async t => {
     const bridge = await RosbridgeDouble.start(t), run = await adapter(t, bridge.url);
     await until(() => bridge.heard.length > 0, 'a message');
 
@@ -187,7 +187,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.deepEqual(run.err.match(/says: .*/g), ['says: this', 'says: that', 'says: {"toString":1}']);
   });
 
-  it('Message_ListenerThrows_IsCountedAndTheNextIsProcessed', async t => {
+  it('Message_ListenerThrows_IsCountedAndTheNextMessageIsProcessed', async t => {
     const bridge = await RosbridgeDouble.start(t), heard = [], problems = [], ending = new AbortController();
     const events = { malformed: (topic, problem) => problems.push([topic, problem]) };
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
@@ -197,7 +197,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
     for (const msg of [null, {}, { data: 'four' }]) bridge.send({ op: 'publish', topic: '/plan', msg });
 
-    await until(() => heard.length > 0, 'the good one');
+    await until(() => heard.length > 0, 'the valid message');
     assert.deepEqual(heard, [4]);
     assert.deepEqual(problems.map(([topic]) => topic), ['/plan', '/plan']);
     ending.abort();
@@ -213,7 +213,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 });
 
 describe('queue', () => {
-  it('Queue_Full_DropsTheOldest', () => {
+  it('Queue_Full_DropsTheOldestMessage', () => {
     const queue = new SendQueue(), sent = [];
     for (let i = 0; i < 100; i++) queue.add(String(i));
 
@@ -222,7 +222,7 @@ describe('queue', () => {
     assert.deepEqual([queue.dropped, sent[0], sent.at(-1), sent.length], [36, 36, 99, 64]);
   });
 
-  it('Socket_Full_GetsNoMessages', () => {
+  it('Queue_SocketBufferFull_SendsNoMessages', () => {
     const queue = new SendQueue(), sent = [];
     queue.add('x');
 
@@ -233,7 +233,7 @@ describe('queue', () => {
 });
 
 describe('log', () => {
-  it('Line_WithSecretsAndControlCharacters_IsCleaned', () => {
+  it('Line_WithSecretsAndControlCharacters_IsWrittenWithoutThem', () => {
     const lines = [], log = new Log('plant/x', [TOKEN], line => lines.push(line));
 
     log.line(`to opc.tcp://me:word@plc with ${TOKEN}\r\n\u001b[31mfaked line`);
@@ -241,7 +241,7 @@ describe('log', () => {
     assert.deepEqual(lines, ['[plant/x] to opc.tcp://***@plc with *** [31mfaked line\n']);
   });
 
-  it('Subject_ChangingContinuously_HasTenLinesAndOneThatCountsTheRest', () => {
+  it('Subject_ChangesContinuously_WritesTenLinesAndTheCountOfTheOthers', () => {
     const lines = [], waits = [], log = new Log('x', [], line => lines.push(line), (ms, then) => waits.push({ ms, then }));
     const flood = () => {
       for (let i = 0; i < 500; i++) {
@@ -263,7 +263,7 @@ describe('log', () => {
 });
 
 describe('backoff', () => {
-  it('Next_RepeatedFailures_DoublesTheDelayUpTo1500Ms', () => {
+  it('Delays_Repeated_DoubleUpTo1500Ms', () => {
     const backoff = new Backoff(() => 0.5);
 
     assert.deepEqual([1, 2, 3, 4, 5].map(() => backoff.next()), [200, 400, 800, 1500, 1500]);
@@ -271,7 +271,7 @@ describe('backoff', () => {
     assert.equal(backoff.next(), 200);
   });
 
-  it('Next_RandomVariation_StaysWithinAFifth', () => {
+  it('Delays_Randomised_VaryByAtMost20Percent', () => {
     assert.ok(Math.abs(new Backoff(() => 0).next() - 160) < 1e-9 && Math.abs(new Backoff(() => 1).next() - 240) < 1e-9);
   });
 });

@@ -1,4 +1,4 @@
-// The message catalogue of the adapters, for tests.
+// Loads the message catalogue of the adapters for tests.
 import { readdirSync } from 'node:fs';
 import { parts } from './parts.mjs';
 
@@ -6,8 +6,8 @@ const files = readdirSync(new URL('../src/messages', import.meta.url));
 
 export const messages = await parts(...files.map(file => `messages/${file}`));
 
-/** Stands for any value in a text of the catalogue. */
+/** Argument for a text of the catalogue that stands for any value. */
 export const ANY = Object.assign(Object('\u0000'), { toFixed: () => '\u0000' });
 
-/** Gets the pattern of a text of the catalogue that was made with ANY. */
+/** Returns a regular expression for a text of the catalogue that was created with ANY. */
 export const like = text => new RegExp(text.split('\u0000').map(part => part.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&')).join('.*'));

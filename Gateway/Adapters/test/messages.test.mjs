@@ -1,10 +1,10 @@
-// The wording of the adapters' message catalogue.
+// Tests the wording of the adapters' message catalogue.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { faultsIn, textsOf } from '../../../.ci/lint/wording.mjs';
 import { messages } from './messages.mjs';
 
-/** A value for each parameter of the catalogue's functions. */
+/** An example value for each parameter of the functions in the catalogue. */
 const samples = {
   after: 0.1, allowed: ['opcua', 'ads'], apartMm: 2.4, apartMs: 12.5, arms: ['ur5e', 'ur10e'], basis: 'observed', before: 812.3, chain: ['a', 'b', 'a'],
   choice: 7, code: 'ENOENT', command: 3, count: 3, cure: 'Move it', description: 'the node is unknown', element: 'MAIN.axes[1]', endpoint: 'mqtt://b',

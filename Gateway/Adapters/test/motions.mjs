@@ -1,6 +1,6 @@
-// Simulated motions of a joint, and a source that samples them and sends only changes. Units: s, rad and their derivatives.
+// Simulates motions of a joint, and a source that samples them and sends only changes. Units: s, rad and their derivatives.
 
-/** Position of a joint that accelerates with `a`, moves at `v`, and brakes with `brake` from `brakeAt` until it is at rest. */
+/** Returns a motion that accelerates with `a` to the speed `v`, and from the time `brakeAt` decelerates with `brake` until it is at rest. */
 export function trapezoid({ v, a, brakeAt, brake }) {
   const ramp = v / a, stop = v / brake;
   const rising = t => t < ramp ? a * t * t / 2 : v * (t - ramp / 2);
@@ -15,7 +15,7 @@ export function trapezoid({ v, a, brakeAt, brake }) {
   };
 }
 
-/** A point-to-point motion with zero jerk at its ends: a polynomial of degree 5 with peak speed `v`. */
+/** Returns a point-to-point motion with the peak speed `v`: a polynomial of degree 5, at rest and without acceleration at both ends. */
 export function smooth({ v, duration }) {
   const length = v * duration / 1.875;
   return {
@@ -30,10 +30,10 @@ export function smooth({ v, duration }) {
 const gaussian = random => Math.sqrt(-2 * Math.log(1 - random())) * Math.cos(2 * Math.PI * random());
 
 /**
- * The samples that a source sends of a motion from `from` to `until`.
- * @param interval Sampling interval. Each sample is late by up to `jitter` of it and carries its true stamp.
- * @param quantum Resolution of the value. @param deadband A change up to this is not sent. @param noise Standard deviation.
- * @param stampError Maximum error of a stamp. @param skip Share of the samples that are left out.
+ * Generates the samples that a source sends of a motion from the time `from` to the time `until`.
+ * @param interval Sampling interval. @param jitter Maximum delay of a sample as a fraction of `interval`; the time stamp contains the delay.
+ * @param quantum Resolution of the value. @param deadband Largest change that is not sent. @param noise Standard deviation of the value.
+ * @param stampError Maximum error of a time stamp. @param skip Fraction of the samples that are omitted.
  */
 export function* changes({ position }, random, { from = -0.5, until, interval, jitter = 0, quantum = 0, deadband = 0, noise = 0, stampError = 0, skip = 0 }) {
   let sent = null;

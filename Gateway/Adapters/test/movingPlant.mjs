@@ -1,8 +1,8 @@
-// node movingPlant.mjs opcua|ads: starts a moving youBot behind a control system whose clock is minutes off and runs too fast.
-// Reports its address, and the reading of its clock at a count of this machine's monotonic counter, so that a test can compute
-// the robot's true position. Reads commands, one per line: "step MS" steps its clock. With opcua also "delete", "stop" (in
-// mid-motion), "bad", "nan" or "repair" and the name of a variable, and "rest MS"; the answer is "done COMMAND", the number of the
-// command and the Unix time in s at which it took effect. Ends when its input ends.
+// node movingPlant.mjs opcua|ads: starts a control system that moves a youBot. Its clock is minutes ahead and runs too fast.
+// Writes its address, and the time of its clock at a count of this machine's monotonic counter. From these a test can compute the
+// true position of the robot. Reads commands, one per line: "step MS" steps the clock. With opcua also "delete", "stop" (in
+// mid-motion), "bad", "nan" or "repair" with the name of a variable, and "rest MS"; the answer is "done COMMAND", the number of the
+// command and the Unix time in s at which the command took effect. The program ends when its input ends.
 import { createInterface } from 'node:readline';
 
 const AHEAD_MS = 754_321.5, PPM = 85;
@@ -36,8 +36,8 @@ const kinds = {
 
 const plant = await kinds[process.argv[2]]();
 
-/** Writes the pair that was read in the shortest time of many. */
-function tellClock() {
+/** Reads counter and clock many times, and writes the pair of values that was read in the shortest time. */
+function writeClock() {
   let shortest = Infinity, count = 0n, shown = 0n;
   for (let i = 0; i < 200; i++) {
     const before = process.hrtime.bigint(), now = plant.now(), after = process.hrtime.bigint();
@@ -51,7 +51,7 @@ function tellClock() {
 
 console.log(`endpoint ${plant.endpoint}`);
 console.log(`thumbprint ${plant.thumbprint}`);
-tellClock();
+writeClock();
 console.log('state serving');
 
 const COMMANDS = ['delete', 'stop', 'bad', 'nan', 'repair', 'rest'];
@@ -61,7 +61,7 @@ async function obey(line) {
   const [command, argument] = line.split(' ');
   if (command === 'step') {
     plant.step(Number(argument));
-    return tellClock();
+    return writeClock();
   }
   if (!COMMANDS.includes(command)) throw new Error(`unknown command: ${line}`);
   await plant[command](argument);

@@ -1,4 +1,4 @@
-// An adapter's output in virtual time.
+// Runs the output of an adapter in virtual time.
 import { parts } from './parts.mjs';
 
 const { AdapterStatus, Log, JointOutput } = await parts('gateway/status', 'log', 'samples/jointOutput');
@@ -6,7 +6,7 @@ const { AdapterStatus, Log, JointOutput } = await parts('gateway/status', 'log',
 export const MS = 1_000_000n, S = 1000n * MS;
 export const T = 1_700_000_000n * S;
 
-/** An adapter's output in virtual time. `time.ms` is the time since the start on all its clocks. */
+/** Creates the output of an adapter. `time.ms` is the time since the start on all clocks. */
 export function plant(joints = [{ joint: 'a' }, { joint: 'b' }], options = {}) {
   const lines = [], sent = [], time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], line => lines.push(line), () => {}));

@@ -1,4 +1,4 @@
-// Loads single modules of the program, for tests that need no process.
+// Loads single modules of the program for tests that need no process.
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -9,7 +9,7 @@ import { adapters } from './program.mjs';
 // Node caches modules by path, so each bundle gets a new path.
 let made = 0;
 
-/** Returns the exports of the given modules below src. */
+/** Returns the exports of the given modules in the folder src. */
 export async function parts(...modules) {
   const contents = modules.map(module => `export * from './src/${module}';`).join('\n');
   const { outputFiles } = await build({

@@ -1,4 +1,4 @@
-// Starts the bundled program the way a person or the gateway starts it.
+// Starts the bundled program as a user or the gateway does.
 import { spawn } from 'node:child_process';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -6,10 +6,10 @@ import { fileURLToPath } from 'node:url';
 export const adapters = join(dirname(fileURLToPath(import.meta.url)), '..');
 const program = join(adapters, 'dist', 'plant.mjs');
 
-// Much longer than a busy machine needs, so only an event that never comes reaches this timeout.
+// Timeout of a wait. It is much longer than any event takes on a busy machine.
 const PATIENCE_MS = 60_000;
 
-/** Starts the program. `out` and `err` hold its output, `ended` resolves with its exit status. It is stopped after the test at the latest. */
+/** Starts the program. `out` and `err` contain its output; `ended` resolves with its exit status. The end of the test stops it. */
 export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   const child = spawn(process.execPath, [program, ...args], { env: { ...process.env, ...env }, stdio: [stdin, 'pipe', 'pipe'] });
   const run = { child, out: '', err: '' };
@@ -26,13 +26,13 @@ export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   return run;
 }
 
-/** Runs --check in a process of its own and returns its exit status and output. */
+/** Runs the program with --check and returns its exit status and output. */
 export async function check(test, path, env) {
   const run = start(test, [path, '--check'], { env });
   return { status: await run.ended, out: run.out, lines: run.err.trim().split('\n') };
 }
 
-/** Waits until a condition holds. After the timeout it fails with the description `what`. */
+/** Waits until `holds` returns a true value, and returns this value. After the timeout it throws an error with the description `what`. */
 export async function until(holds, what) {
   const end = performance.now() + PATIENCE_MS;
   for (;;) {

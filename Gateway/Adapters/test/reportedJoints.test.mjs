@@ -1,4 +1,4 @@
-// Joint states that another gateway reports, in virtual time.
+// Tests in virtual time how a subscribing bridge uses the joint states that the other gateway reports.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
@@ -6,10 +6,10 @@ import { parts } from './parts.mjs';
 const { AdapterStatus, Log, JointNames, Silence, ReportedJoints } =
   await parts('gateway/status', 'log', 'ros/jointNames', 'samples/silence', 'broker/reportedJoints');
 
-/** Unix time of the start in milliseconds; the other gateway's control clock starts at zero. */
+/** Unix time of the start in milliseconds. The control clock of the other gateway starts at zero. */
 const START = 1_790_000_000_000;
 
-/** The joints of a subscribing bridge whose clocks read `ms` after their start. */
+/** Creates the joints of a subscribing bridge. `time.ms` is the time since the start on all clocks. */
 function bridge() {
   const lines = [], time = { ms: 0 };
   const status = new AdapterStatus('broker', new Log('plant/test', [], line => lines.push(line), () => {}));
@@ -35,7 +35,7 @@ function bridge() {
 }
 
 describe('reported joints', () => {
-  it('Rest_Reported_StaysWithAndWithoutSamples', () => {
+  it('Rest_Reported_ContinuesWithAndWithoutSamples', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
 
@@ -47,7 +47,7 @@ describe('reported joints', () => {
     assert.deepEqual([repeated, stateOf('a')], ['rest', 'rest']);
   });
 
-  it('Fault_NoLongerReported_EndsOnlyWithASample', () => {
+  it('Fault_NoLongerReported_EndsWithTheNextSample', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
     pass(5000);
@@ -62,7 +62,7 @@ describe('reported joints', () => {
     assert.deepEqual([before, waited, stateOf('a')], ['fault', 'fault', 'live']);
   });
 
-  it('Rest_NoLongerReportedWithoutSample_IsFault', () => {
+  it('Rest_NoLongerReportedAndNoSampleArrives_JointIsInFault', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
     hear({ a: 'rest 0.000 no change is reported' });
@@ -74,7 +74,7 @@ describe('reported joints', () => {
     assert.equal(stateOf('a'), 'fault');
   });
 
-  it('Motion_BeginsBeforeTheReportOfRestEnds_IsLiveImmediately', () => {
+  it('Motion_BeginsBeforeTheReportOfRestEnds_JointIsLiveImmediately', () => {
     const { hear, sample, pass, stateOf } = bridge();
     sample('a');
     hear({ a: 'rest 0.000 no change is reported' });
@@ -86,7 +86,7 @@ describe('reported joints', () => {
     assert.equal(stateOf('a'), 'live');
   });
 
-  it('Joint_WithoutSamplesNoLongerReported_IsNotExpected', () => {
+  it('Joint_NoLongerReportedAndNeverSampled_IsNoLongerExpected', () => {
     const { hear, reported, status, stateOf } = bridge();
     hear({ a: 'missing 0.000 no such node', b: 'missing 0.000 no such node' });
 
@@ -101,7 +101,7 @@ describe('reported joints', () => {
     assert.deepEqual([first, stateOf('b')], [['none', 'missing'], 'none']);
   });
 
-  it('Report_BeforeTheOtherGatewayIsPresent_AppliesOnceItIs', () => {
+  it('Report_ReceivedBeforeTheOtherBridgeConnects_IsUsedAfterwards', () => {
     const { hear, reported, stateOf } = bridge();
     reported.leave();
 
@@ -112,7 +112,7 @@ describe('reported joints', () => {
     assert.deepEqual([before, stateOf('a')], ['none', 'missing']);
   });
 
-  it('Report_Repeated_KeepsItsStartAndIsLoggedOnce', () => {
+  it('Report_Repeated_KeepsItsStartTimeAndIsLoggedOnce', () => {
     const { hear, status, time, lines } = bridge();
     time.ms = 20_000;
     hear({ a: 'refused 8.000 value NaN is not a position' });
@@ -127,14 +127,14 @@ describe('reported joints', () => {
   });
 
   for (const [name, value] of [['State', 'broken 1.000 why'], ['Since', 'fault soon why'], ['Huge', `fault 1e99 why`], ['Number', 7], ['Empty', '']])
-    it(`Report_Invalid${name}_IsRefusedCompletelyWithOneLine`, () => {
+    it(`Report_Invalid${name}_IsRefusedCompletelyWithOneLogLine`, () => {
       const { hear, status, lines, stateOf } = bridge();
 
       hear({ a: 'missing 0.000 no such node', b: value });
       hear({ a: 'missing 0.000 no such node', b: value });
 
       assert.deepEqual([stateOf('a'), status.refusals('malformed')], ['none', 2]);
-      assert.equal(lines.filter(line => line.includes('joint status refused (malformed): the entry')).length, 1);
+      assert.equal(lines.filter(line => line.includes('joint status refused (malformed): its entry')).length, 1);
     });
 
   it('Report_TooManyJoints_IsRefused', () => {

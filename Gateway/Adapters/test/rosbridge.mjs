@@ -1,10 +1,10 @@
-// A double of the gateway, for tests of the messages that an adapter sends to it.
+// Simulates the gateway, to test the messages that an adapter sends.
 import { createServer as createSecureServer } from 'node:https';
 import { WebSocketServer } from 'ws';
 import { until } from './program.mjs';
 
 export class RosbridgeDouble {
-  /** Every message received, parsed. */
+  /** All received messages, parsed. */
   heard = [];
   headers = [];
   #server = null;
@@ -12,9 +12,9 @@ export class RosbridgeDouble {
   #calls = 0;
 
   /**
-   * @param tls A key and certificate for wss.
-   * @param token A client without this token gets 401.
-   * @param now Its control clock, ns; null for a gateway that does not answer.
+   * @param tls Key and certificate for wss; null for ws.
+   * @param token Token that a client must send; otherwise it gets the status 401.
+   * @param now Returns the time of the gateway's control clock in ns; null simulates a gateway that does not answer requests for the time.
    */
   static async start(test, { port = 0, tls = null, token = null, now = null } = {}) {
     const double = new RosbridgeDouble();
@@ -58,22 +58,22 @@ export class RosbridgeDouble {
 
   get jointStates() { return this.published('/joint_states'); }
 
-  /** Keys and values of the newest diagnostics. */
+  /** Values of the newest diagnostics by their keys. */
   get state() {
     const status = this.published('/nowpose/diagnostics').at(-1)?.status[0];
     return status && Object.fromEntries(status.values.map(({ key, value }) => [key, value]));
   }
 
-  /** The newest DiagnosticStatus without its values. */
+  /** The newest DiagnosticStatus. */
   get status() { return this.published('/nowpose/diagnostics').at(-1)?.status[0]; }
 
-  /** State, Unix time in seconds and reason of a joint in the newest diagnostics. */
+  /** Returns the state of a joint in the newest diagnostics, with its start (Unix time in seconds) and reason. */
   joint(name) {
     const [, state, since, reason = ''] = /^(\w+) (\d+\.\d{3})(?: (.*))?$/.exec(this.state?.[`joint/${name}`] ?? '') ?? [];
     return state === undefined ? undefined : { state, since: Number(since), reason };
   }
 
-  /** Calls a service and returns the response. */
+  /** Calls a service of the adapter and returns the response. */
   async call(service) {
     const id = `call-${++this.#calls}`;
     await until(() => this.heard.some(m => m.op === 'advertise_service' && m.service === service), `${service} to be offered`);

@@ -9,19 +9,19 @@ const MS = 1_000_000n, S = 1000n * MS;
 const T = 1_700_000_000n * S;
 
 describe('grouping', () => {
-  it('Samples_OfOneStamp_AreOneGroup', () => {
+  it('Samples_WithEqualTimeStamps_AreOneGroup', () => {
     const groups = grouped([{ joint: 1, position: 2, stamp: T }, { joint: 0, position: 1, stamp: T }], 0n);
 
     assert.deepEqual(groups.map(g => [g.stamp, g.samples.map(s => s.joint)]), [[T, [0, 1]]]);
   });
 
-  it('Samples_WithinTolerance_GetTheMiddleOfTheirStamps', () => {
+  it('Samples_WithinTheTolerance_GetTheMiddleOfTheirTimeStamps', () => {
     const groups = grouped([0n, 300n, 500n, 501n].map((stamp, joint) => ({ joint, position: 0, stamp: T + stamp })), 500n);
 
     assert.deepEqual(groups.map(g => [g.stamp - T, g.samples.map(s => s.joint)]), [[250n, [0, 1, 2]], [501n, [3]]]);
   });
 
-  it('Samples_OfSeveralCyclesMixed_AreOrderedByTime', () => {
+  it('Samples_OfSeveralCyclesInAnyOrder_AreOrderedByTime', () => {
     const cycle = n => [0, 1].map(joint => ({ joint, position: n, stamp: T + BigInt(n) * 10n * MS }));
 
     const groups = grouped([...cycle(2), ...cycle(0), ...cycle(1)], MS);
@@ -29,7 +29,7 @@ describe('grouping', () => {
     assert.deepEqual(groups.map(g => g.samples.map(s => s.position)), [[0, 0], [1, 1], [2, 2]]);
   });
 
-  it('Joint_TwiceWithinTolerance_IsInTwoGroups', () => {
+  it('Samples_TwoOfOneJointWithinTheTolerance_AreTwoGroups', () => {
     const groups = grouped([{ joint: 0, position: 1, stamp: T }, { joint: 0, position: 2, stamp: T + 1n }], MS);
 
     assert.deepEqual(groups.map(g => g.samples.length), [1, 1]);
@@ -47,14 +47,14 @@ describe('stamps', () => {
     ['JustAllowedBehind', T - 10n * S, T, null],
     ['ClockUnknown', T, null, null],
   ]) {
-    it(`Stamp_${name}_${reason === null ? 'IsAccepted' : 'IsRefused'}`, () => {
+    it(`TimeStamp_${name}_${reason === null ? 'IsAccepted' : 'IsRefused'}`, () => {
       const refusal = new StampRule(1, 10n * S).judge(0, stamp, now);
 
       assert.equal(refusal?.reason ?? null, reason);
     });
   }
 
-  it('Stamp_NotNewer_IsRefusedForThisJointOnly', () => {
+  it('TimeStamp_NotNewerForOneJoint_IsRefusedForThisJointOnly', () => {
     const rule = new StampRule(2, 10n * S);
     rule.judge(0, T, T);
 
@@ -64,7 +64,7 @@ describe('stamps', () => {
     assert.equal(rule.judge(0, T + 1n, T), null);
   });
 
-  it('Stamp_AfterTheClockWasSetBack_IsAccepted', () => {
+  it('TimeStamp_AfterTheClockWasSetBack_IsAccepted', () => {
     const rule = new StampRule(1, 10n * S), before = T - 3600n * S;
     rule.judge(0, T, T);
 
@@ -84,7 +84,7 @@ describe('joint output', () => {
 
   const joint = (name, scale = 1, offset = 0) => ({ joint: name, robot: '', name, scale, offset });
 
-  it('Value_ScaledAndShifted_KeepsItsStampToTheNanosecond', () => {
+  it('Value_WithScaleAndOffset_KeepsItsTimeStampToTheNanosecond', () => {
     const { out, sent } = output([joint('a', 2, 0.5), joint('b', -1)]);
 
     out.publish([{ joint: 0, value: 3, stamp: T + 100n }, { joint: 1, value: 7n, stamp: T + 100n }]);
@@ -109,7 +109,7 @@ describe('joint output', () => {
     });
   }
 
-  it('Refusals_OfOneReason_AreLoggedOnceUntilAValidValue', () => {
+  it('Refusals_WithTheSameReason_AreLoggedOnceUntilAValidValue', () => {
     const { out, lines, clock } = output([joint('a')]);
 
     for (let i = 1n; i < 6n; i++) out.publish([{ joint: 0, value: NaN, stamp: T + i }]);
@@ -121,7 +121,7 @@ describe('joint output', () => {
     assert.deepEqual(lines.map(line => /not-finite|valid again|stamp-old/.exec(line)?.[0]), ['not-finite', 'valid again', 'stamp-old']);
   });
 
-  it('Values_ClockNotOfferedYet_AreCountedAndNotPublished', () => {
+  it('Values_ReceivedBeforeTheClockIsOffered_AreCountedAndNotPublished', () => {
     const { out, sent, status, lines, clock } = output([joint('a')]);
 
     clock.isSettled = false;
@@ -139,7 +139,7 @@ describe('joint output', () => {
     const passed = sent => sent.map(({ msg: { header: { stamp }, name, position } }) =>
       [BigInt(stamp.sec) * S + BigInt(stamp.nanosec) - T, name.join(), position.join()]);
 
-    it('Joint_AtRest_IsRepeatedUpToTheKnownTime', () => {
+    it('Joint_AtRest_IsRepeatedUpToTheConfirmedTime', () => {
       const { out, sent, clock } = output([joint('a'), joint('b')]);
       clock.now = T + S;
       out.publish([{ joint: 0, value: 1, stamp: T }, { joint: 1, value: 2, stamp: T }]);
@@ -154,7 +154,7 @@ describe('joint output', () => {
       assert.deepEqual(passed(sent).at(-1), [205n * MS, 'b', '3']);
     });
 
-    it('Value_FirstWithOldStamp_IsPublishedWhenConfirmedAtRest', () => {
+    it('FirstValue_WithOldTimeStamp_IsPublishedOnceConfirmedAtRest', () => {
       const { out, sent, status, clock } = output([joint('a')]);
       out.publish([{ joint: 0, value: 7, stamp: T - HOUR, isFirst: true }]);
       out.hold(T + 50n * MS, 0n);

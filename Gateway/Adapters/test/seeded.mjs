@@ -1,4 +1,4 @@
-/** Returns a generator of numbers from 0 to 1 that depend only on the seed (mulberry32). */
+/** Returns a generator (mulberry32) of pseudorandom numbers from 0 to 1. Equal seeds give equal numbers. */
 export const seeded = seed => () => {
   seed = seed + 0x6d2b79f5 | 0;
   let t = Math.imul(seed ^ seed >>> 15, 1 | seed);

@@ -1,4 +1,4 @@
-// Meaning of missing samples and its report in the diagnostics, in virtual time.
+// Tests in virtual time how missing samples are interpreted and reported in the diagnostics.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { MS, T, plant } from './outputInVirtualTime.mjs';
@@ -9,7 +9,7 @@ const { refusalMessages, silenceMessages, stateMessages } = messages;
 
 const { AdapterStatus, Log, diagnostics } = await parts('gateway/status', 'log', 'gateway/messages');
 
-/** Moves joint a at 1 rad/s for half a second, then sends nothing for it; joint b keeps moving. */
+/** Moves joint a at 1 rad/s for half a second and then sends no values of it. Joint b keeps moving. */
 function moveAndStop(cell, seconds, hold = true) {
   for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
     const s = cell.time.ms / 1000;
@@ -21,7 +21,7 @@ function moveAndStop(cell, seconds, hold = true) {
 }
 
 describe('silence', () => {
-  it('Motion_Interrupted_IsFaultAndNotRepeated', () => {
+  it('Motion_Interrupted_JointIsInFaultAndNotRepeated', () => {
     const cell = plant();
 
     moveAndStop(cell, 1);
@@ -35,12 +35,12 @@ describe('silence', () => {
     assert.equal(cell.lines.filter(line => line.includes('a fault')).length, 1);
   });
 
-  it('Motion_InterruptedThenReconnected_IsFaultUntilANewerSample', () => {
+  it('Motion_InterruptedThenReconnected_JointIsInFaultUntilANewerSample', () => {
     const cell = plant();
     moveAndStop(cell, 1);
     const since = cell.status.values()['joint/a'].split(' ')[1];
 
-    // A new connection, or a node that is monitored again, starts with the last value and its stamp.
+    // The first value of a new connection, or of a node that is monitored again, is the last value with its old time stamp.
     cell.output.restart();
     cell.output.publish([{ joint: 0, value: 0.44, stamp: T + 490n * MS, isFirst: true }]);
     moveAndStop(cell, 2);
@@ -52,7 +52,7 @@ describe('silence', () => {
   });
 
   for (const [maxDeceleration, limit, basis] of [[undefined, 12, 'assumed'], [20, 20, 'configured']]) {
-    it(`Motion_InterruptedWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_NamesTheLimitAndItsSource`, () => {
+    it(`Motion_InterruptedWith${maxDeceleration === undefined ? 'out' : ''}MaxDeceleration_ReasonContainsTheLimitAndItsSource`, () => {
       const cell = plant([{ joint: 'a', maxDeceleration }, { joint: 'b' }]);
 
       moveAndStop(cell, 1);
@@ -68,7 +68,7 @@ describe('silence', () => {
     for (; cell.time.ms < 4000; cell.time.ms += 10) {
       if (cell.time.ms % 200 === 0) samples.push(cell.value(0, 3 * Math.sin(cell.time.ms / 500)));
       cell.output.hold(cell.clock.now - 10n * MS, 30n * MS);
-      // The first sample has no interval before it, so it is not compared.
+      // No interval is known before the first sample, so the comparison starts later.
       if (cell.time.ms === 390) cell.sent.length = samples.length = 0;
     }
 
@@ -76,7 +76,7 @@ describe('silence', () => {
     assert.equal(cell.sent.length, samples.length);
   });
 
-  it('Motion_Continues_IsLiveImmediately', () => {
+  it('Motion_InterruptedThenContinued_JointIsLiveImmediately', () => {
     const cell = plant();
     moveAndStop(cell, 1);
 
@@ -86,7 +86,7 @@ describe('silence', () => {
     assert.ok(cell.lines.some(line => line.includes(stateMessages.liveAgain('a'))));
   });
 
-  it('Motion_InterruptedWithinItsConfiguredDeceleration_IsRest', () => {
+  it('Motion_InterruptedWithinTheConfiguredDeceleration_JointIsAtRest', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b' }]);
 
     moveAndStop(cell, 2);
@@ -95,12 +95,15 @@ describe('silence', () => {
     assert.equal(state, 'rest');
     const { basis, confirmed } = silenceMessages;
     assert.ok(cell.status.values()['joint/a'].endsWith(stateMessages.assumedAtRest(basis(confirmed, null), 'joint', '')), cell.status.values()['joint/a']);
-    // The joint is at rest since its last sample, which came 1 s earlier.
+    // The rest began with the last sample, which arrived 1 s earlier.
     assert.ok(Number(since) < Date.now() / 1000 - 0.9, since);
     assert.equal(cell.status.level, 0);
   });
 
-  /** Joints that swing with at most 0.6 rad/s, read every 50 ms. Joints in `stopped` send nothing after the moment of their highest speed. */
+  /**
+  * Moves two joints to and fro with at most 0.6 rad/s and reads them every 50 ms. At a moment of their highest speed, the joints in
+  * `stopped` stop sending.
+  */
   function swing(stopped, { amplitude = 0.3, prepare = () => {} } = {}) {
     const cell = plant(), cut = 1000 * Math.PI * 3;
     prepare(cell);
@@ -112,21 +115,21 @@ describe('silence', () => {
     return cell;
   }
 
-  it('Motion_InterruptedBelowTheFloorWhileAnotherJointMoves_IsFault', () => {
+  it('Motion_InterruptedAtLowSpeedWhileAnotherJointMoves_JointIsInFault', () => {
     const cell = swing([0]);
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b')], ['fault', 'live']);
-    // The documentation promises two seconds from the plant to the headset.
+    // The documentation promises that a headset shows the fault within two seconds.
     assert.ok(cell.faultMs - 1000 * Math.PI * 3 <= 700, `${cell.faultMs} ms`);
-    // 1.5 times the largest deceleration of the swing, 1.2 rad/s², and four times the one that the last samples show.
+    // The limit is 1.5 times the largest deceleration of the motion (1.2 rad/s²) or four times that of the last samples.
     assert.match(cell.status.values()['joint/a'], like(silenceMessages.stopTooHard(ANY, ANY, 'rad/s²', 'observed')));
     assert.match(cell.status.values()['joint/a'], / 1\d\.\d rad\/s².* 1\.\d rad\/s²/);
   });
 
-  it('Motion_InterruptedBelowTheFloorBeforeAnyDeceleration_IsUncertainRestAlsoWhileAnotherJointMoves', () => {
+  it('Motion_InterruptedAtLowSpeedBeforeAnyDeceleration_RestIsUncertainEvenWhileAnotherJointMoves', () => {
     const cell = plant();
     for (; cell.time.ms < 3000; cell.time.ms += 50) {
-      // 0.4 rad/s from 0.5 s on: a stop there within 50 ms needs up to 8 rad/s².
+      // From 0.5 s on, the speed is 0.4 rad/s. A stop within 50 ms needs a deceleration of up to 8 rad/s².
       const s = cell.time.ms / 1000, position = s < 0.5 ? 0.4 * s * s : 0.4 * (s - 0.25);
       if (s < 1) cell.value(0, position);
       cell.value(1, position);
@@ -137,7 +140,7 @@ describe('silence', () => {
     assert.match(cell.status.values()['joint/a'], like(silenceMessages.unobservedStop(ANY, 'rad/s²')));
   });
 
-  it('Motion_OfAllJointsInterruptedBelowTheFloor_IsUncertainRest', () => {
+  it('Motion_OfAllJointsInterruptedAtLowSpeed_RestIsUncertain', () => {
     const cell = swing([0, 1]);
 
     assert.deepEqual([cell.stateOf('a'), cell.stateOf('b'), cell.status.level], ['rest', 'rest', 1]);
@@ -148,7 +151,7 @@ describe('silence', () => {
     assert.ok(cell.status.values()['joint/a'].endsWith(stateMessages.assumedAtRest(silenceMessages.basis(silenceMessages.confirmed, null), 'joint', reason)), cell.status.values()['joint/a']);
   });
 
-  it('Motion_OfAllJointsInterruptedBelowTheFloorAndNoLongerWritten_IsFault', () => {
+  it('Motion_OfAllJointsInterruptedAtLowSpeedAndNoLongerWritten_JointIsInFault', () => {
     const prepare = cell => { cell.output.sourceStopOf = joint => joint === 0 && cell.time.ms > 1000 * Math.PI * 3 + 700 ? 'after-change' : null; };
     const cell = swing([0, 1], { prepare });
 
@@ -160,7 +163,7 @@ describe('silence', () => {
     assert.equal(cell.sent.filter(({ name }) => name.includes('a')).length, repeated, 'it is not repeated');
   });
 
-  it('Rest_SourceStopsWritingAfterAnObservedStop_IsUncertain', () => {
+  it('Rest_SourceStopsWritingAfterTheStop_IsUncertain', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b', maxDeceleration: 200 }]);
     let stop = null;
     cell.output.sourceStopOf = joint => joint === 0 ? stop : null;
@@ -175,7 +178,7 @@ describe('silence', () => {
     }
   });
 
-  it('Silence_LongerThanConfigured_IsFault', () => {
+  it('Silence_LongerThanConfigured_JointIsInFault', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200, faultAfterMs: 2000 }, { joint: 'b' }]);
 
     moveAndStop(cell, 2.4);
@@ -188,7 +191,7 @@ describe('silence', () => {
     assert.equal(cell.sent.filter(({ name }) => name.includes('a')).length, count);
   });
 
-  it('Silence_Unconfirmed_IsFault', () => {
+  it('Silence_NotConfirmedBySource_JointIsInFault', () => {
     const cell = plant([{ joint: 'a', maxDeceleration: 200 }, { joint: 'b' }]);
 
     moveAndStop(cell, 1.9, false);
@@ -200,7 +203,7 @@ describe('silence', () => {
     assert.equal(cell.stateOf('a'), 'rest', 'after another confirmation');
   });
 
-  it('Joint_NeverReceived_IsMissingWithTheReason', () => {
+  it('Joint_NeverReceived_IsMissingWithAReason', () => {
     const cell = plant();
 
     cell.value(0, NaN);
@@ -211,7 +214,7 @@ describe('silence', () => {
     assert.equal(cell.status.level, 2);
   });
 
-  it('Value_InvalidThenValid_IsRefusedThenLive', () => {
+  it('Joint_ValueInvalidThenValid_IsRefusedThenLive', () => {
     const cell = plant();
     cell.value(0, 1);
     cell.value(1, 1);
@@ -226,7 +229,7 @@ describe('silence', () => {
     assert.deepEqual([cell.stateOf('a'), cell.status.level], ['live', 0]);
   });
 
-  it('Batch_ValidValueBeforeAnInvalidOne_IsRefused', () => {
+  it('Joint_ValidThenInvalidValueInOneBatch_IsRefused', () => {
     const cell = plant();
 
     cell.output.publish([{ joint: 0, value: 1, stamp: T - MS }, { joint: 0, value: null, stamp: null, refusal: { reason: 'node-gone', text: 'gone' }, isLost: true }]);
@@ -234,7 +237,7 @@ describe('silence', () => {
     assert.equal(cell.stateOf('a'), 'fault');
   });
 
-  it('Plant_ConnectingThenDisconnected_HasLevelOneThenTwo', () => {
+  it('Level_PlantConnectingThenDisconnected_IsOneThenTwo', () => {
     const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}));
     status.joints.expect('a');
     const levels = [status.level];
@@ -254,7 +257,7 @@ describe('silence', () => {
       { level: 2, name: 'plant/p', message: 'waiting: the connection was lost', hardware_id: 'plant/p', values: [{ key: 'k', value: 'v' }] });
   });
 
-  it('Values_ManyJoints_FaultyOnesComeFirst', () => {
+  it('Diagnostics_ManyJoints_JointsInFaultComeFirst', () => {
     const { status, value } = plant([{ joint: 'a' }, { joint: 'b' }, { joint: 'c' }]);
     value(0, 1);
     value(2, 1);

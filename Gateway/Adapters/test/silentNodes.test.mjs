@@ -1,4 +1,4 @@
-// Silent nodes in virtual time: one case for each way in which servers treat a deleted node.
+// Tests in virtual time how silent nodes are read, for each way in which servers treat a deleted node.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { DataType, DataValue, StatusCodes, Variant } from 'node-opcua-client';
@@ -14,7 +14,7 @@ const good = (value, ms) => new DataValue({
 });
 const bad = statusCode => new DataValue({ statusCode });
 
-/** Two nodes of a server; `answers` are its answers to a read. */
+/** Simulates a server with two nodes. `answers` are its answers to a read of these nodes. */
 function server(answers = [good(1), good(2)]) {
   const cell = { answers, now: 0, asked: [], lost: [], refused: [], renewed: [], refusal: null, ended: new Set() };
   cell.nodes = new SilentNodes(
@@ -55,7 +55,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.asked[1], ['1']);
   });
 
-  it('Node_UnknownInARead_IsLostOnceAndMonitoredAgainOnceRestored', async () => {
+  it('Node_ReadReturnsUnknown_IsLostOnceAndMonitoredAgainWhenRestored', async () => {
     const cell = server();
     cell.answers[0] = bad(StatusCodes.BadNodeIdUnknown);
 
@@ -68,7 +68,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.renewed, [0]);
   });
 
-  it('Node_LostByNotification_IsMonitoredAgainOnceRestored', async () => {
+  it('Node_NotificationReportsItLost_IsMonitoredAgainWhenRestored', async () => {
     const cell = server();
     cell.hear(0, bad(StatusCodes.BadNodeIdInvalid));
 
@@ -80,7 +80,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.renewed, [0]);
   });
 
-  it('Node_RestoredButNotMonitored_IsRetried', async () => {
+  it('Node_RestoredButMonitoringFails_IsMonitoredLater', async () => {
     const cell = server();
     cell.hear(0, bad(StatusCodes.BadNodeIdUnknown));
     cell.refusal = 'BadTooManyMonitoredItems';
@@ -92,7 +92,7 @@ describe('silent nodes', () => {
     assert.match(cell.lost.at(-1)[1], /BadTooManyMonitoredItems/);
   });
 
-  it('Value_ChangedWithoutNotification_IsMonitoredAgainAfterTwoReads', async () => {
+  it('Node_ValueChangesWithoutNotification_IsMonitoredAgainAfterTwoReads', async () => {
     const cell = server();
     cell.answers[0] = good(1.5);
 
@@ -102,7 +102,7 @@ describe('silent nodes', () => {
     assert.deepEqual([first, renewed, cell.renewed], [[1], [], [0]]);
   });
 
-  it('Value_NotifiedDuringTheRead_IsNotSilent', async () => {
+  it('Node_NotifiedDuringTheRead_IsNotSilent', async () => {
     const cell = server();
     const readAll = cell.nodes.session.readAll;
     cell.nodes.session.readAll = ids => {
@@ -115,7 +115,7 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.renewed, []);
   });
 
-  it('Status_BadOnlyInARead_IsRefusedOnceThenMonitoredAgain', async () => {
+  it('Node_StatusBadOnlyInARead_IsRefusedOnceThenMonitoredAgain', async () => {
     const cell = server();
     cell.answers[0] = bad(StatusCodes.BadSensorFailure);
 
@@ -127,7 +127,7 @@ describe('silent nodes', () => {
     assert.deepEqual([cell.refused, cell.renewed], [[[0, 'status-bad']], [0]]);
   });
 
-  /** Reads the nodes repeatedly; if isWritten is set, the source writes the unchanged value of node 0 before each read. */
+  /** Reads the nodes `looks` times. If `isWritten` is true, the source writes the unchanged value of node 0 before each read. */
   async function atRest(cell, looks, isWritten) {
     for (let i = 0; i < looks; i++) {
       if (isWritten) cell.answers[0] = good(1, 1_000_000 + cell.now);
@@ -135,7 +135,7 @@ describe('silent nodes', () => {
     }
   }
 
-  it('Source_StopsWritingANodeAtRest_HasStoppedOnlyThatNode', async () => {
+  it('StopOf_SourceStopsWritingOneNodeAtRest_IsAtRestForThatNodeOnly', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     await atRest(cell, 20, true);
@@ -148,7 +148,7 @@ describe('silent nodes', () => {
     assert.deepEqual([cell.nodes.stopOf(0), cell.nodes.stopOf(1), cell.renewed], ['at-rest', null, []]);
   });
 
-  it('Source_WritesAnUnchangedNodeOfAJointInFaultAgain_NodeIsMonitoredAgain', async () => {
+  it('Node_OfAJointInFaultWrittenAgainUnchanged_IsMonitoredAgain', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     await atRest(cell, 20, true);
@@ -176,7 +176,7 @@ describe('silent nodes', () => {
     assert.deepEqual([cell.nodes.stopOf(0), cell.renewed], [null, []], 'it was not written for 5 s before, too');
   });
 
-  it('Source_ThatWritesAllNodesWhenOneChanges_IsNotKnownToHaveStopped', async () => {
+  it('StopOf_SourceWritesAllNodesWhenOneChanges_IsNull', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     for (let i = 0; i < 20; i++) {
@@ -189,7 +189,7 @@ describe('silent nodes', () => {
     assert.equal(cell.nodes.stopOf(0), null);
   });
 
-  it('Source_StopsAtTheLastChange_DiffersFromAStopAtRest', async () => {
+  it('StopOf_SourceStopsWritingAfterTheLastChange_IsAfterChange', async () => {
     const cell = server();
     cell.hear(0, good(1, 999_000));
     await atRest(cell, 20, true);
@@ -201,7 +201,7 @@ describe('silent nodes', () => {
     assert.equal(cell.nodes.stopOf(0), 'after-change');
   });
 
-  it('Source_ThatStampsChangesOnly_IsNotKnownToHaveStopped', async () => {
+  it('StopOf_SourceStampsOnlyChanges_IsNull', async () => {
     const cell = server();
     for (let i = 0; i < 20; i++) {
       cell.hear(0, good(i, 1_000_000 + cell.now));
@@ -213,7 +213,7 @@ describe('silent nodes', () => {
     assert.equal(cell.nodes.stopOf(0), null);
   });
 
-  it('Value_NaN_IsTheSameInEachRead', async () => {
+  it('Node_ValueStaysNaN_CountsAsUnchanged', async () => {
     const cell = server([good(NaN), good(2)]);
     cell.hear(0, good(NaN));
 

@@ -1,4 +1,4 @@
-// Silent symbols in virtual time.
+// Tests in virtual time how silent symbols are read.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from './parts.mjs';
@@ -36,7 +36,7 @@ describe('silent symbols', () => {
     assert.deepEqual([cell.confirmed, cell.lost, cell.renewed], [[[0, 1]], [], []]);
   });
 
-  it('Symbols_ReadSlowly_AreConfirmedForTheStartOfTheReads', async () => {
+  it('Symbols_SlowRead_AreConfirmedAtTheStartOfTheRead', async () => {
     const cell = plc(), { actions } = cell.symbols, { read } = actions;
     actions.read = joint => {
       cell.now += 40;
@@ -84,7 +84,7 @@ describe('silent symbols', () => {
     assert.deepEqual([cell.renewed, cell.confirmed], [[0], [[1], [1]]]);
   });
 
-  it('Symbol_PeriodicNotifications_IsNeverConfirmedByAnEqualValue', async () => {
+  it('Symbol_WithPeriodicNotifications_IsNotConfirmedByAnEqualValue', async () => {
     const cell = plc(false);
 
     await cell.look();

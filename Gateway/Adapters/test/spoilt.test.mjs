@@ -1,4 +1,4 @@
-// Randomly damaged configurations: each is either valid, or every error message names a line.
+// Damages configurations randomly. Each of them must be valid, or each of its error messages must contain a line number.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,7 +13,7 @@ const folder = join(adapters, 'examples');
 const NAMES = readdirSync(folder, { recursive: true }).filter(name => name.endsWith('.yaml')).sort();
 const EXAMPLES = NAMES.map(name => readFileSync(join(folder, name), 'utf8'));
 
-/** Values inserted where other values are expected. */
+/** Texts that replace values or are inserted. */
 const ODD = [
   '', '~', '[]', '{}', '[[[]]]', '-1', '0', '1e400', '.nan', '-.inf', '0x10', '99999999999999999999', 'true', '"', "'", '|', '>-', '&a', '*a',
   '<<: *a', '? [a]', '!!binary x', '!!set {a}', '!own x', '%YAML 9.9', '---', '...', '#', ': :', '- - -', '\t',
@@ -22,7 +22,7 @@ const ODD = [
   `opc.tcp://${'a'.repeat(300)}:99999`,
 ];
 
-function spoilt(text, random) {
+function damaged(text, random) {
   const pick = list => list[Math.floor(random() * list.length)], at = length => Math.floor(random() * (length + 1));
   const lines = text.split('\n'), place = at(lines.length - 1), line = lines[place], [key] = line.split(/(?<=:) /);
   switch (Math.floor(random() * 9)) {
@@ -42,7 +42,7 @@ function spoilt(text, random) {
   return lines.join('\n');
 }
 
-it('Configuration_RandomlyDamaged_IsValidOrNamesItsLines', { timeout: 120_000 }, async t => {
+it('Configuration_RandomlyDamaged_IsValidOrEachErrorHasALine', { timeout: 120_000 }, async t => {
   const random = seeded(SEED), path = temporaryFile('plant.yaml', ''), warnings = [];
   const warn = warning => warnings.push(warning.message);
   process.on('warning', warn);
@@ -51,18 +51,18 @@ it('Configuration_RandomlyDamaged_IsValidOrNamesItsLines', { timeout: 120_000 },
 
   for (let i = 0; i < VARIANTS; i++) {
     let text = EXAMPLES[i % EXAMPLES.length];
-    for (let depth = 0; depth <= i % 3; depth++) text = spoilt(text, random);
+    for (let depth = 0; depth <= i % 3; depth++) text = damaged(text, random);
     writeFileSync(path, text);
 
-    const told = wrongIn(path), context = `variant ${i} of seed ${SEED}:\n${told.join('\n')}\n---\n${text}`;
+    const lines = wrongIn(path), context = `variant ${i} of seed ${SEED}:\n${lines.join('\n')}\n---\n${text}`;
 
     const last = text.split('\n').length;
-    for (const line of told) {
+    for (const line of lines) {
       assert.ok(line.startsWith(`${path}, line `), context);
       const number = Number(/line (\d+): ./.exec(line)?.[1]);
       assert.ok(number >= 1 && number <= last, context);
     }
-    if (told.length > 0) refused++;
+    if (lines.length > 0) refused++;
   }
 
   await new Promise(resolve => setImmediate(resolve));

@@ -1,11 +1,11 @@
-// Folders and files of a test, deleted when its process ends.
+// Creates folders and files for tests. They are deleted when the process ends.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 const folders = [];
 
-// Hooks run in registration order, so a test's own hook would delete a folder before the programs that write to it are stopped.
+// The hooks of a test run in the order of their registration, so a hook would delete a folder before the programs that use it are stopped.
 process.once('exit', () => folders.forEach(removed));
 
 export function temporaryFolder() {
@@ -14,7 +14,7 @@ export function temporaryFolder() {
   return folder;
 }
 
-/** Writes a file that only its owner can read, in a folder of its own. */
+/** Writes a file that only its owner can read to a new folder. */
 export function temporaryFile(name, text) {
   const path = join(temporaryFolder(), name);
   writeFileSync(path, text, { mode: 0o600 });
@@ -25,6 +25,6 @@ function removed(folder) {
   try {
     rmSync(folder, { recursive: true, force: true });
   } catch {
-    // A program that outlived its test may still have written here. Files that remain are not an error of a test that passed.
+    // A program that is still running may have written to the folder. Remaining files are not an error.
   }
 }

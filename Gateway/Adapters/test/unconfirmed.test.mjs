@@ -1,4 +1,4 @@
-// Meaning of missing samples from a source that confirms none, in virtual time.
+// Tests in virtual time how missing samples are interpreted if the source confirms no values.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { S, plant } from './outputInVirtualTime.mjs';
@@ -8,7 +8,10 @@ import { messages } from './messages.mjs';
 const { silenceMessages, stateMessages } = messages;
 
 describe('a source that cannot confirm', () => {
-  /** A source that sends joint states and confirms none. `x` and `y` map a time in s to a position, or to null to leave the joint out. */
+  /**
+  * Simulates a source that sends joint states and never confirms the last value. `position` contains for each joint a function from the
+  * time in s to the position, or to null if the joint is not sent.
+  */
   async function passive(position, seconds, faultAfterMs = null) {
     const { JointStates, JointNames } = await parts('ros/jointStates', 'ros/jointNames');
     const cell = plant([], { faultAfterMs }), { status, clock, time, output } = cell;
@@ -22,10 +25,10 @@ describe('a source that cannot confirm', () => {
     }
     return cell;
   }
-  /** Stops gently at 1 s and sends nothing at rest. */
+  /** Position of a joint that comes to rest at 1 s and is then not sent. */
   const stops = s => (s > 1 ? null : 0.1 * Math.sin(s * Math.PI / 2)), swings = s => 0.1 * Math.sin(2 * s);
 
-  it('Source_CannotConfirm_SilentJointIsAtUncertainRest', async () => {
+  it('SilentJoint_SourceCannotConfirm_RestIsUncertain', async () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'live', 1]);
@@ -35,35 +38,35 @@ describe('a source that cannot confirm', () => {
     assert.equal(status.message, stateMessages.uncertainRest('x', unconfirmed));
   });
 
-  it('Source_CannotConfirmAndIsCompletelySilent_IsReported', async () => {
+  it('AllJointsSilent_SourceCannotConfirm_ReasonStatesThatNothingArrives', async () => {
     const { status, stateOf } = await passive({ x: stops, y: stops }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['rest', 'rest', 1]);
     for (const joint of ['x', 'y']) assert.equal(status.values()[`uncertain/${joint}`], silenceMessages.allUnconfirmed);
   });
 
-  it('Source_CannotConfirm_MotionAfterRestIsLiveAndCertain', async () => {
+  it('MotionAfterRest_SourceCannotConfirm_JointIsLiveAndCertain', async () => {
     const { status, stateOf } = await passive({ x: s => (s > 1 && s < 4 ? null : 0.1 * Math.sin(Math.min(s, 1) * Math.PI / 2)) }, 4.5);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['live', 0, undefined]);
   });
 
-  it('Source_CannotConfirm_InterruptedMotionIsFault', async () => {
+  it('InterruptedMotion_SourceCannotConfirm_JointIsInFault', async () => {
     const { status, stateOf } = await passive({ x: s => (s > 1 ? null : s * s), y: swings }, 3);
 
     assert.deepEqual([stateOf('x'), stateOf('y'), status.level], ['fault', 'live', 2]);
     assert.ok(status.values()['joint/x'].endsWith(silenceMessages.ended), status.values()['joint/x']);
   });
 
-  it('Source_CannotConfirm_LaterMotionOfAnotherJointDoesNotTurnAnEarlierStopIntoAFault', async () => {
-    // Both joints brake from 0.5 rad/s within one interval, after an earlier gentle stop.
+  it('EarlierStop_AnotherJointMovesLater_IsNoFault', async () => {
+    // After an earlier slow stop, both joints stop from 0.5 rad/s within one interval.
     const hard = s => (s < 2 ? 0.1 * Math.sin(s * Math.PI / 2) ** 2 : s < 3 ? 0.5 * (s - 2) : null);
     const { stateOf } = await passive({ x: hard, y: s => (s < 3 ? hard(s) : s < 10 ? null : 0.5 * (s - 10)) }, 14);
 
     assert.deepEqual([stateOf('x'), stateOf('y')], ['rest', 'live']);
   });
 
-  it('Source_WithALimitOfSilence_RestIsCertainUntilTheLimit', async () => {
+  it('SilentJoint_FaultAfterConfigured_RestIsCertainUntilThen', async () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 4, 5000);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['rest', 0, undefined]);
@@ -71,7 +74,7 @@ describe('a source that cannot confirm', () => {
     assert.ok(status.values()['joint/x'].endsWith(stateMessages.assumedAtRest(basis(noValue, 5000), 'joint', '')), status.values()['joint/x']);
   });
 
-  it('Source_SendsEachJointPeriodically_SilenceIsFault', () => {
+  it('SilentJoint_SourceSendsPeriodically_JointIsInFault', () => {
     const { output, stateOf, time } = plant([], { faultAfterMs: 1000 });
     output.silence.unconfirmedMs = null;
     output.silence.heard('x');

@@ -1,4 +1,4 @@
-// Adapters with the real gateway, which selects the clock of the headsets.
+// Tests adapters together with the real gateway, which selects the clock of the headsets.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import WebSocket from 'ws';
@@ -11,7 +11,7 @@ import { temporaryFile } from './temporary.mjs';
 const plant = (robot, more = '') =>
   temporaryFile('ros.yaml', `plant:\n  kind: ros\n  name: robot\n  endpoint: ${robot.url}\n  topics: { robot_description: false }\n${more}`);
 
-/** Subscribes like a headset and returns the received messages. */
+/** Subscribes like a headset, and returns a list to which the received messages are added. */
 async function listen(t, address) {
   const socket = new WebSocket(address), heard = [];
   t.after(() => socket.terminate());
@@ -21,18 +21,18 @@ async function listen(t, address) {
   return heard;
 }
 
-/** Sends positions until one arrives. Returns its stamp as the robot sent it, and as it arrived. */
+/** Sends positions until one arrives. Returns its time stamp as the robot sent it, and as it arrived. */
 async function passed(robot, heard) {
-  const said = new Map();
+  const sent = new Map();
   let position = 0;
   const arrived = await until(() => {
     const now = robot.now?.() ?? BigInt(Date.now()) * 1_000_000n, stamp = now - now % 1000n;
-    said.set(++position, stamp);
+    sent.set(++position, stamp);
     robot.jointState(stamp, ['a'], [position]);
     return heard.find(m => m.op === 'publish')?.msg;
   }, 'a joint state');
   const { sec, nanosec } = arrived.header.stamp;
-  return [said.get(arrived.position[0]), BigInt(sec) * 1_000_000_000n + BigInt(nanosec)];
+  return [sent.get(arrived.position[0]), BigInt(sec) * 1_000_000_000n + BigInt(nanosec)];
 }
 
 describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the gateway is not built: dotnet build Gateway' }, () => {
@@ -40,21 +40,21 @@ describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the ga
     it(`Ros_${name}_ForwardsPositionsOnTheGatewaysOwnClock`, async t => {
       const robot = await Robot.start(t, options), heard = await listen(t, await start(t, ['--plant', plant(robot, more)]));
 
-      const [said, arrived] = await passed(robot, heard);
+      const [sent, arrived] = await passed(robot, heard);
 
-      assert.equal(arrived, said);
+      assert.equal(arrived, sent);
     });
 
-  it('Bridge_ToABrokerBesideAPlant_UsesTheClockOfThePlant', async t => {
+  it('Gateway_PlantAndBridgeToABroker_UsesTheClockOfThePlant', async t => {
     const robot = await Robot.start(t, { aheadMs: 600_000 });
-    // The broker is missing: the test needs only an adapter that offers no clock.
+    // There is no broker, because the test needs only an adapter that offers no clock.
     const bridge = temporaryFile('publish.yaml',
       'plant:\n  kind: broker\n  name: to-broker\n  direction: publish\n  endpoint: mqtt://127.0.0.1:9\n  topic: cell\n');
     const heard = await listen(t, await start(t, ['--plant', bridge, '--plant', plant(robot)]));
 
-    const [said, arrived] = await passed(robot, heard);
+    const [sent, arrived] = await passed(robot, heard);
 
-    // C1 is ten minutes ahead, like the robot's clock. On another clock the stamp would be different or refused.
-    assert.equal(arrived, said);
+    // C1 must be the robot's clock, which is ten minutes ahead. With another clock the time stamp would be different or refused.
+    assert.equal(arrived, sent);
   });
 });

@@ -3,7 +3,6 @@ using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
-using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;

@@ -25,7 +25,7 @@ sealed class FrameLoop
     internal void Run(double seconds)
     {
         _world.Clock.Advance(seconds);
-        TellTheStart();
+        SendInitialState();
         _world.Gpu.Advance();
         _world.Scripts.Start();
         _world.Scripts.Update();
@@ -45,7 +45,7 @@ sealed class FrameLoop
         if (_paused == paused) return;
 
         _paused = paused;
-        TellPause();
+        SendPause();
     }
 
     internal void Focus(bool focused)
@@ -53,12 +53,12 @@ sealed class FrameLoop
         if (_world.Host.Focused == focused) return;
 
         _world.Host.Focused = focused;
-        TellFocus();
+        SendFocus();
     }
 
     internal void Quit()
     {
-        Tell((script, _) => script.Script.Call(Message.OnApplicationQuit, script), true);
+        Send((script, _) => script.Script.Call(Message.OnApplicationQuit, script), true);
         foreach (var root in _world.Scenes.Roots()) _world.Destruction.End(root);
     }
 
@@ -69,21 +69,21 @@ sealed class FrameLoop
     }
 
     // As in Unity, this happens in the first frame, after Awake of all scripts and before the first Start.
-    void TellTheStart()
+    void SendInitialState()
     {
         if (_started) return;
 
         _started = true;
-        TellPause();
-        TellFocus();
+        SendPause();
+        SendFocus();
     }
 
-    void TellPause() => Tell((script, value) => script.Script.Pause(script, value), _paused);
+    void SendPause() => Send((script, value) => script.Script.Pause(script, value), _paused);
 
-    void TellFocus() => Tell((script, value) => script.Script.Focus(script, value), _world.Host.Focused);
+    void SendFocus() => Send((script, value) => script.Script.Focus(script, value), _world.Host.Focused);
 
     // Disabled scripts on active objects receive these messages, too.
-    void Tell(Action<MonoBehaviour, bool> call, bool value)
+    void Send(Action<MonoBehaviour, bool> call, bool value)
     {
         foreach (var gameObject in _world.Scenes.GameObjects())
         {

@@ -57,11 +57,11 @@ public sealed class AssetTree
             return;
         }
         // Skips empty folders. Git does not store them, so in the next clone their .meta files would have no asset.
-        if (HoldsAFile(path)) _assets.Add(new AssetEntry(path, IsFolder: true));
+        if (ContainsFile(path)) _assets.Add(new AssetEntry(path, IsFolder: true));
         Walk(path);
     }
 
-    bool HoldsAFile(string path)
+    bool ContainsFile(string path)
     {
         return Directory.EnumerateFiles(FullPath(path), "*", SearchOption.AllDirectories).Any(f => !AssetNames.IsMeta(f));
     }

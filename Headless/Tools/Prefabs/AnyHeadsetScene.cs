@@ -15,34 +15,34 @@ static class AnyHeadsetScene
     /// <summary>Initial position of the base: in front of the user, at table height if the user stands.</summary>
     internal static readonly Vector3 BasePlace = new(0, -0.6f, 1.2f);
 
-    public static string Make(Workshop workshop)
+    public static string Make(PackageAssets assets)
     {
-        var cell = Scenes.Cell(workshop, PackagePaths.Cell, PackagePaths.AnyHeadsetSettings);
+        var cell = Scenes.Cell(assets, PackagePaths.Cell, PackagePaths.AnyHeadsetSettings);
         var session = cell.GetComponent<MrilSession>();
         cell.transform.Find("Base Anchor").localPosition = BasePlace;
         var rig = new GameObject("Tracking Origin");
         var camera = Props.HeadsetCamera();
         camera.transform.SetParent(rig.transform, worldPositionStays: false);
         camera.AddComponent<HeadTracking>();
-        AddHandle(workshop, cell.transform, rig.transform);
-        AddButtons(workshop, session);
-        return workshop.Scene(rig, Props.Light(hasShadows: false), cell);
+        AddHandle(assets, cell.transform, rig.transform);
+        AddButtons(assets, session);
+        return assets.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
     /// <summary>Adds the handle whose pose is the robot's base frame. It is 6 cm large, and its nose points along the robot's x axis.</summary>
-    static void AddHandle(Workshop workshop, Transform cell, Transform rig)
+    static void AddHandle(PackageAssets assets, Transform cell, Transform rig)
     {
         var handle = new GameObject("Base Handle");
         handle.transform.SetParent(cell, worldPositionStays: false);
         handle.transform.localPosition = BasePlace;
-        AddShape(workshop, handle.transform);
+        AddShape(assets, handle.transform);
         handle.AddComponent<HandPlacedMarker>();
         Fields.Set(handle.AddComponent<CarriedMarker>(), "_trackingOrigin", rig);
     }
 
-    internal static void AddShape(Workshop workshop, Transform handle)
+    internal static void AddShape(PackageAssets assets, Transform handle)
     {
-        var look = workshop.Load<Material>(PackagePaths.Ghost);
+        var look = assets.Load<Material>(PackagePaths.Ghost);
         AddBlock("Block", handle, look, Vector3.zero, new Vector3(0.06f, 0.06f, 0.06f));
         AddBlock("Nose", handle, look, new Vector3(0, 0, 0.09f), new Vector3(0.015f, 0.015f, 0.12f));
     }
@@ -57,9 +57,9 @@ static class AnyHeadsetScene
         block.GetComponent<MeshRenderer>().sharedMaterial = look;
     }
 
-    static void AddButtons(Workshop workshop, MrilSession session)
+    static void AddButtons(PackageAssets assets, MrilSession session)
     {
-        var actions = CellObjects.AddActions(workshop, session);
+        var actions = CellObjects.AddActions(assets, session);
         var buttons = new GameObject("Buttons");
         buttons.transform.SetParent(session.transform, worldPositionStays: false);
         Button(actions, buttons, nameof(CellActions.ToggleConnected), Right + "{PrimaryButton}", "<Keyboard>/c");

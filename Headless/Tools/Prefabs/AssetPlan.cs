@@ -6,7 +6,7 @@ namespace Nowpose.Prefabs;
 /// <summary>Lists all assets that this tool writes. Each asset comes after the assets that it references.</summary>
 public static class AssetPlan
 {
-    static readonly (string Path, Func<Workshop, string> Make)[] Assets =
+    static readonly (string Path, Func<PackageAssets, string> Make)[] Assets =
     {
         (PackagePaths.Hologram, MaterialAssets.Hologram),
         (PackagePaths.Workpiece, MaterialAssets.Workpiece),
@@ -58,25 +58,25 @@ public static class AssetPlan
     /// <returns>Paths of the assets that are missing or outdated.</returns>
     public static IReadOnlyList<string> Differing(string root)
     {
-        var workshop = new Workshop(root);
-        return Assets.Where(a => Differs(root, a.Path, a.Make(workshop))).Select(a => a.Path).ToList();
+        var assets = new PackageAssets(root);
+        return Assets.Where(a => Differs(root, a.Path, a.Make(assets))).Select(a => a.Path).ToList();
     }
 
     /// <returns>Paths of the written assets.</returns>
     public static IReadOnlyList<string> Write(string root)
     {
         var written = new List<string>();
-        var workshop = new Workshop(root);
+        var assets = new PackageAssets(root);
         foreach (var (path, make) in Assets)
         {
-            var text = make(workshop);
+            var text = make(assets);
             if (!Differs(root, path, text)) continue;
             Directory.CreateDirectory(Path.GetDirectoryName(Path.Combine(root, path)));
             File.WriteAllText(Path.Combine(root, path), text);
             MetaWriter.WriteMissing(root);
             written.Add(path);
             // Reloads the assets, so that later ones reference the new version.
-            workshop = new Workshop(root);
+            assets = new PackageAssets(root);
         }
         return written;
     }

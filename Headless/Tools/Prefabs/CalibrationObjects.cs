@@ -17,31 +17,31 @@ static class CalibrationObjects
 
     const float WordsAboveMetres = 0.06f;
 
-    public static void Add(Workshop workshop, MrilSession session)
+    public static void Add(PackageAssets assets, MrilSession session)
     {
         var calibration = Child("Calibration", session.transform, Vector3.zero);
         var follow = calibration.AddComponent<BodyFollow>();
         Fields.Set(follow, "_distanceMetres", DistanceMetres);
         Fields.Set(follow, "_degreesBelow", DegreesBelow);
-        AddDisplay(workshop, session, calibration.transform);
-        AddSweep(workshop, session, calibration);
+        AddDisplay(assets, session, calibration.transform);
+        AddSweep(assets, session, calibration);
     }
 
-    static void AddDisplay(Workshop workshop, MrilSession session, Transform parent)
+    static void AddDisplay(PackageAssets assets, MrilSession session, Transform parent)
     {
         var display = Child("Timestamp Display", parent, Vector3.zero).AddComponent<TimestampDisplay>();
-        var cell = Texts.Add(workshop, "Cell", display.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
+        var cell = Texts.Add(assets, "Cell", display.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
         cell.gameObject.SetActive(false);
         Fields.Set(display, "_session", session);
         Fields.Set(display, "_cell", cell);
-        Fields.Set(display, "_light", workshop.Load<Material>(PackagePaths.Timestamp));
+        Fields.Set(display, "_light", assets.Load<Material>(PackagePaths.Timestamp));
     }
 
-    static void AddSweep(Workshop workshop, MrilSession session, GameObject calibration)
+    static void AddSweep(PackageAssets assets, MrilSession session, GameObject calibration)
     {
         var load = Child("Load", calibration.transform, new Vector3(0, 0, LoadBehindMetres)).AddComponent<LoadGenerator>();
-        Fields.Set(load, "_material", workshop.Load<Material>(PackagePaths.Panel));
-        var words = Texts.Add(workshop, "Words", calibration.transform, TextAnchor.LowerCenter, TextAlignment.Center);
+        Fields.Set(load, "_material", assets.Load<Material>(PackagePaths.Panel));
+        var words = Texts.Add(assets, "Words", calibration.transform, TextAnchor.LowerCenter, TextAlignment.Center);
         words.transform.localPosition = Vector3.up * WordsAboveMetres;
         var sweep = calibration.AddComponent<LoadSweep>();
         Fields.Set(sweep, "_session", session);

@@ -7,14 +7,14 @@ namespace Nowpose.Prefabs;
 static class CellObjects
 {
     /// <summary>Adds the component with the actions of the cell.</summary>
-    public static CellActions AddActions(Workshop workshop, MrilSession session)
+    public static CellActions AddActions(PackageAssets assets, MrilSession session)
     {
         var actions = session.gameObject.AddComponent<CellActions>();
-        Assign(workshop, actions, session, session.GetComponentInChildren<StatusPanel>(includeInactive: true));
+        Assign(assets, actions, session, session.GetComponentInChildren<StatusPanel>(includeInactive: true));
         return actions;
     }
 
-    public static void Assign(Workshop workshop, CellActions actions, MrilSession session, StatusPanel panel)
+    public static void Assign(PackageAssets assets, CellActions actions, MrilSession session, StatusPanel panel)
     {
         var displayed = session.transform.Find("Base Anchor/Robot");
         Fields.Set(actions, "_session", session);
@@ -23,6 +23,6 @@ static class CellObjects
         Fields.Set(actions, "_appearance", displayed.GetComponent<PoseAppearance>());
         Fields.Set(actions, "_panel", panel);
         Fields.Set(actions, "_pairing", session.GetComponentInChildren<CellPairing>(includeInactive: true));
-        Fields.Set(actions, "_occluder", workshop.Load<Material>(PackagePaths.Occluder));
+        Fields.Set(actions, "_occluder", assets.Load<Material>(PackagePaths.Occluder));
     }
 }

@@ -7,28 +7,28 @@ namespace Nowpose.Prefabs;
 /// <summary>Creates the prefab with the objects of one robot: session, base anchor, rig with gripper, ghost and panel.</summary>
 sealed class CellPrefab
 {
-    readonly Workshop _workshop;
+    readonly PackageAssets _assets;
     readonly RobotDescriptionAsset _robot;
     readonly MrilSession _session;
 
-    CellPrefab(Workshop workshop, string name, RobotDescriptionAsset robot)
+    CellPrefab(PackageAssets assets, string name, RobotDescriptionAsset robot)
     {
-        _workshop = workshop;
+        _assets = assets;
         _robot = robot;
         _session = new GameObject(name).AddComponent<MrilSession>();
     }
 
     /// <param name="path">Path of the prefab. The prefab has the name of the file.</param>
     /// <param name="robotPath">Path of the robot's description; null to use the robot that the gateway describes.</param>
-    public static string Make(Workshop workshop, string path, string robotPath)
+    public static string Make(PackageAssets assets, string path, string robotPath)
     {
-        var robot = robotPath == null ? null : workshop.Load<RobotDescriptionAsset>(robotPath);
-        return new CellPrefab(workshop, Path.GetFileNameWithoutExtension(path), robot).Make();
+        var robot = robotPath == null ? null : assets.Load<RobotDescriptionAsset>(robotPath);
+        return new CellPrefab(assets, Path.GetFileNameWithoutExtension(path), robot).Make();
     }
 
     string Make()
     {
-        Fields.Set(_session, "_settings", _workshop.Load<SessionSettingsAsset>(PackagePaths.Settings));
+        Fields.Set(_session, "_settings", _assets.Load<SessionSettingsAsset>(PackagePaths.Settings));
         Fields.Set(_session, "_robot", _robot);
         Fields.Set(_session.gameObject.AddComponent<RenderTimeSource>(), "_session", _session);
         var loader = _session.gameObject.AddComponent<LatencyProfileLoader>();
@@ -40,13 +40,13 @@ sealed class CellPrefab
         AddGhost(anchor.transform, displayed);
         AddNudge(displayed, loader);
         AddPanel();
-        return _workshop.Prefab(_session.gameObject);
+        return _assets.Prefab(_session.gameObject);
     }
 
     RobotRig AddDisplayed(Transform anchor)
     {
-        var occluder = _workshop.Load<Material>(PackagePaths.Occluder);
-        var rig = Rig(anchor, occluder, _workshop.Load<Material>(PackagePaths.Hologram), out var gripper);
+        var occluder = _assets.Load<Material>(PackagePaths.Occluder);
+        var rig = Rig(anchor, occluder, _assets.Load<Material>(PackagePaths.Hologram), out var gripper);
         Fields.Set(rig.GetComponent<PoseAppearance>(), "_words", GripperPrefab.WordsOf(gripper));
         return rig;
     }
@@ -54,7 +54,7 @@ sealed class CellPrefab
     /// <summary>Adds the ghost, which is hidden until the user enables it. It has no text, because the displayed robot has one.</summary>
     void AddGhost(Transform anchor, RobotRig displayed)
     {
-        var look = _workshop.Load<Material>(PackagePaths.Ghost);
+        var look = _assets.Load<Material>(PackagePaths.Ghost);
         var rig = Rig(anchor, look, look, out var gripper);
         rig.name = "Ghost";
         Fields.Set(rig, "_shows", RigPose.Held);
@@ -71,7 +71,7 @@ sealed class CellPrefab
         var rig = Rigs.Build(_robot, anchor, arm, tool);
         Fields.Set(rig, "_session", _session);
         if (rig.Flange != null) Rigs.HideBelow(rig.Flange);
-        gripper = _workshop.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
+        gripper = _assets.Instantiate(PackagePaths.Gripper, rig.Flange != null ? rig.Flange : rig.transform);
 
         // Replaces the appearance of the gripper with one for the complete rig, including parts that are built at run time.
         Object.DestroyImmediate(gripper.GetComponent<PoseAppearance>());
@@ -95,12 +95,12 @@ sealed class CellPrefab
     {
         var panel = Child("Status Panel");
         panel.AddComponent<BodyFollow>();
-        var cell = Texts.Add(_workshop, "Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
+        var cell = Texts.Add(_assets, "Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
         cell.gameObject.SetActive(false);
         var status = panel.AddComponent<StatusPanel>();
         Fields.Set(status, "_session", _session);
         Fields.Set(status, "_cell", cell);
-        Fields.Set(status, "_ground", _workshop.Load<Material>(PackagePaths.Panel));
+        Fields.Set(status, "_ground", _assets.Load<Material>(PackagePaths.Panel));
     }
 
     GameObject Child(string name)

@@ -12,10 +12,10 @@ static class GripperPrefab
     /// <summary>Gets the text of a gripper instance that states why its pose is not current.</summary>
     public static TextMesh WordsOf(GameObject gripper) => gripper.transform.Find(Words).GetComponent<TextMesh>();
 
-    public static string Make(Workshop workshop)
+    public static string Make(PackageAssets assets)
     {
-        var hologram = workshop.Load<Material>(PackagePaths.Hologram);
-        var robot = Rigs.Build(workshop.Load<RobotDescriptionAsset>(PackagePaths.Youbot), null, hologram, hologram);
+        var hologram = assets.Load<Material>(PackagePaths.Hologram);
+        var robot = Rigs.Build(assets.Load<RobotDescriptionAsset>(PackagePaths.Youbot), null, hologram, hologram);
 
         // The names must differ from those of the links. Otherwise, a rig would use these objects as its own links.
         var palm = Named(robot.Link("gripper_palm_link"), "Palm");
@@ -30,14 +30,14 @@ static class GripperPrefab
             new("gripper_finger_joint_l", left),
             new("gripper_finger_joint_r", right),
         });
-        AddAppearance(workshop, gripper, hologram);
-        return workshop.Prefab(gripper);
+        AddAppearance(assets, gripper, hologram);
+        return assets.Prefab(gripper);
     }
 
     /// <summary>Adds the appearance to the gripper itself, so that a gripper without a rig also shows when its pose is outdated.</summary>
-    static void AddAppearance(Workshop workshop, GameObject gripper, Material substitute)
+    static void AddAppearance(PackageAssets assets, GameObject gripper, Material substitute)
     {
-        var words = Texts.Add(workshop, Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
+        var words = Texts.Add(assets, Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
         // Places the text next to the palm, where it hides neither the fingers nor a grasped object.
         words.transform.localPosition = new Vector3(0.12f, 0.02f, 0);
         var appearance = gripper.AddComponent<PoseAppearance>();

@@ -14,46 +14,46 @@ static class MaterialAssets
     const int AfterVirtualParts = 3100;
 
     /// <summary>Creates the material of virtual parts. It is bright, because a headset's display can only add light.</summary>
-    public static string Hologram(Workshop workshop) => Make(workshop, "Hologram", new Color(0.25f, 0.75f, 1, 1));
+    public static string Hologram(PackageAssets assets) => Make(assets, "Hologram", new Color(0.25f, 0.75f, 1, 1));
 
     /// <summary>
     /// Creates the material of the arm in scenes without a real one. It fades and has stripes like the tool, but in another colour.
     /// </summary>
-    public static string Arm(Workshop workshop) => Make(workshop, "Arm", new Color(1, 0.55f, 0.15f, 1));
+    public static string Arm(PackageAssets assets) => Make(assets, "Arm", new Color(1, 0.55f, 0.15f, 1));
 
     /// <summary>Creates the material of workpieces. It is yellow, so that they differ from the gripper that holds them.</summary>
-    public static string Workpiece(Workshop workshop) => Make(workshop, "Workpiece", new Color(1, 0.85f, 0.2f, 1));
+    public static string Workpiece(PackageAssets assets) => Make(assets, "Workpiece", new Color(1, 0.85f, 0.2f, 1));
 
     /// <summary>Creates the material of the uncompensated pose. It is grey and half transparent, so that it differs not only in colour.</summary>
-    public static string Ghost(Workshop workshop) => Make(workshop, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
+    public static string Ghost(PackageAssets assets) => Make(assets, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
 
     /// <summary>Creates the material of real objects in a desktop scene. It is grey and shaded without a light in both render pipelines.</summary>
-    public static string Solid(Workshop workshop) => Make(workshop, "Solid", new Color(0.6f, 0.6f, 0.6f, 1), Opaque);
+    public static string Solid(PackageAssets assets) => Make(assets, "Solid", new Color(0.6f, 0.6f, 0.6f, 1), Opaque);
 
     /// <summary>Creates the material of text that objects in front of it can hide.</summary>
-    public static string Text(Workshop workshop)
+    public static string Text(PackageAssets assets)
     {
-        var material = new Material(workshop.Load<Shader>(PackagePaths.TextShader)) { name = "Text", color = Color.white, enableInstancing = true };
+        var material = new Material(assets.Load<Shader>(PackagePaths.TextShader)) { name = "Text", color = Color.white, enableInstancing = true };
         material.SetFloat("_Cutoff", 0.3f);
-        return workshop.Asset(material);
+        return assets.Asset(material);
     }
 
-    public static string Occluder(Workshop workshop)
+    public static string Occluder(PackageAssets assets)
     {
-        return workshop.Asset(new Material(workshop.Load<Shader>(PackagePaths.OccluderShader)) { name = "Occluder", enableInstancing = true });
+        return assets.Asset(new Material(assets.Load<Shader>(PackagePaths.OccluderShader)) { name = "Occluder", enableInstancing = true });
     }
 
     /// <summary>
     /// Creates the dark material behind the status panel's text. It is nearly invisible on a headset and a background in the editor.
     /// </summary>
-    public static string Panel(Workshop workshop) => Make(workshop, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
+    public static string Panel(PackageAssets assets) => Make(assets, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
 
     /// <summary>Creates the material of a code's lit squares, which are as bright as possible.</summary>
-    public static string Timestamp(Workshop workshop) => Make(workshop, "Timestamp", Color.white);
+    public static string Timestamp(PackageAssets assets) => Make(assets, "Timestamp", Color.white);
 
-    static string Make(Workshop workshop, string name, Color colour, int renderQueue = -1)
+    static string Make(PackageAssets assets, string name, Color colour, int renderQueue = -1)
     {
-        var material = new Material(workshop.Load<Shader>(PackagePaths.HologramShader))
+        var material = new Material(assets.Load<Shader>(PackagePaths.HologramShader))
         {
             name = name,
             color = colour,
@@ -62,6 +62,6 @@ static class MaterialAssets
         };
         material.SetFloat("_Fade", 0);
         material.SetFloat("_Hatch", 0);
-        return workshop.Asset(material);
+        return assets.Asset(material);
     }
 }

@@ -54,13 +54,13 @@ static class Props
     }
 
     /// <summary>Creates a ground of 4 m × 4 m at the height of the robot's base.</summary>
-    public static GameObject Ground(Workshop workshop)
+    public static GameObject Ground(PackageAssets assets)
     {
         var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
         ground.name = "Ground";
         ground.transform.eulerAngles = new Vector3(90, 0, 0);
         ground.transform.localScale = new Vector3(4, 4, 1);
-        ground.GetComponent<MeshRenderer>().sharedMaterial = workshop.Load<Material>(PackagePaths.Solid);
+        ground.GetComponent<MeshRenderer>().sharedMaterial = assets.Load<Material>(PackagePaths.Solid);
         return ground;
     }
 

@@ -12,13 +12,13 @@ static class Texts
     /// <summary>Scale at which letters are half a degree high at 1 m. The components adapt it to the distance of the user.</summary>
     const float Scale = 0.0035f;
 
-    public static TextMesh Add(Workshop workshop, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)
+    public static TextMesh Add(PackageAssets assets, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)
     {
         var made = new GameObject(name);
         made.transform.SetParent(parent, worldPositionStays: false);
         made.transform.localScale = new Vector3(Scale, Scale, Scale);
         var renderer = made.AddComponent<MeshRenderer>();
-        renderer.sharedMaterial = workshop.Load<Material>(PackagePaths.Text);
+        renderer.sharedMaterial = assets.Load<Material>(PackagePaths.Text);
         var text = made.AddComponent<TextMesh>();
         text.anchor = anchor;
         text.alignment = alignment;

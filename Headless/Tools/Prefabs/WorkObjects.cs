@@ -15,11 +15,11 @@ static class WorkObjects
     /// <summary>Number of the belt's points per straight section.</summary>
     const int PointsPerSection = 2;
 
-    public static GameObject Build(Workshop workshop, MrilSession session, RobotModel robot)
+    public static GameObject Build(PackageAssets assets, MrilSession session, RobotModel robot)
     {
         var work = new CellWork(robot, new PickAndPlaceMotion(robot));
-        var (virtualPart, workpiece) = (workshop.Load<Material>(PackagePaths.Hologram), workshop.Load<Material>(PackagePaths.Workpiece));
-        var uncompensated = workshop.Load<Material>(PackagePaths.Ghost);
+        var (virtualPart, workpiece) = (assets.Load<Material>(PackagePaths.Hologram), assets.Load<Material>(PackagePaths.Workpiece));
+        var uncompensated = assets.Load<Material>(PackagePaths.Ghost);
         var root = new GameObject("Cell Objects");
         var conveyor = Shown<StationaryObject>(CellWork.Conveyor, CellWork.Conveyor, root, session, virtualPart);
         AddBelt(conveyor, work, virtualPart);
@@ -34,7 +34,7 @@ static class WorkObjects
             AddWorkpiece(ghost, uncompensated);
         }
 
-        Tidy.Transforms(root.transform);
+        TransformRounding.Apply(root.transform);
         return root;
     }
 

@@ -160,7 +160,7 @@ public sealed class VlcEvaluationTests
         Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much for a constant"));
     }
 
-    /// <summary>L_visu scatters too much for a profile, and a quarter of the pictures is late.</summary>
+    /// <summary>L_visu scatters too much for a profile, and a quarter of the pictures are late.</summary>
     [Test]
     public void Json_NoProfile_HasTheMeanWithoutLatePictures()
     {

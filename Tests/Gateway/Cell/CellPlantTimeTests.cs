@@ -8,11 +8,11 @@ using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
 
 namespace Nowpose.Headless.Tests.Gateway.Cell;
 
-/// <summary>Frames and signals of a client whose stamps are on a clock other than the control clock.</summary>
+/// <summary>Tests frames and signals whose time stamps are on a plant clock other than the control clock C1.</summary>
 public class CellPlantTimeTests
 {
     [Test]
-    public async Task Publish_StampedByAnotherPlantClock_IsConvertedToC1()
+    public async Task Publish_TimeStampsOnAnotherPlantClock_AreConvertedToC1()
     {
         var own = new StopwatchControlClock(Gateways.Start);
         var plc = new StopwatchControlClock(Gateways.Start + TimeSpan.FromSeconds(900));

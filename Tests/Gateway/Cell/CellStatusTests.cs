@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
 
 namespace Nowpose.Headless.Tests.Gateway.Cell;
 
-/// <summary>State and metrics of a gateway with frames, signals and robots in namespaces.</summary>
+/// <summary>Tests state and metrics of a gateway with frames, signals and robots in namespaces.</summary>
 public class CellStatusTests
 {
     GatewayServer _gateway;
@@ -64,17 +64,17 @@ public class CellStatusTests
         await _source.SendAsync(SignalsText(("belt", 1)));
         await _source.RoundTripAsync();
 
-        // The description is read in the background.
+        // The gateway reads the description in the background.
         await Soon.BecomesAsync(() => StateAsync().GetAwaiter().GetResult().GetProperty("status").GetProperty("level").GetString() == level, level);
     }
 
     [Test]
-    public async Task State_DescribedRobotsWereReplaced_DependsOnObjectsOnly()
+    public async Task State_DescribedRobotsReplacedByUndescribedOnes_IsOkWithObjectsOnly()
     {
         for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot/>"));
         await _source.RoundTripAsync();
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the source has disconnected");
         using var twin = await RawRosbridgeClient.ConnectAsync(_gateway);
         await twin.SendAsync(Tf(Frame("box")));
         await twin.RoundTripAsync();
@@ -88,7 +88,7 @@ public class CellStatusTests
     }
 
     [Test]
-    public async Task State_InvalidSampleOfARobot_ConcernsOnlyThatRobot()
+    public async Task State_InvalidSampleOfARobot_RefusesTheJointsOfThatRobotOnly()
     {
         using var other = await RawRosbridgeClient.ConnectAsync(_gateway);
         await _source.SendAsync(State("arm1", Gateways.Start));
@@ -124,7 +124,7 @@ public class CellStatusTests
     [TestCase("frames", true)]
     [TestCase("signals", true)]
     [TestCase("stationary frames", false)]
-    public async Task Stamps_InFuture_AreEvidenceAboutTheClock(string kind, bool expected)
+    public async Task TimeStamps_InFuture_AreEvidenceOfAWrongClock(string kind, bool expected)
     {
         var stamp = Gateways.Start + TimeSpan.FromMinutes(10);
         var text = kind == "frames" ? Tf(Frame("a", stamp: stamp)) : kind == "signals" ? SignalsAt(stamp, ("grip", 1)) : TfStatic(Frame("a", stamp: stamp));
@@ -140,7 +140,7 @@ public class CellStatusTests
     }
 
     [Test]
-    public async Task Stamps_FramesOfAnotherSource_AreNoEvidenceAboutTheClock()
+    public async Task TimeStamps_OfFramesOfAnotherSource_AreNoEvidenceOfAWrongClock()
     {
         using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
         await _source.SendAsync(Tf(Frame("a")));

@@ -3,7 +3,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Headless.Tests.Gateway.Cell;
 
-/// <summary>Messages of a source of frames and signals.</summary>
+/// <summary>Creates messages with frames and signals, and converts received ones to text.</summary>
 static class CellTexts
 {
     public static FrameTransform Frame(string child, string parent = "world", double x = 0, ControlTime? stamp = null) =>
@@ -18,11 +18,11 @@ static class CellTexts
     public static string SignalsAt(ControlTime stamp, params (string Name, double Value)[] values) => RosbridgeWriter.PublishSignals(
         RosTopics.Signals, new SignalsMessage(stamp, [.. values.Select(one => new SignalValue(one.Name, one.Value))]), RosTimeForm.Sec);
 
-    /// <summary>Returns the frames of a message with their x: "box=0.5 belt=0".</summary>
+    /// <summary>Returns the frames of a message with their x coordinates: "box=0.5 belt=0".</summary>
     public static string Text(this TransformsMessage message) => string.Join(' ', Enumerable.Range(0, message.Count).Select(
         i => FormattableString.Invariant($"{message[i].Child}={message[i].X}")));
 
-    /// <summary>Returns the signals of a message: "grip=1 lamp=0".</summary>
+    /// <summary>Returns the signals of a message with their values: "grip=1 lamp=0".</summary>
     public static string Text(this SignalsMessage message) => string.Join(' ', Enumerable.Range(0, message.Count).Select(
         i => FormattableString.Invariant($"{message[i].Name}={message[i].Value}")));
 

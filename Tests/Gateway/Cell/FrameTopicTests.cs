@@ -28,7 +28,7 @@ public class FrameTopicTests
 
     async Task<string> NextFramesAsync() => (await _headset.ReceiveAsync()).Transforms.Text();
 
-    // Sends a message that the gateway must accept without a status.
+    // Sends a message, which the gateway must accept without a status.
     async Task SendAsync(string text)
     {
         await _source.SendAsync(text);
@@ -39,7 +39,7 @@ public class FrameTopicTests
     [TestCase(RosTopics.Tf, "tf2_msgs/msg/TFMessage", "\"sec\":5000")]
     [TestCase(RosTopics.TfStatic, "tf2_msgs/TFMessage", "\"secs\":5000")]
     [TestCase(RosTopics.TfStatic, null, "\"sec\":5000")]
-    public async Task Publish_Frames_ReachSubscribersInTheirTimeFormat(string topic, string type, string expected)
+    public async Task Publish_Frames_ReachEachSubscriberInTheTimeFormatOfItsType(string topic, string type, string expected)
     {
         await _headset.SubscribeAsync(topic, type);
         await _source.SendAsync(RosbridgeWriter.Advertise(topic, "tf2_msgs/TFMessage"));
@@ -55,7 +55,7 @@ public class FrameTopicTests
     [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1.02}", DropReason.NotUnitQuaternion, "frame box has a rotation with the norm 1.02; it must be 1 within 0.001")]
     [TestCase("\"rotation\":{\"x\":0,\"y\":NaN,\"z\":0,\"w\":1}", DropReason.NotFinite, "frame box has rotation.y NaN")]
     [TestCase("\"rotation\":{\"x\":0,\"y\":0,\"z\":0}", DropReason.MissingField, "missing")]
-    public async Task Publish_InvalidRotation_IsDroppedWithItsValue(string rotation, object reason, string part)
+    public async Task Publish_InvalidRotation_DropsTheFrameWithTheValueInTheReason(string rotation, object reason, string part)
     {
         await _headset.SubscribeAsync(RosTopics.Tf);
 
@@ -68,7 +68,7 @@ public class FrameTopicTests
     }
 
     [Test]
-    public async Task Publish_InvalidFrames_AreDroppedWithTheFrame()
+    public async Task Publish_InvalidFrames_AreDroppedWithTheFrameInTheReason()
     {
         await _source.SendAsync(Tf(Frame("box", "box")));
         await _source.ExpectErrorAsync("frame box is its own parent (OwnParent)");
@@ -88,7 +88,7 @@ public class FrameTopicTests
     }
 
     [Test]
-    public async Task Publish_CycleOverTwoSources_LeavesOutThatFrame()
+    public async Task Publish_FrameThatClosesACycleOverTwoSources_IsLeftOut()
     {
         using var other = await RawRosbridgeClient.ConnectAsync(_gateway);
         await other.SendAsync(TfStatic(Frame("a", "c")));
@@ -104,13 +104,13 @@ public class FrameTopicTests
     }
 
     [Test]
-    public async Task Publish_ChainOf17_LeavesOutTheDeepest()
+    public async Task Publish_ChainOf17Frames_LeavesOutTheDeepestFrame()
     {
         await _headset.SubscribeAsync(RosTopics.Tf);
 
         await _source.SendAsync(Tf([.. Enumerable.Range(1, 18).Select(i => Frame("f" + i, i == 1 ? "world" : $"f{i - 1}"))]));
 
-        // f17 is too deep. Its parent is then unknown, so f18 is the child of a root.
+        // f17 is too deep, so the gateway leaves it out. Then the parent of f18 is unknown and counts as a root.
         await _source.ExpectErrorAsync("frame f17 with parent f16 is deeper than 16 transforms below the root (FrameTooDeep)");
         Assert.That((await _headset.ReceiveAsync()).Transforms.Count, Is.EqualTo(17));
     }
@@ -131,7 +131,7 @@ public class FrameTopicTests
     }
 
     [Test]
-    public async Task Publish_CycleThroughADescribedRobot_LeavesOutThatFrame()
+    public async Task Publish_FrameThatClosesACycleThroughADescribedRobot_IsLeftOut()
     {
         const string Urdf = "<robot name='r'><link name='base'/><link name='tool0'/><joint name='j' type='fixed'><parent link='base'/><child link='tool0'/></joint></robot>";
         await SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", Urdf));
@@ -146,7 +146,7 @@ public class FrameTopicTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public async Task Source_SecondForAChild_IsRefusedUntilTheFirstEnds(bool isStatic)
+    public async Task SecondSource_OfAFrame_IsRefusedUntilTheFirstEnds(bool isStatic)
     {
         using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
         await SendAsync(isStatic ? TfStatic(Frame("box")) : Tf(Frame("box")));
@@ -167,7 +167,7 @@ public class FrameTopicTests
     }
 
     [Test]
-    public async Task Subscribe_StationaryFrames_ReceivesTheNewestOfEachChildAlsoAfterTheirSource()
+    public async Task Subscribe_StationaryFrames_ReceivesTheNewestOfEachChildEvenAfterTheirSourceEnded()
     {
         await SendAsync(TfStatic(Frame("belt", x: 1), Frame("fixture", x: 2)));
         await SendAsync(TfStatic(Frame("belt", x: 3)));
@@ -178,12 +178,12 @@ public class FrameTopicTests
         Assert.That(new[] { await NextFramesAsync(), await NextFramesAsync() }, Is.EqualTo(new[] { "fixture=2", "belt=3" }));
         await _headset.RoundTripAsync();
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
         using var late = await RawRosbridgeClient.ConnectAsync(_gateway);
         await late.SendAsync(RosbridgeWriter.Subscribe(RosTopics.TfStatic));
         Assert.That((await late.ReceiveAsync()).Transforms.Text(), Is.EqualTo("fixture=2"));
         Assert.That((await late.ReceiveAsync()).Transforms.Text(), Is.EqualTo("belt=3"));
-        // Another source takes it over as a moving frame.
+        // Another source publishes belt as a moving frame.
         await late.SendAsync(Tf(Frame("belt")));
         await late.RoundTripAsync();
         await _headset.SubscribeAsync(RosTopics.Tf);
@@ -193,7 +193,7 @@ public class FrameTopicTests
     }
 
     [Test]
-    public async Task Subscribe_MovingFrames_ReceivesOnlyLaterOnes()
+    public async Task Subscribe_MovingFrames_ReceivesOnlyFramesPublishedLater()
     {
         await SendAsync(Tf(Frame("box", x: 1)));
         await _headset.SubscribeAsync(RosTopics.Tf);
@@ -208,14 +208,14 @@ public class FrameTopicTests
     {
         await _headset.SubscribeAsync(RosTopics.Tf, "tf2_msgs/TFMessage");
         var frames = Enumerable.Range(0, 256).Select(i => Frame($"{new string('f', 60)}_{i}", i % 2 == 0 ? "world" : "belt", 0.1 + i)).ToArray();
-        // Without blanks, decimals and optional fields, it is shorter than the gateway's own text.
+        // Without blanks, decimals and optional fields, this text is shorter than the text that the gateway writes for the same frames.
         var text = Tf(frames).Replace(".0,", ",").Replace(".0}", "}");
         Assert.That(text.Length, Is.InRange(50_000, 64 * 1024));
 
         await SendAsync(text);
 
         var read = 0;
-        // A client refuses a longer message.
+        // ReceiveAsync fails if a message is longer than a client accepts.
         while (read < frames.Length) read += (await _headset.ReceiveAsync()).Transforms.Count;
         Assert.That(read, Is.EqualTo(frames.Length));
         Assert.That(_gateway.Drops.Total, Is.Zero);

@@ -8,7 +8,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Cell;
 
-/// <summary>The messages that a subscriber to a latched topic gets when it is slow.</summary>
+/// <summary>Tests which messages a slow subscriber to a latched topic receives.</summary>
+[FixtureLifeCycle(LifeCycle.InstancePerTestCase)]
 public class LatchedQueueTests
 {
     readonly MessageHub _hub = new();
@@ -17,7 +18,7 @@ public class LatchedQueueTests
     void Publish(HubSource source, string name, double value, long? receivedAt = null) => Assert.That(
         source.Publish(new SignalsMessage(Gateways.Start, new SignalValue(name, value)), [], receivedAt), Is.Null);
 
-    // Lets the subscription send until it has sent a text.
+    // Lets the subscription send until it has sent the text `last`, and returns all sent texts.
     static async Task<List<string>> SentAsync(Subscription subscription, string last, bool isReaderSlow)
     {
         var sent = new List<string>();
@@ -50,7 +51,7 @@ public class LatchedQueueTests
     }
 
     [Test]
-    public async Task Pump_MessagesWaitedForTheClient_SendsTheNewestOfEachName()
+    public async Task Pump_MessagesWaitForASlowClient_SendsTheNewestOfEachName()
     {
         using var source = _hub.OpenSource();
         using var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);
@@ -65,7 +66,7 @@ public class LatchedQueueTests
     }
 
     [Test]
-    public async Task Pump_NotSlow_SendsEachChangeInOrder()
+    public async Task Pump_ClientFast_SendsEachChangeInOrder()
     {
         using var source = _hub.OpenSource();
         using var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);
@@ -84,7 +85,7 @@ public class LatchedQueueTests
     }
 
     [Test]
-    public async Task Pump_MessageWithSeveralNames_SendsThoseThatAreCurrent()
+    public async Task Pump_MessageWithSeveralNames_SendsTheCurrentValues()
     {
         using var source = _hub.OpenSource();
         source.Publish(new SignalsMessage(Gateways.Start, new SignalValue("a", 1), new SignalValue("b", 1), new SignalValue("c", 1)), []);
@@ -97,7 +98,7 @@ public class LatchedQueueTests
     }
 
     [Test]
-    public async Task Dispose_WithWaitingValues_EndsThePump()
+    public async Task Dispose_ValuesWaiting_EndsThePump()
     {
         using var source = _hub.OpenSource();
         for (var i = 0; i < 100; i++) Publish(source, "s" + i, i);
@@ -118,7 +119,7 @@ public class LatchedQueueTests
     [Test]
     public void MessageParts_LongNames_AreSplitWithinTheLimit()
     {
-        // The upper bound for a backslash in JSON is six characters. Its actual length is two.
+        // The limit allows for six characters per escaped character. An escaped backslash has only two.
         var names = Enumerable.Range(0, 256).Select(i => new string('\\', 124) + i.ToString("000")).ToArray();
         var signals = new SignalsMessage(Gateways.Start, [.. names.Select(name => new SignalValue(name, -1.0 / 3e-300))]);
         var frames = new TransformsMessage([.. names.Select(name => CellTexts.Frame(name, "world", -1.0 / 3e-300))]);

@@ -29,7 +29,7 @@ public class RobotNamespaceTests
         RosbridgeWriter.PublishJointState(RobotTopic.NameOf(robot, RosTopics.JointStates), Gateways.State(position, "a"), RosTimeForm.Sec);
 
     [Test]
-    public async Task Publish_EqualJointNames_DoNotMix()
+    public async Task Publish_EqualJointNamesOfTwoRobots_StaySeparate()
     {
         using var one = await RawRosbridgeClient.ConnectAsync(_gateway);
         using var two = await RawRosbridgeClient.ConnectAsync(_gateway);
@@ -54,7 +54,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task Source_SecondForAJointOfARobot_IsRefusedUntilTheFirstEnds()
+    public async Task SecondSource_OfAJointOfARobot_IsRefusedUntilTheFirstEnds()
     {
         await _first.SendAsync(State("arm1", 1));
         await _first.RoundTripAsync();
@@ -63,7 +63,7 @@ public class RobotNamespaceTests
 
         await _second.ExpectErrorAsync("a belongs to another source, rosbridge 127.0.0.1 (JointTaken)");
         _first.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has disconnected");
         await _second.SendAsync(State("arm1", 2));
         await _second.RoundTripAsync();
     }
@@ -84,7 +84,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task Plan_OfEachRobotOfASource_IsSentOnSubscribe()
+    public async Task SetPoints_OfEachRobotOfASource_AreSentOnSubscribe()
     {
         foreach (var robot in new[] { "arm1", "arm2" })
             await _first.SendAsync(RosbridgeWriter.PublishJointTrajectory(
@@ -119,7 +119,7 @@ public class RobotNamespaceTests
     [TestCase("/tf", "tf2_msgs/TFMessage")]
     [TestCase("/tf_static", "tf2_msgs/TFMessage")]
     [TestCase("/signals", "nowpose_msgs/Signals")]
-    public async Task Request_WrongType_ReceivesAStatusWithTheType(string topic, string type)
+    public async Task Request_WrongType_ReceivesAStatusWithTheCorrectType(string topic, string type)
     {
         await _first.SendAsync(RosbridgeWriter.Subscribe(topic, "sensor_msgs/Image"));
         await _first.ExpectErrorAsync($"subscribe {topic} dropped: {topic} has the type {type}, not sensor_msgs/Image");
@@ -128,7 +128,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task Publish_Robots_AreAcceptedUpTo16()
+    public async Task Publish_ManyRobots_AcceptsUpTo16()
     {
         for (var i = 0; i < 16; i++) await _first.SendAsync(State($"arm{i}", i));
         await _first.SendAsync(State("", 1));
@@ -143,18 +143,18 @@ public class RobotNamespaceTests
 
         Assert.That(_gateway.Drops[DropReason.TooManyRobots], Is.EqualTo(3));
         _first.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the first has disconnected");
         await _second.SendAsync(State("arm16", 1));
         await _second.RoundTripAsync();
     }
 
     [Test]
-    public async Task Publish_DescribedRobotsWithoutSource_AreReplacedByNewOnes()
+    public async Task Publish_NewRobots_ReplaceDescribedRobotsWithoutSource()
     {
         for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.PublishString($"/arm{i}/robot_description", "<robot/>"));
         await _first.RoundTripAsync();
         _first.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
         Assert.That(_gateway.Hub.Robots, Has.Count.EqualTo(16), "descriptions stay");
 
         await _second.SendAsync(State("new", 1));
@@ -183,7 +183,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task Observer_PublishesCellTopics_IsRefused()
+    public async Task Publish_CellTopicsByAnObserver_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         using var observer = await RawRosbridgeClient.ConnectAsync(

@@ -35,7 +35,7 @@ public class SignalTopicTests
     [TestCase("nowpose_msgs/Signals", "\"secs\":5000")]
     [TestCase("nowpose_msgs/msg/Signals", "\"sec\":5000")]
     [TestCase(null, "\"sec\":5000")]
-    public async Task Publish_Signals_ReachSubscribersInTheirTimeFormat(string type, string expected)
+    public async Task Publish_Signals_ReachEachSubscriberInTheTimeFormatOfItsType(string type, string expected)
     {
         await _headset.SubscribeAsync(RosTopics.Signals, type);
 
@@ -48,7 +48,7 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task Subscribe_Late_ReceivesTheNewestOfEachSignalWithItsOwnStamp()
+    public async Task Subscribe_AfterPublication_ReceivesTheNewestValueOfEachSignalWithItsTimeStamp()
     {
         await SendAsync(SignalsAt(ControlTime.FromSeconds(4000), ("grip", 1), ("lamp", 1), ("door", 0)));
         await SendAsync(SignalsAt(ControlTime.FromSeconds(4001), ("grip", 0)));
@@ -87,7 +87,7 @@ public class SignalTopicTests
     {
         await SendAsync(SignalsText(("grip", 1)));
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
 
         await _headset.SubscribeAsync(RosTopics.Signals);
 
@@ -95,7 +95,7 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task Status_SignalThatItsAdapterReports_IsNamedUntilItIsLiveAgain()
+    public async Task SignalStatus_AdapterReportsAFault_ContainsTheSignalUntilItIsLiveAgain()
     {
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));
         Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
@@ -112,7 +112,7 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task Status_SourceEnded_NamesItsSignalsUntilTheyHaveASourceAgain()
+    public async Task SignalStatus_SourceEnded_ContainsItsSignalsUntilTheyHaveASourceAgain()
     {
         await _headset.SendAsync(RosbridgeWriter.Subscribe(RosTopics.SignalStatus, "diagnostic_msgs/DiagnosticArray"));
         Assert.That((await _headset.ReceiveAsync()).SignalStatus.Joints, Is.Empty);
@@ -134,7 +134,7 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task Source_SecondForASignal_IsRefusedUntilTheFirstEnds()
+    public async Task SecondSource_OfASignal_IsRefusedUntilTheFirstEnds()
     {
         using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
         await SendAsync(SignalsText(("grip", 1)));
@@ -144,7 +144,7 @@ public class SignalTopicTests
         await second.ExpectErrorAsync("signal grip belongs to another source, rosbridge 127.0.0.1 (SignalTaken)");
         Assert.That(_gateway.Drops[DropReason.SignalTaken], Is.EqualTo(1));
         _source.Dispose();
-        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 2, "the first has gone");
+        await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 2, "the first has disconnected");
         await second.SendAsync(SignalsText(("lamp", 1), ("grip", 0)));
         await second.RoundTripAsync();
     }
@@ -177,7 +177,7 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task Publish_StampInFuture_IsDropped()
+    public async Task Publish_TimeStampInFuture_IsDropped()
     {
         await _source.SendAsync(SignalsAt(ControlTime.FromSeconds(5100), ("grip", 1)));
 
@@ -185,16 +185,16 @@ public class SignalTopicTests
         Assert.That(_gateway.Drops[DropReason.StampInFuture], Is.EqualTo(1));
     }
 
-    // A signal may not change again for hours.
+    // A signal may change only once in hours, so a slow reader must not lose its newest value.
     [Test]
-    public async Task Reader_Slow_ReceivesTheNewestOfEachSignal()
+    public async Task Reader_Slow_ReceivesTheNewestValueOfEachSignal()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { PongTimeout = TimeSpan.FromMinutes(1) });
         using var slow = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));
         await slow.SubscribeAsync(RosTopics.Signals);
         using var source = gateway.Hub.OpenSource();
 
-        // The first change is followed by many of other signals, until messages are lost.
+        // After one change of grip, other signals change until messages are lost.
         var sent = 0;
         Publish("grip", 1);
         while (gateway.Drops[DropReason.SlowReader] < 100) Publish($"s{++sent % 100}", sent);

@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
 
 namespace Nowpose.Headless.Tests.Gateway.Cell;
 
-/// <summary>A file of stationary objects that the gateway publishes.</summary>
+/// <summary>Tests the publication of a file with stationary objects.</summary>
 public class StationaryFramesTests
 {
     string _folder, _path;
@@ -28,7 +28,7 @@ public class StationaryFramesTests
         () => Nowpose.Gateway.CommandLine.RunAsync(["serve", "--check", "--stationary", _path, "--ws-port", "0", "--sync-port", "0"]).Bounded());
 
     [Test]
-    public async Task Publish_File_ReachesEachClientOnSubscribing()
+    public async Task Publish_FramesOfTheFile_ReachEachClientOnSubscribe()
     {
         Save(Frame("belt", x: 0.5), Frame("fixture", "belt", 0.25));
         await using var gateway = await Gateways.StartAsync();
@@ -45,7 +45,7 @@ public class StationaryFramesTests
     }
 
     [Test]
-    public async Task Check_File_StatesItsFrames()
+    public async Task Check_ValidFile_ListsItsFrames()
     {
         Save(Frame("belt"), Frame("fixture", "belt"));
 
@@ -56,7 +56,7 @@ public class StationaryFramesTests
     }
 
     [Test]
-    public async Task Check_Cycle_IsRefusedInOneLine()
+    public async Task Check_CycleInTheFile_IsReportedInOneLine()
     {
         Save(Frame("belt", "fixture"), Frame("fixture", "belt"));
 
@@ -69,7 +69,7 @@ public class StationaryFramesTests
     }
 
     [Test]
-    public async Task Serve_InvalidOrMissingFile_EndsWithItsLine([Values] bool isMissing)
+    public async Task Serve_FileInvalidOrMissing_EndsAndReportsTheLine([Values] bool isMissing)
     {
         if (!isMissing) File.WriteAllText(_path, "{\n\"transforms\": [3]}");
 
@@ -81,7 +81,7 @@ public class StationaryFramesTests
     }
 
     [Test]
-    public async Task Publish_FrameOfTheFile_BelongsToTheGateway()
+    public async Task Publish_FrameOfTheFileByAClient_IsRefused()
     {
         Save(Frame("belt"));
         await using var gateway = await Gateways.StartAsync();

@@ -4,12 +4,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>An adapter that serves a clock of its own, like the programs in Gateway/Adapters.</summary>
+/// <summary>Simulates an adapter that offers the clock of a control system, like the programs in Gateway/Adapters.</summary>
 sealed class PlantAdapterDouble : IDisposable
 {
     readonly string _service;
     readonly Func<string, string, string> _answer;
-    int _questions;
+    int _requests;
 
     PlantAdapterDouble(RawRosbridgeClient client, string service, Func<string, string, string> answer)
     {
@@ -20,15 +20,15 @@ sealed class PlantAdapterDouble : IDisposable
 
     public RawRosbridgeClient Client { get; }
 
-    /// <summary>Number of requests received.</summary>
-    public int Questions => Volatile.Read(ref _questions);
+    /// <summary>Number of received requests.</summary>
+    public int Requests => Volatile.Read(ref _requests);
 
     /// <param name="clock">Clock of the control system.</param>
-    /// <param name="extra">Fields of the answer in addition to the two times.</param>
+    /// <param name="extra">Further fields of the answer, after the two times.</param>
     public static Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, StopwatchControlClock clock, string extra = "") =>
         ConnectAsync(gateway, name, (id, service) => AnswerOf(id, service, clock.Now, clock.Now, extra));
 
-    /// <param name="answer">Returns the answer for the id and the service of a request; null for no answer.</param>
+    /// <param name="answer">Returns the answer to a request with an id and a service name; null sends no answer.</param>
     public static async Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, Func<string, string, string> answer)
     {
         var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -54,7 +54,7 @@ sealed class PlantAdapterDouble : IDisposable
             {
                 var text = await Client.ReceiveTextAsync();
                 if (!RosbridgeReader.TryRead(text, out var question, out _) || question.Op != RosbridgeOp.CallService) continue;
-                Interlocked.Increment(ref _questions);
+                Interlocked.Increment(ref _requests);
                 if (_answer(question.Id, question.Service) is { } answer) await Client.SendAsync(answer);
             }
         }

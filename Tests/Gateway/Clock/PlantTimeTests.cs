@@ -6,13 +6,13 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Over real sockets: the gateway serves the control system's clock that an adapter provides.</summary>
+/// <summary>Tests over real sockets that the gateway serves the clock of a control system, which an adapter offers.</summary>
 public class PlantTimeTests
 {
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(900_000);
 
     [Test]
-    public async Task PlantTime_Offered_IsServedAsC1WithItsBound()
+    public async Task PlantTime_OfferedByAnAdapter_IsServedAsC1WithItsErrorBound()
     {
         var plc = new StopwatchControlClock(PlantStart, 80e-6);
         await using var gateway = await Gateways.StartAsync();
@@ -26,14 +26,14 @@ public class PlantTimeTests
         var after = plc.Now;
         var bound = TimeSpan.FromMicroseconds(reply.ErrorBoundUs);
         Assert.That(reply.IsServerSynchronised, Is.True);
-        Assert.That(bound, Is.GreaterThan(TimeSpan.FromMicroseconds(300)), "the plant's own bound is in it");
+        Assert.That(bound, Is.GreaterThan(TimeSpan.FromMicroseconds(300)), "the bound contains that of the plant");
         Assert.That(ControlTime.FromNanoseconds(reply.T2Ns), Is.InRange(before - bound, after + bound));
         Assert.That(reply.T3Ns, Is.GreaterThanOrEqualTo(reply.T2Ns));
         Assert.That(reply.ResolutionNs, Is.EqualTo(100u));
     }
 
     [Test]
-    public async Task SyncReply_NamedClockNotOfferedYet_IsNotSynchronised()
+    public async Task SyncReply_SelectedClockNotOfferedYet_IsNotSynchronised()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { ControlClock = "plc" });
         using var headset = await RawSyncClient.ConnectAsync(gateway);
@@ -47,7 +47,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task PlantTime_OwnClockRequested_IsOnlyCompared()
+    public async Task PlantTime_OwnClockSelected_IsOnlyCompared()
     {
         var own = new StopwatchControlClock(Gateways.Start);
         var plc = new StopwatchControlClock(Gateways.Start + TimeSpan.FromSeconds(3));
@@ -58,7 +58,7 @@ public class PlantTimeTests
 
         var count = Stopwatch.GetTimestamp();
         var truth = plc.AtCount(count) - own.AtCount(count);
-        // A thread that is interrupted between its readings of the two clocks adds the pause to their difference.
+        // If the thread is interrupted between its readings of the two clocks, their difference contains the pause.
         bool IsRight(PlantClockStatus status) =>
             (status.OffsetToControl.Value - truth).Duration() <= status.ErrorBound + TimeSpan.FromMilliseconds(1);
         await Soon.BecomesAsync(
@@ -69,25 +69,25 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task JointState_StampedByASecondPlantClock_IsConvertedToC1()
+    public async Task JointState_TimeStampOnASecondPlantClock_IsConvertedToC1()
     {
         var ads = new StopwatchControlClock(PlantStart);
         var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(2));
         await using var gateway = await Gateways.StartAsync();
-        using var first = await KnownAsync(gateway, "ads", ads);
-        using var second = await KnownAsync(gateway, "opcua", opcua);
+        using var first = await ConnectedAsync(gateway, "ads", ads);
+        using var second = await ConnectedAsync(gateway, "opcua", opcua);
         using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
         await headset.SubscribeAsync(RosTopics.JointStates);
 
         var count = Stopwatch.GetTimestamp();
         var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);
-        // The bounds at this moment may be smaller than those with which the sample was mapped.
+        // The bounds at this moment may be smaller than the bounds at the time of the conversion.
         var bound = StatusOf(gateway, "ads").ErrorBound + StatusOf(gateway, "opcua").ErrorBound;
         await second.Client.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
 
         var error = (await headset.ReceiveAsync()).JointState.Stamp - ads.AtCount(count);
         Assert.That(error.Duration(), Is.LessThanOrEqualTo(bound + TimeSpan.FromMilliseconds(10)));
-        Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "two seconds apart must not pass");
+        Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "the two clocks differ by 2 s");
     }
 
     [Test]
@@ -119,7 +119,7 @@ public class PlantTimeTests
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
         await Soon.BecomesAsync(() => gateway.Clock.State == ClockState.Synchronised, "the clock is measured again");
 
-        Assert.That(isServed, Is.True, "a holdover of seconds is good enough");
+        Assert.That(isServed, Is.True, "the clock is served during a holdover of seconds");
         Assert.That(served, Is.InRange(before - bound, after + bound));
         Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "a larger bound would accept any served time");
         Assert.That(gateway.PlantClocks.All, Has.Count.EqualTo(1));
@@ -139,21 +139,21 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task PlantTime_ServiceWithdrawn_IsNotCalledAgain()
+    public async Task PlantTime_OfferWithdrawn_IsNotRequestedAgain()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", new StopwatchControlClock(PlantStart));
         using var other = await PlantAdapterDouble.ConnectAsync(gateway, "other", new StopwatchControlClock(PlantStart));
-        await Soon.BecomesAsync(() => adapter.Questions > 3, "the clock is asked");
+        await Soon.BecomesAsync(() => adapter.Requests > 3, "the clock is requested");
 
         await adapter.WithdrawAsync();
 
         await Soon.BecomesAsync(() => !StatusOf(gateway, "plc").IsConnected, "the clock has no connected adapter");
         // One request may still be on its way to the adapter.
-        await AsksFiveTimesAsync(other);
-        var asked = adapter.Questions;
-        await AsksFiveTimesAsync(other);
-        Assert.That(adapter.Questions, Is.EqualTo(asked));
+        await RequestedFiveTimesAsync(other);
+        var asked = adapter.Requests;
+        await RequestedFiveTimesAsync(other);
+        Assert.That(adapter.Requests, Is.EqualTo(asked));
     }
 
     [TestCase("/nowpose/plant_time/Two Words", "no such service")]
@@ -185,7 +185,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task AdvertiseService_FormerConnectionSilent_TakesTheClockOver()
+    public async Task AdvertiseService_FormerConnectionSilent_NewConnectionTakesOverTheClock()
     {
         var plc = new StopwatchControlClock(PlantStart);
         var isGone = false;
@@ -195,29 +195,29 @@ public class PlantTimeTests
         await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.State == ClockState.Synchronised, "the clock is known");
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
         await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "it is refused while the former one answers");
-        // Like a broken cable: the connection stays open, but no message comes.
+        // As with a broken cable, the former connection stays open but sends no message.
         Volatile.Write(ref isGone, true);
         var before = StatusOf(gateway, "plc").Exchanges;
 
         await Soon.BecomesAsync(() =>
         {
-            // Any message is enough; adapters send their state every second.
+            // The new connection takes over the clock at its next message. Adapters send their state every second, but any message is sufficient.
             back.Client.SendAsync("{\"op\":\"status\",\"level\":\"none\",\"msg\":\"\"}").GetAwaiter().GetResult();
             return StatusOf(gateway, "plc").Exchanges > before + 5;
-        }, "the clock is asked for on the new connection");
+        }, "the clock is requested on the new connection");
 
-        Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1), "it was not told again and again");
-        Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(2), "the former one was not noticed to be gone");
+        Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1), "the refusal is reported once");
+        Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(2), "the former connection is still open");
     }
 
     [Test]
-    public async Task JointState_ClockOfferRefused_UsesTheOfferedClock()
+    public async Task JointState_ClockOfferRefused_IsConvertedWithTheClockOfThatName()
     {
         var ads = new StopwatchControlClock(PlantStart);
         var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(-2));
         await using var gateway = await Gateways.StartAsync();
-        using var first = await KnownAsync(gateway, "ads", ads);
-        using var second = await KnownAsync(gateway, "opcua", opcua);
+        using var first = await ConnectedAsync(gateway, "ads", ads);
+        using var second = await ConnectedAsync(gateway, "opcua", opcua);
         using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
         await headset.SubscribeAsync(RosTopics.JointStates);
         using var rival = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -229,11 +229,11 @@ public class PlantTimeTests
         await rival.SendAsync(RosbridgeWriter.PublishJointState(RosTopics.JointStates, state, RosTimeForm.Sec));
 
         var error = (await headset.ReceiveAsync()).JointState.Stamp - ads.AtCount(count);
-        Assert.That(error.Duration(), Is.LessThan(TimeSpan.FromSeconds(1)), "two seconds apart must not pass");
+        Assert.That(error.Duration(), Is.LessThan(TimeSpan.FromSeconds(1)), "the two clocks differ by 2 s");
     }
 
     [Test]
-    public async Task JointState_ClockBeyondTheMaximumCount_IsRefused()
+    public async Task JointState_TooManyClocksOffered_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -278,18 +278,18 @@ public class PlantTimeTests
         Assert.That(gateway.PlantClocks.All, Is.Empty);
     }
 
-    // Connects an adapter and waits until the gateway is synchronised to its clock.
-    static async Task<PlantAdapterDouble> KnownAsync(GatewayServer gateway, string name, StopwatchControlClock clock)
+    // Connects an adapter and waits until the gateway is synchronised with the adapter's clock.
+    static async Task<PlantAdapterDouble> ConnectedAsync(GatewayServer gateway, string name, StopwatchControlClock clock)
     {
         var adapter = await PlantAdapterDouble.ConnectAsync(gateway, name, clock);
         await Soon.BecomesAsync(() => StatusOf(gateway, name)?.State == ClockState.Synchronised, $"the clock '{name}' is known");
         return adapter;
     }
 
-    static Task AsksFiveTimesAsync(PlantAdapterDouble adapter)
+    static Task RequestedFiveTimesAsync(PlantAdapterDouble adapter)
     {
-        var before = adapter.Questions;
-        return Soon.BecomesAsync(() => adapter.Questions >= before + 5, "it is asked");
+        var before = adapter.Requests;
+        return Soon.BecomesAsync(() => adapter.Requests >= before + 5, "it is asked");
     }
 
     static PlantClockStatus StatusOf(GatewayServer gateway, string name) => gateway.Clock.Status().FirstOrDefault(clock => clock.Name == name);

@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Tests in virtual time: two clocks of one control system, each with its own rate, measured against a counter.</summary>
+/// <summary>Tests in virtual time two clocks of one control system with different rates, which the gateway measures against its counter.</summary>
 public class ServedClockTests
 {
     static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(0.4);
@@ -12,7 +12,7 @@ public class ServedClockTests
     [TestCase(0, 0)]
     [TestCase(40, -25)]
     [TestCase(-120, 90)]
-    public void Status_TwoClocksOfOnePlant_HasOffsetAndSkew(double adsPpm, double opcuaPpm)
+    public void Status_TwoClocksOfOnePlant_ContainsTheirOffsetAndSkew(double adsPpm, double opcuaPpm)
     {
         var plant = new VirtualPlant();
         var ads = plant.Add("ads", 1000, adsPpm);
@@ -31,7 +31,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Now_PlantStepsByASecond_IsUnsynchronisedUntilItFollows()
+    public void Now_PlantClockStepsByASecond_IsUnsynchronisedUntilTheEstimateFollows()
     {
         var plant = new VirtualPlant();
         var plc = plant.Add("plc", 1000, 20);
@@ -70,7 +70,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Quality_SelectedClockUnknown_DescribesTheServedClock()
+    public void Quality_SelectedClockUnknown_IsThatOfTheServedClock()
     {
         var own = new StopwatchControlClock(ControlTime.FromSeconds(1), 40e-6)
         {
@@ -81,7 +81,7 @@ public class ServedClockTests
         Assert.That(plant.Served.ErrorBound, Is.EqualTo(own.ErrorBound));
         Assert.That(plant.Served.Resolution, Is.EqualTo(own.Resolution));
         Assert.That(plant.Served.Skew, Is.EqualTo(own.Skew));
-        Assert.That(plant.Served.IsSynchronised, Is.False, "it is not the clock that was asked for");
+        Assert.That(plant.Served.IsSynchronised, Is.False, "the served clock is not the selected one");
 
         plant.Add("plc", 1000, -20);
         plant.Run(TimeSpan.FromMinutes(1));
@@ -93,7 +93,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void TryMap_StampOfAnotherCentury_IsRefused()
+    public void TryMap_TimeStampOfAnotherCentury_IsRefused()
     {
         var plant = new VirtualPlant();
         plant.Add("ads", 1000, 0);
@@ -106,7 +106,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void TryMap_ClocksLostForAnHour_IsRefusedExceptForC1()
+    public void TryMap_ClocksLostForAnHour_AcceptsOnlyTimesOfC1()
     {
         var plant = new VirtualPlant();
         var ads = plant.Add("ads", 1000, 0);
@@ -118,14 +118,14 @@ public class ServedClockTests
         var error = (onControl - ads.Shown).Duration();
         plant.Pass(TimeSpan.FromHours(1));
 
-        Assert.That(isMappedSoon, Is.True, "a holdover of seconds is good enough");
+        Assert.That(isMappedSoon, Is.True, "times are converted during a holdover of seconds");
         Assert.That(error, Is.LessThan(TimeSpan.FromMilliseconds(1)));
         Assert.That(plant.Served.TryMap(plant.Clocks.All[1], opcua.Shown, out _), Is.False);
         Assert.That(plant.Served.TryMap(plant.Clocks.All[0], ads.Shown, out _), Is.True);
     }
 
     [Test]
-    public void Look_ClocksDiverge_ReportsOncePerChange()
+    public void Look_ClocksDiverge_ReportsEachChangeOnce()
     {
         var plant = new VirtualPlant();
         plant.Add("ads", 1000, 0);
@@ -145,7 +145,7 @@ public class ServedClockTests
         Assert.That(lines[0], Is.EqualTo("clock 'ads': synchronised; it is the control clock"));
     }
 
-    /// <summary>A gateway's counter and the clocks measured against it every 200 ms. Each way takes 0.4 ms plus up to 0.2 ms.</summary>
+    /// <summary>Simulates the gateway's counter and the clocks, which are measured every 200 ms with one-way delays of 0.4 to 0.6 ms.</summary>
     internal sealed class VirtualPlant : IPerformanceCounterClock
     {
         readonly List<VirtualPlantClock> _clocks = [];
@@ -192,7 +192,7 @@ public class ServedClockTests
 
         public void Exchange(TimeSpan there, TimeSpan back)
         {
-            // The exchange is added when the answer has arrived, so the request was sent one round trip earlier.
+            // The exchange is added when the reply arrives, so the request was sent one round-trip time earlier.
             var asked = plant.Now - there - back;
             measured.Add(new SyncExchange(asked, At(asked + there), At(asked + there), plant.Now));
         }

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Tests in virtual time: the gateway's own clock, the system clock, and sources that use either of them for their time stamps.</summary>
+/// <summary>Tests in virtual time sources whose time stamps are on the gateway's own clock or on the system clock.</summary>
 public class StampWatchTests
 {
     static readonly TimeSpan Second = TimeSpan.FromSeconds(1);
@@ -48,7 +48,7 @@ public class StampWatchTests
     [TestCase(2.0)]
     [TestCase(0.3)]
     [TestCase(-1.5)]
-    public void Look_SystemClockCorrectedAndSourcesFollow_IsAContradictionWithTheRemedy(double seconds)
+    public void Look_SystemClockCorrectedAndSourcesFollow_IsAContradictionWithARemedy(double seconds)
     {
         Run(5, () => System);
         Assert.That(_watch.Warning, Is.Null);
@@ -58,7 +58,7 @@ public class StampWatchTests
 
         Assert.That(_watch.IsContradicted, Is.True);
         Assert.That(_watch.Warning, Does.Contain("fit the system clock").And.Contain("--own-clock system"));
-        Assert.That(_log, Has.Count.LessThanOrEqualTo(2), "the correction, then the contradiction, each once");
+        Assert.That(_log, Has.Count.LessThanOrEqualTo(2), "the correction and the contradiction are logged once each");
     }
 
     [TestCase(-0.11, "110 ms older")]
@@ -66,7 +66,7 @@ public class StampWatchTests
     [TestCase(-0.6, "600 ms older")]
     [TestCase(-0.9, "900 ms older")]
     [TestCase(0.11, "110 ms newer")]
-    public void Look_SmallCorrectionWithPlausibleStamps_IsAContradictionOfTheFollowingSources(double seconds, string expected)
+    public void Look_SmallCorrectionAndSourcesFollow_IsAContradictionOfThoseSources(double seconds, string expected)
     {
         var withoutCorrection = () => _own.Now;
         Run(StampWatch.Seconds + 1, () => System, withoutCorrection);
@@ -79,7 +79,7 @@ public class StampWatchTests
         Assert.That(_watch.Found.Reason, Does.Contain("source first").And.Contain(expected).And.Not.Contain("second"));
         Assert.That(_watch.Found.Remedy, Does.Contain("--own-clock system"));
         Run(60, () => System, withoutCorrection);
-        Assert.That(_watch.IsContradicted, Is.True, "and it does not become usual");
+        Assert.That(_watch.IsContradicted, Is.True, "the contradiction lasts");
 
         _correction = TimeSpan.Zero;
         Run(1, () => System, withoutCorrection);
@@ -92,7 +92,7 @@ public class StampWatchTests
     [TestCase(0.9, "900 ms older")]
     [TestCase(2.5, "2.6 s behind the control clock")]
     [TestCase(-3600.0, "60.0 minutes ahead of the control clock")]
-    public void Look_ServedSystemClockCorrectedAndASourceDoesNotFollow_IsAContradictionOfThatSource(double seconds, string expected)
+    public void Look_ServedSystemClockCorrectedButNotTheSource_IsAContradictionOfTheSource(double seconds, string expected)
     {
         var clock = new SystemControlClock(_time);
         var watch = new ServedClock(clock, new ServedClockTests.VirtualPlant().Clocks, _time).Stamps;
@@ -110,11 +110,11 @@ public class StampWatchTests
         Assert.That(watch.Found.Remedy, Does.StartWith("Set the clock of the source"));
 
         Run(watch, clock, StampWatch.Seconds + 1, () => clock.Now, () => clock.Now);
-        Assert.That(watch.Warning, Is.Null, "it follows now");
+        Assert.That(watch.Warning, Is.Null, "the source follows now");
     }
 
     [Test]
-    public void Look_SourceReconnectsAfterASmallCorrection_IsComparedWithItsFirstSeconds()
+    public void Look_SourceReconnectsAfterASmallCorrection_IsComparedWithItsEarlierTimeStamps()
     {
         Run(StampWatch.Seconds + 1, () => System);
         Run(StampWatch.Seconds + 1);
@@ -128,13 +128,13 @@ public class StampWatchTests
 
     [TestCase(0.3)]
     [TestCase(-0.04)]
-    public void Look_PlantsClockServedAndThenSet_IsAContradictionOnlyAfterItIsSet(double seconds)
+    public void Look_PlantClockServedThenSet_IsAContradictionOnlyAfterItIsSet(double seconds)
     {
         Run(StampWatch.Seconds + 1, () => System);
 
         (_isOwnServed, _plantAhead) = (false, TimeSpan.FromSeconds(seconds));
         Run(StampWatch.Seconds + 2, () => System);
-        Assert.That(_watch.Warning, Is.Null, "another control clock");
+        Assert.That(_watch.Warning, Is.Null, "the served clock has changed, but is correct");
 
         _plantAhead += TimeSpan.FromSeconds(0.3);
         Run(2, () => System);
@@ -143,7 +143,7 @@ public class StampWatchTests
 
         (_isOwnServed, _plantAhead) = (true, TimeSpan.Zero);
         Run(StampWatch.Seconds + 2, () => System);
-        Assert.That(_watch.Warning, Is.Null, "the own clock again");
+        Assert.That(_watch.Warning, Is.Null, "the own clock is served again");
     }
 
     [Test]
@@ -156,7 +156,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_SystemClockCorrectedAndSourcesUseTheGatewaysTime_IsOnlyAWarning()
+    public void Look_SystemClockCorrectedButSourcesUseTheGatewaysClock_IsOnlyAWarning()
     {
         Run(5, () => _own.Now);
 
@@ -196,7 +196,7 @@ public class StampWatchTests
     [TestCase(755.0, "are 12.6 minutes ")]
     [TestCase(-36_000.0, "are 10.0 hours ")]
     [TestCase(1_795_288_273.0, "are 20779 days ")]
-    public void Look_StampsFarFromTheControlClock_NamesTheDistanceInAReadableUnit(double seconds, string expected)
+    public void Look_TimeStampsFarFromTheControlClock_ReportsTheDifferenceInAReadableUnit(double seconds, string expected)
     {
         _isOwnServed = false;
         _correction = TimeSpan.FromSeconds(seconds);
@@ -207,7 +207,7 @@ public class StampWatchTests
 
     [TestCase(0.3, "230 ms")]
     [TestCase(0.5, "430 ms")]
-    public void Look_AcceptedStampsOfASourceAheadForFiveSeconds_NamesTheSourceAndTheAmount(double seconds, string by)
+    public void Look_AcceptedTimeStampsAheadForFiveSeconds_ReportsTheSourceAndTheDifference(double seconds, string by)
     {
         var ahead = TimeSpan.FromSeconds(seconds);
         Run(StampWatch.Seconds - 1, () => System, () => System + ahead);
@@ -223,7 +223,7 @@ public class StampWatchTests
 
     [TestCase(0.1, 0.0)]
     [TestCase(0.3, 0.2)]
-    public void Look_StampsAheadWithinTheErrorsOfTheClocks_NamesNoSource(double seconds, double errorBound)
+    public void Look_TimeStampsAheadWithinTheErrorsOfTheClocks_ReportsNoSource(double seconds, double errorBound)
     {
         _errorBound = TimeSpan.FromSeconds(errorBound);
         Run(10, () => System + TimeSpan.FromSeconds(seconds));
@@ -232,7 +232,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_StampsDiverge_NamesTheDistanceOfTheNewest()
+    public void Look_TimeStampsDiverge_ReportsTheDifferenceOfTheNewest()
     {
         _isOwnServed = false;
         for (var seconds = 10; seconds < 20; seconds++)
@@ -244,7 +244,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_OneSourceOfThreeIsWrong_NamesThatSource()
+    public void Look_OneOfThreeSourcesIsWrong_ReportsThatSource()
     {
         Run(5, () => System, () => System, () => System + TimeSpan.FromSeconds(5));
 
@@ -253,7 +253,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_TwoSourcesOfThreeAreWrong_NamesBoth()
+    public void Look_TwoOfThreeSourcesAreWrong_ReportsBoth()
     {
         Run(5, () => System, () => _own.Now, () => System);
         _correction = TimeSpan.FromHours(1);
@@ -263,7 +263,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_WrongSourceStops_IsRemoved()
+    public void Look_WrongSourceStops_IsNoLongerReported()
     {
         Run(5, () => System + TimeSpan.FromSeconds(5));
         Assert.That(_watch.IsContradicted, Is.True);
@@ -279,7 +279,7 @@ public class StampWatchTests
         _own.Skew = 100e-6;
         for (var i = 0; i < 3600; i++)
         {
-            // The system clock falls behind at the given rate.
+            // The system clock loses 100 µs per second against the own clock.
             _correction = TimeSpan.FromSeconds(-100e-6 * i);
             Run(1);
         }
@@ -289,7 +289,7 @@ public class StampWatchTests
 
     void Run(int seconds, params Func<ControlTime>[] sources) => Run(_watch, _own, seconds, sources);
 
-    // Adds ten samples a second for each source and checks once a second.
+    // Adds ten samples per second of each source, and checks once per second.
     void Run(StampWatch watch, IControlClock control, int seconds, params Func<ControlTime>[] sources)
     {
         for (var i = 0; i < seconds * 10; i++)

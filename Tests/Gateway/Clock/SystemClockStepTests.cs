@@ -7,12 +7,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Over real sockets: the system clock steps while a source publishes samples stamped with system time.</summary>
+/// <summary>Tests over real sockets a step of the system clock while a source publishes samples with time stamps of this clock.</summary>
 public class SystemClockStepTests
 {
     static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);
 
-    /// <summary>The documented period for which the gateway looks back.</summary>
+    /// <summary>Length of the past period that the gateway compares, as documented.</summary>
     static readonly TimeSpan Window = TimeSpan.FromSeconds(5);
 
     readonly List<string> _log = [];
@@ -54,7 +54,7 @@ public class SystemClockStepTests
 
     ControlTime SystemTime => new(_system.GetUtcNow().UtcDateTime - DateTime.UnixEpoch);
 
-    // The source is subscribed as well: it receives the sample, or a status with the reason why it does not.
+    // The source has subscribed, so it receives its own sample, or a status with the reason why the sample is refused.
     async Task<RosbridgeMessage> PublishAsync(TimeSpan sourceAhead = default)
     {
         var state = new JointStateMessage(SystemTime + sourceAhead - Acquisition, ["a"], [0.5]);
@@ -132,7 +132,7 @@ public class SystemClockStepTests
     }
 
     [Test]
-    public async Task Step_SourceFollowsTheSystemClockLater_IsReportedUntilThen()
+    public async Task Step_SourceFollowsLater_IsReportedUntilThen()
     {
         await StartAsync(new SystemControlClock(_system));
         await ExpectAcceptedAsync(5);
@@ -155,7 +155,7 @@ public class SystemClockStepTests
     [TestCase(3600.0)]
     [TestCase(-3600.0)]
     [TestCase(2.5)]
-    public async Task Step_MonotonicClockServed_IsReportedWithRemedyUntilUndone(double seconds)
+    public async Task Step_MonotonicClockServed_IsReportedWithARemedyUntilReversed(double seconds)
     {
         await StartAsync(new StopwatchControlClock(SystemTime));
         await ExpectAcceptedAsync(5);
@@ -178,10 +178,10 @@ public class SystemClockStepTests
         await BecomesReadyAsync();
     }
 
-    // The stamps are before the control time, or in its future.
+    // The time stamps of the other source are far behind or ahead of the control time.
     [TestCase(-755.0)]
     [TestCase(755.0)]
-    public async Task Publish_JointOfAnotherSourceWithOtherStamps_IsNotAContradiction(double seconds)
+    public async Task Publish_JointOfAnotherSourceWithWrongTimeStamps_IsNotAContradiction(double seconds)
     {
         await StartAsync(new StopwatchControlClock(SystemTime));
         using var owner = _gateway.Hub.OpenSource();
@@ -201,7 +201,7 @@ public class SystemClockStepTests
     {
         await StartAsync(new SystemControlClock(_system));
         var ahead = Acquisition + TimeSpan.FromSeconds(0.3);
-        // Longer than the period for which the gateway looks back, without a gap of that length.
+        // Publishes for longer than the compared period, without a gap of that length.
         for (var i = 0; i < 2; i++)
         {
             Assert.That((await PublishAsync(ahead)).Op, Is.EqualTo(RosbridgeOp.Publish));
@@ -209,7 +209,7 @@ public class SystemClockStepTests
         }
 
         JsonElement Status() => StateAsync().Result.GetProperty("status");
-        // On a busy machine a sample may be on its way for as long as its stamp is ahead.
+        // On a busy machine a sample may arrive so late that its time stamp is no longer ahead, so more samples are published.
         await Soon.BecomesAsync(
             () =>
             {
@@ -225,7 +225,7 @@ public class SystemClockStepTests
                 + "Set the clock of the source, or let its adapter offer that clock[.]$"));
     }
 
-    /// <summary>The system's clock and counter. A test corrects the clock and advances the counter.</summary>
+    /// <summary>Simulates the system's clock and counter. A test can correct the clock and advance the counter.</summary>
     sealed class CorrectedTime : TimeProvider
     {
         long _correction, _skipped;

@@ -8,7 +8,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>Tests how a gateway manages the adapters that it starts. There is no plant: its port is closed.</summary>
+/// <summary>Tests how a gateway manages the adapters that it starts. The plant does not exist; its port is closed.</summary>
 public class AdapterProcessTests
 {
     const string Good = """
@@ -36,16 +36,16 @@ public class AdapterProcessTests
 
     [TestCase(false)]
     [TestCase(true)]
-    public async Task Start_PlantNotConnected_AdapterIsASourceAndReportsItsState(bool hasTokens)
+    public async Task Start_PlantNotConnected_AdapterConnectsAsASourceAndReportsItsState(bool hasTokens)
     {
         await using var gateway = await Gateways.StartAsync(
             Gateways.Options() with { Tokens = hasTokens ? Gateways.Tokens : Nowpose.Gateway.Security.TokenList.None });
-        var told = new TaskCompletionSource<DiagnosticsMessage>();
-        using var listening = ListenTo(gateway, told);
+        var received = new TaskCompletionSource<DiagnosticsMessage>();
+        using var listening = ListenTo(gateway, received);
 
         await using var adapters = AdapterProcesses.Start([Plant(Write(Good))], gateway);
 
-        var diagnostics = await told.Task.Bounded();
+        var diagnostics = await received.Task.Bounded();
         Assert.That(diagnostics.HardwareId, Is.EqualTo("plant/absent"));
         Assert.That(diagnostics.Values.Single(value => value.Key == "state").Value, Is.Not.EqualTo("connected"));
     }
@@ -86,7 +86,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Start_LinesOfAnAdapter_AreInTheGatewaysLogDespiteManyOthers()
+    public async Task Start_AdapterWritesLines_AreInTheGatewaysLogDespiteManyOtherLines()
     {
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
         await using var gateway = await GatewayServer.StartAsync(
@@ -120,7 +120,7 @@ public class AdapterProcessTests
         await Soon.BecomesAsync(() => ChildOf(gateway.Id) != null, "its adapter runs");
         using var child = Process.GetProcessById(ChildOf(gateway.Id).Value);
 
-        // Kills only the gateway's process, like a crash.
+        // Kills only the gateway's process and not its child, like a crash.
         using (var itself = Process.GetProcessById(gateway.Id)) itself.Kill();
 
         Assert.That(child.WaitForExit(Soon.Limit), Is.True);
@@ -128,7 +128,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public void Check_FilesWithInvalidEntries_ReportsEveryLine()
+    public void Check_FilesWithInvalidEntries_ReportsEachInvalidLine()
     {
         var first = Write(Good.Replace("kind: opcua", "kind: opcua\n  sampling_msec: 10"), "first.yaml");
         var second = Write(Good.Replace("node:", "nod:"), "second.yaml");
@@ -140,7 +140,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public void Check_TwoPlantsWithOneName_IsRefused()
+    public void Check_TwoPlantsWithTheSameName_IsRefused()
     {
         var (first, second) = (Write(Good, "first.yaml"), Write(Good, "second.yaml"));
 
@@ -156,7 +156,7 @@ public class AdapterProcessTests
     [TestCase("kind: opcua\n  endpoint: opc.tcp://127.0.0.1:9", false, true)]
     [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", true, true)]
     [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", false, false)]
-    public async Task Check_JointsOfTheRobotThatNoPlantConfigures_NamesThem(string plant, bool hasJoints, bool isNamed)
+    public async Task Check_JointsOfTheRobotMissingInAllPlants_ListsThem(string plant, bool hasJoints, bool isNamed)
     {
         var node = plant.Contains("opcua", StringComparison.Ordinal) ? "\n    node: ns=1;s=a" : "";
         var path = Write($"plant:\n  {plant}\n" + (hasJoints ? $"joints:\n  - joint: arm_joint_2{node}\n" : ""), "some.yaml");
@@ -172,7 +172,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Check_RobotOfAPlant_DeterminesTheMissingJoints()
+    public async Task Check_PlantWithRobot_ListsTheMissingJointsOfThatRobot()
     {
         var path = Write(Good.Replace("joint: a", "joint: shoulder_pan_joint") + "\nrobot: ur5\n");
 
@@ -183,7 +183,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Check_RobotsInNamespaces_DeterminesTheMissingJointsOfThoseThatHaveAny()
+    public async Task Check_RobotsInNamespaces_ListsTheMissingJointsOfRobotsWithConfiguredJoints()
     {
         var path = Write(Good.Replace("joint: a", "joint: arm1/shoulder_pan_joint") + "\nrobots: { arm1: ur5e, arm2: ur5e }\n");
 
@@ -194,7 +194,7 @@ public class AdapterProcessTests
             new[] { "arm1/shoulder_lift_joint", "arm1/elbow_joint", "arm1/wrist_1_joint", "arm1/wrist_2_joint", "arm1/wrist_3_joint" }));
     }
 
-    /// <summary>Longer than the buffer of a pipe, which the end of the adapter's process would cut.</summary>
+    /// <summary>The description is longer than the buffer of a pipe, so the end of the adapter's process could truncate it.</summary>
     [Test]
     public async Task Check_LongRobotDescription_ArrivesCompletely()
     {
@@ -210,7 +210,7 @@ public class AdapterProcessTests
     [TestCase("frames: [{ frame: part, position: { unit: m, x: { topic: part }, y: 0, z: 0 } }]", false)]
     [TestCase("signals: [{ signal: closed, topic: gripper }]", false)]
     [TestCase("joints: [{ joint: a, topic: a }]\nsignals: [{ signal: closed, topic: gripper }]", true)]
-    public async Task Check_PlantOfObjectsOrSignals_ExpectsNoJoints(string entries, bool expectsJoints)
+    public async Task Check_PlantWithObjectsOrSignalsOnly_ExpectsNoJoints(string entries, bool expectsJoints)
     {
         var path = Write($"plant: {{ kind: mqtt, endpoint: mqtt://127.0.0.1 }}\n{entries}\n");
 
@@ -225,12 +225,12 @@ public class AdapterProcessTests
     [TestCase("{}")]
     [TestCase("null")]
     [TestCase("{\"name\":\"cell\"}")]
-    public void Check_ResultOfAnotherVersion_IsRefused(string line) => Assert.That(
+    public void Check_ResultInUnknownFormat_IsRefused(string line) => Assert.That(
         () => AdapterProgram.PlantContent.Read("press.yaml", line),
         Throws.TypeOf<InputException>().With.Message.StartsWith("press.yaml: the result of its check cannot be read"));
 
     [Test]
-    public void Check_PlainGatewayOnALanAddress_IsRefused()
+    public void Check_UnencryptedGatewayOnALanAddress_IsRefused()
     {
         var options = Gateways.Options() with { Bind = System.Net.IPAddress.Parse("192.168.1.5"), AllowInsecureLan = true };
 
@@ -251,21 +251,21 @@ public class AdapterProcessTests
     static StatusEvent EventOf(GatewayServer gateway) =>
         gateway.Events.Read().SingleOrDefault(one => one.Condition is { Kind: "adapter", What: "does not report" });
 
-    static IDisposable ListenTo(GatewayServer gateway, TaskCompletionSource<DiagnosticsMessage> told) =>
+    static IDisposable ListenTo(GatewayServer gateway, TaskCompletionSource<DiagnosticsMessage> received) =>
         gateway.Hub.Subscribe(RosTopics.Diagnostics, message =>
         {
             var text = System.Text.Encoding.UTF8.GetString(message.Utf8(RosTimeForm.Sec).Span);
-            if (RosbridgeReader.TryRead(text, out var read, out _)) told.TrySetResult(read.Diagnostics);
+            if (RosbridgeReader.TryRead(text, out var read, out _)) received.TrySetResult(read.Diagnostics);
         });
 
-    // Returns the first process with this parent.
+    // Returns the id of the first node process with this parent.
     static int? ChildOf(int parent) => Process.GetProcessesByName("node").FirstOrDefault(process => ParentOf(process.Id) == parent)?.Id;
 
     static int? ParentOf(int id)
     {
         try
         {
-            // The name in brackets is followed by the state and the parent.
+            // In this file, the state and the parent's id follow the name in brackets.
             var stat = File.ReadAllText($"/proc/{id}/stat");
             return int.Parse(stat[(stat.LastIndexOf(')') + 2)..].Split(' ')[1]);
         }

@@ -4,7 +4,7 @@ using System.Text.Json;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>The newest diagnostics of adapters and headsets, as received by any rosbridge client of the gateway.</summary>
+/// <summary>Receives the diagnostics of adapters and headsets from the gateway, like any rosbridge client, and keeps the newest.</summary>
 sealed class HeardDiagnostics : IDisposable
 {
     readonly RawRosbridgeClient _client;
@@ -23,10 +23,10 @@ sealed class HeardDiagnostics : IDisposable
         return new HeardDiagnostics(client);
     }
 
-    /// <summary>Returns the newest DiagnosticStatus of an id; null before the first.</summary>
+    /// <summary>Returns the newest DiagnosticStatus with this id; null before the first.</summary>
     public JsonElement? NewestOf(string hardwareId) => _newest.TryGetValue(hardwareId, out var status) ? status : null;
 
-    /// <summary>Removes the newest status of an id, because another headset of the same name has connected.</summary>
+    /// <summary>Removes the newest status with this id. Called before another headset of the same name connects.</summary>
     public void Forget(string hardwareId) => _newest.TryRemove(hardwareId, out _);
 
     public void Dispose() => _client.Dispose();
@@ -44,7 +44,7 @@ sealed class HeardDiagnostics : IDisposable
         }
         catch (Exception e) when (e is WebSocketException or OperationCanceledException or ObjectDisposedException)
         {
-            // The client was disposed.
+            // Dispose has closed the client.
         }
     }
 }

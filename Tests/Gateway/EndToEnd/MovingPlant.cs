@@ -5,7 +5,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>A youBot behind a real OPC UA server, or behind ADS, in a process of its own: what it publishes, and where it truly is.</summary>
+/// <summary>Runs an OPC UA server or a simulated ADS PLC with a moving youBot in another process, and computes its true positions.</summary>
 sealed class MovingPlant : IPlantTruth, IDisposable
 {
     static readonly string[] Arm = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
@@ -24,7 +24,7 @@ sealed class MovingPlant : IPlantTruth, IDisposable
 
     public string Endpoint => _program.ValueOf("endpoint");
 
-    /// <param name="kind">opcua or ads.</param>
+    /// <param name="kind">Kind of the control system: opcua or ads.</param>
     public static async Task<MovingPlant> StartAsync(string kind)
     {
         if (!Directory.Exists(Path.Combine(RepositoryFiles.Root, "Gateway", "Adapters", "node_modules")))
@@ -34,7 +34,7 @@ sealed class MovingPlant : IPlantTruth, IDisposable
         return new MovingPlant(program, kind);
     }
 
-    /// <summary>Creates a configuration that reads the plant, in a folder of the test.</summary>
+    /// <summary>Writes a configuration with which an adapter reads this plant, and returns the path of the file.</summary>
     public string Configure(string folder)
     {
         var path = Path.Combine(folder, _kind + ".yaml");
@@ -55,10 +55,10 @@ sealed class MovingPlant : IPlantTruth, IDisposable
 
     public ControlTime TimeAt(HeadsetTime headset)
     {
-        var told = _program.ValueOf("clock").Split(' ').Select(text => decimal.Parse(text, CultureInfo.InvariantCulture)).ToArray();
-        // Both counters are the system's monotonic one, here in ns.
-        var passed = headset.SinceEpoch.Ticks * 100m - told[0];
-        return new ControlTime(new TimeSpan((long)Math.Round((told[1] + passed * (1 + told[2] / 1_000_000)) / 100)));
+        var clock = _program.ValueOf("clock").Split(' ').Select(text => decimal.Parse(text, CultureInfo.InvariantCulture)).ToArray();
+        // The plant's process reads the same monotonic counter of the system. Here it is in ns.
+        var passed = headset.SinceEpoch.Ticks * 100m - clock[0];
+        return new ControlTime(new TimeSpan((long)Math.Round((clock[1] + passed * (1 + clock[2] / 1_000_000)) / 100)));
     }
 
     public void TruthAt(RobotModel robot, ControlTime time, Span<double> positions)
@@ -73,8 +73,8 @@ sealed class MovingPlant : IPlantTruth, IDisposable
         }
     }
 
-    /// <summary>Gives the OPC UA server a command: delete, stop, bad, nan or repair with the name of a node, or rest with a time in ms.</summary>
-    /// <returns>Time at which it had taken effect.</returns>
+    /// <summary>Sends the OPC UA server a command: delete, stop, bad, nan or repair with the name of a node, or rest with a time in ms.</summary>
+    /// <returns>Time at which the command took effect.</returns>
     public async Task<DateTimeOffset> CommandAsync(string command, string argument)
     {
         var key = $"done {command} {++_commands}";

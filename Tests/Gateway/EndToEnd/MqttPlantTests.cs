@@ -5,7 +5,7 @@ using static Nowpose.Headless.Tests.Gateway.EndToEnd.ShownStatus;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>Runs a broker and the gateway with its MQTT adapter as processes, and a client that publishes to the broker.</summary>
+/// <summary>Runs a broker and the gateway with its MQTT adapter as processes. A client publishes to the broker.</summary>
 public class MqttPlantTests
 {
     const string Cell = """
@@ -30,7 +30,7 @@ public class MqttPlantTests
         if (!File.Exists(Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs"))) Assert.Ignore("Node.js was missing when this was built");
         _folder = new TemporaryFolder();
         _broker = await Mosquitto.StartAsync(_folder.Path);
-        // The broker has this message before the gateway subscribes.
+        // The broker receives this message before the gateway subscribes.
         using (var client = await MqttPublisher.ConnectAsync(_broker.Port)) await client.PublishAsync("cell/closed", "true", isRetained: true);
         var file = Path.Combine(_folder.Path, "mqtt.yaml");
         await File.WriteAllTextAsync(file, $"plant:\n  kind: mqtt\n  name: twin\n  endpoint: mqtt://127.0.0.1:{_broker.Port}\n{Cell}\n");
@@ -49,7 +49,7 @@ public class MqttPlantTests
     }
 
     [Test]
-    public async Task Headset_MessagesOfTheBroker_AreJointFrameAndSignal()
+    public async Task Headset_ClientPublishesToTheBroker_ReceivesJointFrameAndSignal()
     {
         using var joints = await SubscribeAsync(RosTopics.JointStates);
         using var frames = await SubscribeAsync(RosTopics.Tf);
@@ -78,7 +78,7 @@ public class MqttPlantTests
     }
 
     [Test]
-    public async Task Broker_KilledAndRestarted_IsNamedUntilItsValuesArriveAgain()
+    public async Task Broker_KilledAndRestarted_IsReportedUntilItsValuesArriveAgain()
     {
         using (var client = await MqttPublisher.ConnectAsync(_broker.Port))
             await BecomesAsync(client, state => IsLive(state, "joints", "axis") && IsLive(state, "frames", "part") && IsLive(state, "signals", "closed"));
@@ -108,7 +108,7 @@ public class MqttPlantTests
         await client.PublishAsync("cell/part", "{\"pose\": {\"x\": 400, \"y\": 200, \"a\": 90}}");
     }
 
-    /// <summary>Waits until the gateway's state fulfils a condition, while a client publishes.</summary>
+    /// <summary>Waits until the state of the gateway fulfils a condition, while a client publishes.</summary>
     Task BecomesAsync(MqttPublisher client, Func<JsonElement, bool> condition)
     {
         JsonElement state = default;

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>A minimal client of MQTT 3.1.1 that publishes, without any code of the adapter.</summary>
+/// <summary>Publishes messages with a minimal implementation of MQTT 3.1.1, independent of the adapter.</summary>
 sealed class MqttPublisher : IDisposable
 {
     const byte Connect = 0x10, Publish = 0x30, AtLeastOnce = 0x02, Retain = 0x01;
@@ -22,8 +22,8 @@ sealed class MqttPublisher : IDisposable
         return publisher;
     }
 
-    /// <summary>Publishes a message and waits until the broker has it.</summary>
-    /// <param name="isRetained">Whether the broker sends it to later subscribers.</param>
+    /// <summary>Publishes a message and waits for the broker's acknowledgement.</summary>
+    /// <param name="isRetained">Whether the broker also sends the message to later subscribers.</param>
     public Task PublishAsync(string topic, string message, bool isRetained = false)
     {
         _packet++;
@@ -33,7 +33,7 @@ sealed class MqttPublisher : IDisposable
 
     public void Dispose() => _client.Dispose();
 
-    // Each packet has an answer of four bytes.
+    // Sends a packet and reads the answer, which has four bytes for each kind of packet.
     async Task SendAsync(byte kind, byte[] content)
     {
         var length = content.Length < MoreLength

@@ -9,7 +9,7 @@ namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
 /// <summary>
 /// Runs control system, adapter and gateway as processes, and the headset's runtime in this process. Compares the displayed pose with the
-/// robot's true pose, on a clock that only the control system has.
+/// true pose of the robot, which is a function of the control system's own clock.
 /// </summary>
 public class PlantEndToEndTests
 {
@@ -17,7 +17,7 @@ public class PlantEndToEndTests
 
     [TestCase("opcua")]
     [TestCase("ads")]
-    public async Task Headset_PlantWithItsOwnClock_ShowsTheRobotAtItsTruePose(string kind)
+    public async Task Headset_PlantWithItsOwnClock_ShowsTheTruePoseOfTheRobot(string kind)
     {
         using var folder = new TemporaryFolder();
         using var plant = await MovingPlant.StartAsync(kind);
@@ -29,7 +29,7 @@ public class PlantEndToEndTests
     }
 
     [Test]
-    public async Task Headset_UniversalRobotOverRtde_ShowsTheRobotAtItsTruePose()
+    public async Task Headset_UniversalRobotOverRtde_ShowsTheTruePoseOfTheRobot()
     {
         using var folder = new TemporaryFolder();
         var robot = RobotFiles.Load("ur5e");
@@ -49,7 +49,7 @@ public class PlantEndToEndTests
         using var session = new CompensationSession(
             new SessionSettings(ConnectionTo(gateway), new VisualisationLatency(Visualisation)), robot, clock);
         session.Connect();
-        await Soon.BecomesAsync(() => session.Tick(clock.Now).State == PoseState.Current, () => $"a current pose; the gateway said {gateway.All}");
+        await Soon.BecomesAsync(() => session.Tick(clock.Now).State == PoseState.Current, () => $"a current pose; the gateway wrote {gateway.All}");
         var score = new PlantScore(plant, robot, Visualisation);
 
         await Task.Factory.StartNew(
@@ -60,13 +60,13 @@ public class PlantEndToEndTests
     static void Require(PlantScore score)
     {
         Assert.That(score.CurrentShare, Is.GreaterThan(0), score.ToString());
-        // Each exchange proves the bound, so it holds on a busy machine too.
+        // Each exchange measures the bound, so the bound holds even on a busy machine.
         Assert.That(score.BoundHolds, Is.EqualTo(1), score.ToString());
-        // The other limits are wide because a busy machine delays samples and frames. How much of the error is removed is tested in virtual
-        // time. A wrong clock, order of joints or unit exceeds these limits by far.
+        // The other limits are wide, because a busy machine delays samples and frames. They only detect a wrong clock, unit or order of joints.
+        // Tests in virtual time check by how much prediction reduces the error.
         Assert.That(score.Reduction, Is.GreaterThan(0.3), score.ToString());
         Assert.That(score.ClockErrorMs, Is.LessThan(Math.Max(1, score.ClockBoundMs)), score.ToString());
-        Assert.That(score.HoldRms, Is.GreaterThan(8), "a robot that rests proves nothing");
+        Assert.That(score.HoldRms, Is.GreaterThan(8), "without prediction, the error of a moving robot is large");
     }
 
     static ConnectionSettings ConnectionTo(PeerProcess gateway) => new(

@@ -7,7 +7,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>A headset's frames against where the robot truly was when their light appeared.</summary>
+/// <summary>Compares the poses in a headset's frames with the true poses of the robot at the times at which the frames were displayed.</summary>
 sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisation)
 {
     const double FramesPerSecond = 60;
@@ -21,22 +21,22 @@ sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisat
     public double HoldRms => Root(_held);
     public double Reduction => 1 - Rms / HoldRms;
 
-    /// <summary>Share of the played frames whose pose was current.</summary>
+    /// <summary>Fraction of the played frames whose pose was current.</summary>
     public double CurrentShare => (double)_shown.Count / _played;
 
-    /// <summary>P95 of the absolute error of the headset's estimate of the plant's clock; ms.</summary>
+    /// <summary>95th percentile of the absolute error of the headset's estimate of the plant's clock, in ms.</summary>
     public double ClockErrorMs => P95(_clock);
 
-    /// <summary>P95 of the error bound that the headset states for this estimate; ms. Grows with the machine's load.</summary>
+    /// <summary>95th percentile of the error bound of this estimate, in ms. It increases with the machine's load.</summary>
     public double ClockBoundMs => P95(_bound);
 
-    /// <summary>Share of the frames in which the clock's true error was within the stated bound.</summary>
+    /// <summary>Fraction of the frames in which the true error of the clock was within the error bound.</summary>
     public double BoundHolds => _clock.Zip(_bound).Count(pair => pair.First <= pair.Second) / (double)_clock.Count;
 
-    /// <summary>P95 of the absolute error of the display time for which a pose was predicted; ms.</summary>
+    /// <summary>95th percentile of the absolute error of the display time for which a pose was predicted, in ms.</summary>
     public double LightErrorMs => P95(_light);
 
-    /// <summary>Plays frames for this length of time on the calling thread, and scores those whose pose is current.</summary>
+    /// <summary>Plays frames on the calling thread for the given time, and evaluates those whose pose is current.</summary>
     public void Play(CompensationSession session, IHeadsetClock clock, TimeSpan length)
     {
         var start = Stopwatch.GetTimestamp();

@@ -5,7 +5,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>A UR5e behind its controller's RTDE, in a process of its own, which picks and places on a clock that runs too fast.</summary>
+/// <summary>Runs a simulated RTDE controller of a UR5e in another process. The robot picks and places, and the clock runs too fast.</summary>
 sealed partial class RtdePlant : IPlantTruth, IDisposable
 {
     const double Ppm = 60;
@@ -30,7 +30,7 @@ sealed partial class RtdePlant : IPlantTruth, IDisposable
         return new RtdePlant(program, robot);
     }
 
-    /// <summary>Creates a configuration that reads the plant, in a folder of the test.</summary>
+    /// <summary>Writes a configuration with which an adapter reads this plant, and returns the path of the file.</summary>
     public string Configure(string folder)
     {
         var path = Path.Combine(folder, "rtde.yaml");

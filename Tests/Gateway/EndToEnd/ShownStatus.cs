@@ -4,8 +4,9 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
-/// <summary>Answers of a gateway at one moment, in each place that people and programs read.</summary>
-/// <param name="Adapter">The newest DiagnosticStatus of the adapter; null before the first. Likewise <paramref name="Headset"/>.</param>
+/// <summary>Status of a gateway at one moment, in each place where people and programs read it.</summary>
+/// <param name="Adapter">The newest DiagnosticStatus of the adapter; null before the first.</param>
+/// <param name="Headset">The newest DiagnosticStatus of the headset; null before the first.</param>
 sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Ready, string Metrics, JsonElement? Adapter, JsonElement? Headset)
 {
     public static readonly IReadOnlyList<string> Places = ["page", "readyz", "metrics", "diagnostics", "headset"];
@@ -25,13 +26,13 @@ sealed record ShownStatus(JsonElement State, HttpStatusCode ReadyCode, string Re
 
     public static string Text(JsonElement element, string key) => element.TryGetProperty(key, out var value) ? value.ToString() : "";
 
-    /// <summary>Whether the headset is synchronised but has no current pose, because of this joint alone.</summary>
+    /// <summary>Whether the headset is synchronised but has no current pose only because this joint is missing.</summary>
     public bool IsHeadsetWithout(string joint) => Headset is { } headset && Text(headset, "level") == "2"
         && GoodClocks.Contains(ValueOf(headset, "state")) && !GoodPoses.Contains(ValueOf(headset, "pose")) && ValueOf(headset, "missing_joints") == joint;
 
-    /// <summary>Whether a place names this joint with its state, and with the reason if the place shows one.</summary>
-    /// <param name="reason">Regular expression.</param>
-    public bool Blames(string place, string joint, string state, string reason) => place switch
+    /// <summary>Whether a place reports this joint with this state, and with the reason if the place contains reasons.</summary>
+    /// <param name="reason">Regular expression for the reason.</param>
+    public bool Reports(string place, string joint, string state, string reason) => place switch
     {
         "page" => Text(State.GetProperty("status"), "level") == "error"
             && Joints.Any(row => Text(row, "name") == joint && Text(row, "state") == state && Regex.IsMatch(Text(row, "reason"), reason)),

@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>The certificate or the token of a connected headset becomes invalid.</summary>
+/// <summary>Tests a connected headset when the gateway's certificate expires, or when the headset's token is revoked.</summary>
 public class AccessFaultTests
 {
     readonly ConcurrentQueue<string> _log = [];
@@ -36,13 +36,13 @@ public class AccessFaultTests
         using var headset = new FaultHeadset(sync.Port, positions.Port, gateway.Pin);
         await headset.BecomesAsync(PoseState.Current);
 
-        // Written only now: on a loaded machine, connecting and synchronising may take longer than the 10 s of this certificate.
+        // The certificate is written only now, because connecting and synchronising on a busy machine may take longer than its 10 s.
         CertificatesOfOneKey.Write(path, key, DateTimeOffset.UtcNow.AddSeconds(10));
         await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: expired on")), "logged by gateway: " + string.Join('\n', _log));
         Assert.That(await ReadinessAsync(gateway), Is.EqualTo(503));
-        // Only an existing connection continues: a new connection is shown the expired certificate.
-        await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "who is connected goes on");
-        // The headset connects again, as after leaving the network for a while.
+        // Existing connections continue, but a new connection would receive the expired certificate.
+        await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "existing connections continue");
+        // Both connections are interrupted, as when the headset leaves the network for a while, so the headset connects again.
         sync.Interrupt();
         positions.Interrupt();
         await headset.BecomesAsync(
@@ -50,8 +50,8 @@ public class AccessFaultTests
         CertificatesOfOneKey.Write(path, key, days: 100);
         var took = await headset.BecomesAsync(PoseState.Current);
 
-        Recovery.Tell("certificate expired, from the renewed file to a current pose", took);
-        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: renewed")), "told");
+        Recovery.Print("certificate expired, from the renewed file to a current pose", took);
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: renewed")), "renewal logged");
     }
 
     [Test]
@@ -72,11 +72,11 @@ public class AccessFaultTests
         await headset.BecomesAsync(
             () => headset.State != PoseState.Current && headset.Session.SyncLink.IsTokenRefused && headset.Session.SampleLink.IsTokenRefused,
             "refused on both connections");
-        await other.BecomesAsync(() => other.IsConnected && other.State == PoseState.Current, "the other one goes on");
+        await other.BecomesAsync(() => other.IsConnected && other.State == PoseState.Current, "the other one continues");
         File.WriteAllText(path, "observer a\nobserver b\n");
         var took = await headset.BecomesAsync(PoseState.Current);
 
-        Recovery.Tell("token revoked, from being given back to a current pose", took);
+        Recovery.Print("token revoked, from being given back to a current pose", took);
     }
 
     static async Task<int> ReadinessAsync(GatewayServer gateway)

@@ -6,13 +6,13 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>The process at one end dies, or its clock steps.</summary>
+/// <summary>Tests a headset when the gateway or the source ends without notice, or when the control clock steps.</summary>
 public class EndFaultTests
 {
     static readonly string[] Joints = ["arm_joint_1", "arm_joint_2", "arm_joint_3", "arm_joint_4", "arm_joint_5"];
 
     [Test]
-    public async Task Gateway_Killed_IsShownAndItsSuccessorServesTheHeadset()
+    public async Task Gateway_KilledAndRestarted_HeadsetShowsTheFaultAndRecovers()
     {
         using var first = await SimulateAsync(0, 0);
         var (sync, positions) = (int.Parse(first.ValueOf("sync").Split(':')[1]), new Uri(first.ValueOf("websocket")).Port);
@@ -24,11 +24,11 @@ public class EndFaultTests
         using var second = await SimulateAsync(sync, positions);
         var took = await headset.BecomesAsync(PoseState.Current);
 
-        Recovery.Tell("gateway process killed and started again, from serving to a current pose", took);
+        Recovery.Print("gateway process killed and started again, from serving to a current pose", took);
     }
 
     [Test]
-    public async Task Plant_Killed_PoseIsHeldUntilTheNextSource()
+    public async Task Source_Killed_HeadsetHoldsThePoseUntilTheNextSource()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -40,12 +40,12 @@ public class EndFaultTests
             await headset.BecomesAsync(PoseState.Current);
             await publishing.CancelAsync();
             await published;
-            // Ends without a close frame, like a killed process.
+            // Ends the connection without a close frame, like a killed process.
             plant.Socket.Abort();
         }
 
         await headset.BecomesAsync(PoseState.Held);
-        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the source is gone");
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "the source has disconnected");
         using var next = await RawRosbridgeClient.ConnectAsync(gateway);
         using var stop = new CancellationTokenSource();
         var going = PublishAsync(next, clock, stop.Token);
@@ -53,14 +53,14 @@ public class EndFaultTests
         await stop.CancelAsync();
         await going;
 
-        Recovery.Tell("plant killed, from the next one's connection to a current pose", took);
+        Recovery.Print("plant killed, from the next one's connection to a current pose", took);
         Assert.That(gateway.Drops[DropReason.JointTaken], Is.Zero, "the joints were free");
     }
 
     [TestCase(1.0)]
     [TestCase(-1.0)]
     [TestCase(-0.1)]
-    public async Task Clock_Stepped_IsDetectedAndFollowed(double seconds)
+    public async Task ControlClock_Stepped_HeadsetDetectsAndFollowsTheStep(double seconds)
     {
         var clock = new SteppingClock();
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -71,13 +71,13 @@ public class EndFaultTests
 
         clock.Step(TimeSpan.FromSeconds(seconds));
         using var after = FaultCell.In(gateway.Hub, clock);
-        var took = await headset.BecomesAsync(() => headset.Session.Clock.Steps > 0 && headset.IsRight(clock), "noticed and right");
+        var took = await headset.BecomesAsync(() => headset.Session.Clock.Steps > 0 && headset.IsClockCorrect(clock), "detected and corrected");
 
-        Recovery.Tell($"control clock stepped by {seconds:+0;-0} s", took);
+        Recovery.Print($"control clock stepped by {seconds:+0;-0} s", took);
         await headset.BecomesAsync(PoseState.Current);
     }
 
-    // Repeats the start if it fails: between the two gateways another program's socket may use one of the ports for a moment.
+    // Repeats a failed start, because another program may use one of the ports for a moment after the first gateway has ended.
     static async Task<PeerProcess> SimulateAsync(int sync, int positions, int attempts = 5)
     {
         var gateway = new PeerProcess(

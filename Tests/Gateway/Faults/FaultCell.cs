@@ -5,7 +5,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>Creates a moving youBot.</summary>
+/// <summary>Creates a simulated cell with a moving youBot.</summary>
 static class FaultCell
 {
     public static SimulatedCell In(MessageHub hub, IControlClock clock)

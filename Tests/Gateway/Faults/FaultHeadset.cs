@@ -8,7 +8,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>The headset's own runtime without a display, observed during a fault.</summary>
+/// <summary>Runs the headset's runtime without a display, and observes it during a fault.</summary>
 sealed class FaultHeadset : IDisposable
 {
     readonly StopwatchHeadsetClock _clock = new();
@@ -30,14 +30,14 @@ sealed class FaultHeadset : IDisposable
 
     public string Links => Session.SyncLink + " | " + Session.SampleLink;
 
-    /// <returns>The time that it took.</returns>
+    /// <returns>Time until the headset was in this state.</returns>
     public Task<TimeSpan> BecomesAsync(PoseState state) => BecomesAsync(() => State == state, state.ToString());
 
-    /// <returns>The time that it took.</returns>
+    /// <returns>Time until the condition was fulfilled.</returns>
     public Task<TimeSpan> BecomesAsync(Func<bool> condition, string what) => Soon.BecomesAsync(condition, () => $"{what}: {State}, {Links}");
 
-    /// <summary>Whether its estimate of the control clock is correct within 5 ms.</summary>
-    public bool IsRight(IControlClock control)
+    /// <summary>Whether the headset's estimate of the control clock has an error below 5 ms.</summary>
+    public bool IsClockCorrect(IControlClock control)
     {
         _ = State;
         var model = Session.Clock.ModelAt(_clock.Now);

@@ -10,8 +10,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>Very many connections, fast or slow, that must not affect a connected headset.</summary>
-/// <remarks>Runs alone, because it counts handles and threads of the process, and because the flood would disturb other tests.</remarks>
+/// <summary>Tests that very many connections, fast or slow, do not affect a connected headset.</summary>
+/// <remarks>These tests run alone, because they count handles and threads of the process, and the flood would disturb other tests.</remarks>
 public class FloodTests
 {
     const int Connects = 10_000;
@@ -33,14 +33,14 @@ public class FloodTests
         await ConnectAsync(gateway, Connects);
 
         TestContext.Out.WriteLine($"{Connects} connects in {Stopwatch.GetElapsedTime(since).TotalSeconds:0.0} s");
-        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 1 && gateway.WebSocketConnections.Open == 1, "all gone but the headset's");
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 1 && gateway.WebSocketConnections.Open == 1, "only the headset is left");
         await Soon.BecomesAsync(() => OpenFiles() < files + 50 && Threads() < threads + 30, "no handles and no threads are left");
         await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "connected and current");
     }
 
     [TestCase(true)]
     [TestCase(false)]
-    public async Task Slowloris_500Connections_AreClosedWithoutDelayingOthers(bool asksForTokens)
+    public async Task SlowConnections_500_AreClosedWithoutDelayingOthers(bool asksForTokens)
     {
         var options = Gateways.Options() with { TokenTimeout = TimeSpan.FromSeconds(3) };
         if (asksForTokens) options = options with { Tokens = Gateways.Tokens };
@@ -59,21 +59,21 @@ public class FloodTests
         var took = await meanwhile.BecomesAsync(PoseState.Current);
 
         var which = asksForTokens ? "" : " without tokens";
-        Recovery.Tell($"slowloris × {Slow}{which}: a headset that connects meanwhile has a current pose after", took);
+        Recovery.Print($"slowloris × {Slow}{which}: a headset that connects meanwhile has a current pose after", took);
         await before.BecomesAsync(PoseState.Current);
-        // The gateway refuses each because its address has too many connections, or ends it when the time to show a token is over.
+        // The gateway refuses these connections because their address has too many, or closes them because they send no token in time.
         await attack.WaitAsync(Soon.Limit);
         await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 2 && gateway.WebSocketConnections.Open == 2, "only the headsets are left");
         await before.BecomesAsync(() => before.IsConnected && before.State == PoseState.Current, "connected and current");
         await stop.CancelAsync();
     }
 
-    // Sends single bytes slowly, never enough for a request. Ends when the gateway closes the connection.
+    // Sends single bytes slowly, never a complete request, until the gateway closes the connection.
     static async Task DripAsync(IPEndPoint target, bool isSync, CancellationToken stop)
     {
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         var drops = new byte[SyncFrame.Size * 40];
-        // Valid frames, or the beginning of a valid head.
+        // The bytes belong to valid frames, or to the beginning of a valid HTTP header.
         if (isSync) for (var i = 0; i < drops.Length; i += SyncFrame.Size) SyncFrame.Request(1, 2).Write(drops.AsSpan(i, SyncFrame.Size));
         else Encoding.ASCII.GetBytes("GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: ".PadRight(drops.Length, 'x'), drops);
         try
@@ -91,7 +91,7 @@ public class FloodTests
         }
         catch (Exception end) when (end is SocketException or OperationCanceledException)
         {
-            // The gateway closed the connection.
+            // The gateway has closed the connection.
         }
     }
 
@@ -99,7 +99,7 @@ public class FloodTests
     {
         for (var i = 0; i < count; i++)
         {
-            // Alternates between the two ports. Each connection is closed with a reset, so that no port stays in TIME_WAIT.
+            // Connects to the two ports alternately, and closes each connection with a reset, so that no local port stays in TIME_WAIT.
             using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { LingerState = new LingerOption(true, 0) };
             await socket.ConnectAsync(i % 2 == 0 ? gateway.SyncEndPoint : gateway.WebSocketEndPoint);
             if (i % 4 == 0) await socket.SendAsync(new byte[SyncFrame.Size]);

@@ -7,12 +7,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>The network fails without closing the connections.</summary>
+/// <summary>Tests failures of the network that do not close the connections.</summary>
 [Parallelizable(ParallelScope.All)]
 public class PathFaultTests
 {
     [Test]
-    public async Task Wifi_LostFor30Seconds_IsShownAndTheHeadsetRecovers()
+    public async Task Wifi_LostFor30Seconds_HeadsetShowsTheFaultAndRecovers()
     {
         var clock = new StopwatchControlClock(Gateways.Start);
         await using var gateway = await Gateways.StartAsync(clock: clock);
@@ -34,12 +34,12 @@ public class PathFaultTests
         positions.Recover();
         var took = await headset.BecomesAsync(PoseState.Current);
 
-        Recovery.Tell("WiFi gone for 30 s", took);
-        await headset.BecomesAsync(() => headset.IsRight(clock), "the clock is right");
+        Recovery.Print("WiFi gone for 30 s", took);
+        await headset.BecomesAsync(() => headset.IsClockCorrect(clock), "the estimate of the clock is correct");
     }
 
     [Test]
-    public async Task Source_HalfOpen_ReleasesItsJoints()
+    public async Task HalfOpenSource_AfterTheTimeout_ReleasesItsJoints()
     {
         await using var gateway = await Gateways.StartAsync();
         using var path = new QuietPath(gateway.WebSocketEndPoint);
@@ -50,11 +50,11 @@ public class PathFaultTests
         await second.SendAsync(Gateways.StateText(2));
         await second.ExpectErrorAsync("another source");
 
-        // The first client vanishes without a FIN.
+        // From now on, the first client is not reachable, but its connection is not closed (no FIN).
         path.GoQuiet();
 
         var since = Stopwatch.GetTimestamp();
-        // The second client answers pings only while it receives.
+        // The second client answers pings only while it receives, so it must receive during the wait.
         while (gateway.WebSocketConnections[Closure.Silence] == 0)
         {
             await second.RoundTripAsync();
@@ -65,12 +65,12 @@ public class PathFaultTests
         var took = Stopwatch.GetElapsedTime(since);
         await second.SendAsync(Gateways.StateText(3));
         await second.RoundTripAsync();
-        Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1), "the joint is the second's now");
-        Recovery.Tell("half-open WebSocket of a source noticed", took);
+        Assert.That(gateway.Drops[DropReason.JointTaken], Is.EqualTo(1), "the joint belongs to the second source now");
+        Recovery.Print("half-open WebSocket of a source noticed", took);
     }
 
     [Test]
-    public async Task Connections_HalfOpen_ReleaseTheirPlaces()
+    public async Task HalfOpenConnections_AfterTheTimeout_AreClosed()
     {
         var options = Gateways.Options() with { SyncSilence = TimeSpan.FromSeconds(2), MaxConnections = 20 };
         await using var gateway = await Gateways.StartAsync(options);
@@ -92,7 +92,7 @@ public class PathFaultTests
             sync.GoQuiet();
             positions.GoQuiet();
 
-            await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all given up");
+            await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all are closed");
             Assert.That(gateway.SyncConnections[Closure.Silence], Is.EqualTo(options.MaxConnections));
             Assert.That(gateway.WebSocketConnections[Closure.Silence], Is.EqualTo(options.MaxConnections));
             using var next = await RawSyncClient.ConnectAsync(gateway);

@@ -4,8 +4,8 @@ using System.Net.Sockets;
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>
-/// A network between headset and gateway that can fail like WiFi: it carries no data in either direction, and neither side is notified, not
-/// even when the other side ends.
+/// Simulates a network between headset and gateway that can fail like WiFi: it carries no data in either direction, and neither side is
+/// notified, not even when the other side closes its connection.
 /// </summary>
 sealed class QuietPath : IDisposable
 {
@@ -75,7 +75,7 @@ sealed class QuietPath : IDisposable
         }
         catch (Exception end) when (end is OperationCanceledException or SocketException or ObjectDisposedException)
         {
-            // The listener was disposed.
+            // Dispose has closed the listener.
         }
     }
 
@@ -92,7 +92,7 @@ sealed class QuietPath : IDisposable
         }
         catch (Exception end) when (end is SocketException or ObjectDisposedException)
         {
-            // One side closed the connection.
+            // One side has closed the connection.
         }
         finally
         {
@@ -107,7 +107,7 @@ sealed class QuietPath : IDisposable
         while (true)
         {
             var count = await from.ReceiveAsync(piece);
-            // Data that was on its way arrives after the pause, because TCP sends it again.
+            // Data in transit arrive after the pause, because TCP sends them again.
             await Carries();
             if (count == 0)
             {

@@ -2,8 +2,8 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>Prints the time that a recovery took. A missing recovery has already failed in the wait for it.</summary>
+/// <summary>Prints how long recoveries took. If a recovery does not happen, the wait for it fails the test.</summary>
 static class Recovery
 {
-    public static void Tell(string fault, TimeSpan took) => TestContext.Out.WriteLine($"recovery: {fault}: {took.TotalSeconds:0.00} s");
+    public static void Print(string fault, TimeSpan took) => TestContext.Out.WriteLine($"recovery: {fault}: {took.TotalSeconds:0.00} s");
 }

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>A service manager stops a gateway while messages arrive: it exits normally and has lost no message.</summary>
+/// <summary>Tests that a gateway that a service manager stops while messages arrive exits normally and loses no message.</summary>
 [Platform(Exclude = "Win")]
 public class GracefulEndTests
 {
@@ -47,7 +47,7 @@ public class GracefulEndTests
         var recorded = lines.Where(line => line.GetProperty("kind").GetString() == "sample")
             .Select(line => (int)line.GetProperty("position")[0].GetDouble()).ToArray();
         Assert.That(recorded, Is.EqualTo(Enumerable.Range(0, recorded.Length)), "none missing in between");
-        Assert.That(recorded.Length, Is.GreaterThan(seen.Max()), "none that was forwarded is missing at the end");
+        Assert.That(recorded.Length, Is.GreaterThan(seen.Max()), "the file contains all forwarded messages");
     }
 
     static Task SendAsync(ClientWebSocket client, string text) =>
@@ -60,7 +60,7 @@ public class GracefulEndTests
             for (var i = 0; !enough.IsCancellationRequested; i++)
             {
                 await SendAsync(client, Gateways.StateText(i));
-                // Below 1000/s, because a gateway that was stopped for seconds then reads everything at once and accepts only 4000 in one second.
+                // Sends less than 1000 messages/s: after a pause of seconds the gateway reads all waiting messages at once, and it accepts 4000/s.
                 if (i % 20 == 19) await Task.Delay(20, CancellationToken.None);
             }
         }

@@ -16,7 +16,7 @@ public class LineFileTests
     }
 
     [Test]
-    public void Records_Written_ExcludeTheRecordersOwnLines()
+    public void Records_LinesWritten_ExcludesTheRecordersOwnLines()
     {
         using var file = Written(new SmallDisk(1000), "{\"kind\":\"session\"}", "{\"kind\":\"sample\"}", "{\"kind\":\"lost\"}", "{\"kind\":\"sync\"}", "{\"kind\":\"end\"}");
 
@@ -29,7 +29,7 @@ public class LineFileTests
     [TestCase(9, 0)]
     [TestCase(10, 1)]
     [TestCase(25, 2)]
-    public void Flush_DiskFull_KeepsWholeLinesAndCountsThem(int bytes, int whole)
+    public void Flush_DiskFull_KeepsAndCountsCompleteLines(int bytes, int whole)
     {
         var disk = new SmallDisk(bytes);
         var file = Written(disk, "123456789", "123456789", "123456789");
@@ -54,7 +54,7 @@ public class LineFileTests
     }
 
     [Test]
-    public void Create_ExistingFile_IsNotReplaced()
+    public void Create_FileExists_DoesNotReplaceIt()
     {
         var path = Path.Combine(TestContext.CurrentContext.WorkDirectory, Guid.NewGuid().ToString("N"));
         try

@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>The parts of a gateway that a recorder needs, with a temporary folder for its files.</summary>
+/// <summary>Creates the parts of a gateway that a recorder needs, and a temporary folder for the recorder's files.</summary>
 sealed class RecorderCell : IDisposable
 {
     const double StepSeconds = 0.05;
@@ -40,7 +40,7 @@ sealed class RecorderCell : IDisposable
         new GatewayOptions { Recordings = Folder, Cell = "press 1", Time = time ?? TimeProvider.System }, Hub, Clock, Plant, Drops,
         line => { lock (_log) _log.Add(line); }, open, maxBytes);
 
-    /// <summary>Publishes samples as if they came in over the last seconds, each 80 ms old when received.</summary>
+    /// <summary>Publishes samples as if they had arrived over the last seconds. Each sample was 80 ms old on arrival.</summary>
     public void Publish(int count, params string[] names)
     {
         for (var i = 0; i < count; i++)

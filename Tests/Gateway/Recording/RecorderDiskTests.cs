@@ -8,7 +8,7 @@ using static Nowpose.Headless.Tests.Gateway.Recording.RecorderCell;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>A recording on a disk that is full, slow or missing.</summary>
+/// <summary>Tests recordings to a disk that is full, slow or missing.</summary>
 public class RecorderDiskTests
 {
     RecorderCell _cell;
@@ -38,12 +38,12 @@ public class RecorderDiskTests
         var kept = first.Text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
         Assert.That(kept.Select(line => JsonDocument.Parse(line)), Is.All.Not.Null, "no torn line");
         Assert.That(status.Lines, Is.EqualTo(kept.Length - 1));
-        Assert.That(status.Lines + status.Lost, Is.InRange(Published + 10, Published + 40), "samples, and a few lines a second of the clock");
+        Assert.That(status.Lines + status.Lost, Is.InRange(Published + 10, Published + 40), "the samples and a few lines per second about the clock");
 
         recorder.SwitchOn();
         _cell.Publish(10, "a");
         await recorder.SwitchOffAsync().Bounded();
-        Assert.That(_cell.CountLogged("No space left"), Is.EqualTo(1), "said once");
+        Assert.That(_cell.CountLogged("No space left"), Is.EqualTo(1), "logged once");
         Assert.That(recorder.Status.Problem, Is.Null);
         Assert.That(recorder.Status.Lost, Is.Zero);
         Assert.That(recorder.Status.Lines, Is.GreaterThanOrEqualTo(10));
@@ -104,18 +104,18 @@ public class RecorderDiskTests
             return new LineFile(new SmallDisk(100_000));
         }, time, maxBytes: 80_000);
         recorder.SwitchOn();
-        // More data than fits already waits, so that its maximum size is not reached before the disk fails.
+        // More data than fit are already waiting when the disk fails, so the file does not reach its maximum size before the failure.
         _cell.Publish(2000, "a");
         goOn.Set();
         await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the disk is full");
         _cell.Publish(1, "a");
-        await Soon.BecomesAsync(() => time.Asked == 2, "for the first file, and for one beyond the greatest size");
+        await Soon.BecomesAsync(() => time.Asked == 2, "the first file and a file after the maximum size");
 
         _cell.Publish(2000, "a");
-        // Waits behind all work items that these messages put into the pool's queue.
-        var isTheirTurnOver = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-        ThreadPool.UnsafeQueueUserWorkItem(_ => isTheirTurnOver.SetResult(), null);
-        await isTheirTurnOver.Task.Bounded();
+        // Waits until the thread pool has executed all work items that these messages added to its queue.
+        var isQueueDone = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        ThreadPool.UnsafeQueueUserWorkItem(_ => isQueueDone.SetResult(), null);
+        await isQueueDone.Task.Bounded();
 
         Assert.That(time.Asked, Is.EqualTo(2));
     }
@@ -132,7 +132,7 @@ public class RecorderDiskTests
             _ => new LineFile(new SmallDisk(10_000_000)),
         });
         recorder.SwitchOn();
-        // Each file is opened by its own thread. The second file must not be opened before the first.
+        // A thread of its own opens each file. Waits, so that the second file is not opened before the first.
         await Soon.BecomesAsync(() => Volatile.Read(ref files) == 1, "the first file is opened");
         _cell.Publish(5, "a");
         _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));

@@ -9,7 +9,7 @@ using static Nowpose.Headless.Tests.Gateway.Recording.RecorderCell;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>The files into which a recording is divided.</summary>
+/// <summary>Tests how a recording is divided into files.</summary>
 public class RecorderFileTests
 {
     RecorderCell _cell;
@@ -28,7 +28,7 @@ public class RecorderFileTests
         var options = new GatewayOptions { Recordings = _cell.Folder };
         await using var recorder = new Recorder(options, _cell.Hub, _cell.Clock, _cell.Plant, _cell.Drops, line =>
         {
-            // Simulates a slow log or disk, during which its lock is held.
+            // Simulates a slow log or disk while the recorder holds its lock.
             if (isBeginning.IsSet) return;
             isBeginning.Set();
             mayGoOn.Wait(Soon.Limit);
@@ -41,7 +41,7 @@ public class RecorderFileTests
         var first = await Task.WhenAny(describing, Task.Delay(Soon.Limit / 2));
         mayGoOn.Set();
         await Task.WhenAll(describing, switching).Bounded();
-        Assert.That(first, Is.SameAs(describing), "the hub's lock is held as long");
+        Assert.That(first, Is.SameAs(describing), "the hub holds its lock during the description, so this must not wait");
         await Soon.BecomesAsync(() => _cell.Files().Length == 2, "the robot came too late for the first file");
         await recorder.SwitchOffAsync().Bounded();
         Assert.That(File.ReadAllText(recorder.Path), Does.Contain("arm_joint_1"));
@@ -109,7 +109,7 @@ public class RecorderFileTests
     }
 
     [Test]
-    public async Task Record_BeyondTheMaximumSize_StartsAnotherFileWithoutLoss()
+    public async Task Record_MaximumSizeReached_StartsAnotherFileWithoutLoss()
     {
         await using var recorder = _cell.Open(maxBytes: 20_000);
         recorder.SwitchOn();
@@ -127,7 +127,7 @@ public class RecorderFileTests
     }
 
     [Test]
-    public async Task Record_ObjectsSignalsAndRobots_AreInTheFile()
+    public async Task Record_ObjectsSignalsAndRobots_WritesThemToTheFile()
     {
         var stamp = _cell.Clock.Now;
         var received = Stopwatch.GetTimestamp();
@@ -141,7 +141,7 @@ public class RecorderFileTests
 
         var lines = Lines(recorder.Path);
         var poses = lines.Where(line => line.GetProperty("kind").GetString() == "pose").ToArray();
-        Assert.That(poses.Select(pose => pose.GetProperty("frame").GetString()), Is.EqualTo(new[] { "table", "part" }), "also what was published before");
+        Assert.That(poses.Select(pose => pose.GetProperty("frame").GetString()), Is.EqualTo(new[] { "table", "part" }), "published before and after");
         Assert.That(poses[0].GetProperty("stationary").GetBoolean(), Is.True);
         Assert.That(poses[1].GetProperty("stamp_ns").GetInt64(), Is.EqualTo(stamp.Nanoseconds));
         Assert.That(poses[1].GetProperty("control_arrival_ns").GetInt64(), Is.GreaterThanOrEqualTo(stamp.Nanoseconds));

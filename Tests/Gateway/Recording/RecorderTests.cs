@@ -8,7 +8,7 @@ using static Nowpose.Headless.Tests.Gateway.Recording.RecorderCell;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>The content of the gateway's recordings, and its use by other programs.</summary>
+/// <summary>Tests the content of the gateway's recordings, and that other programs can use them.</summary>
 public class RecorderTests
 {
     RecorderCell _cell;
@@ -20,7 +20,7 @@ public class RecorderTests
     public void TearDown() => _cell.Dispose();
 
     [Test]
-    public async Task Record_TrafficOfADescribedRobot_IsReplayedRecommendedAndSynchronised()
+    public async Task Record_DescribedRobot_CanBeReplayedAndAnalysed()
     {
         _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
         await using var recorder = _cell.Open();
@@ -43,7 +43,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_WithoutADescription_IsReplayedWithTheReceivedJoints()
+    public async Task Record_RobotWithoutDescription_CanBeReplayedWithTheReceivedJoints()
     {
         await using var recorder = _cell.Open();
         recorder.SwitchOn();
@@ -59,7 +59,7 @@ public class RecorderTests
     }
 
     [Test]
-    public async Task Record_AllMessages_AreInTheFileInOrder()
+    public async Task Record_AllKindsOfMessages_WritesThemInOrder()
     {
         await using var recorder = _cell.Open();
         recorder.SwitchOn();
@@ -80,17 +80,17 @@ public class RecorderTests
         Assert.That(samples.Select(line => line.GetProperty("position")[0].GetDouble()), Is.EqualTo(Enumerable.Range(0, 3000)));
         Assert.That(lines[0].GetProperty("recorded_by").GetString(), Is.EqualTo("gateway"));
         Assert.That(Count(lines, "plan"), Is.EqualTo(1));
-        var said = lines.Single(line => line.GetProperty("kind").GetString() == "diagnostics");
-        Assert.That(said.GetProperty("name").GetString(), Is.EqualTo("goggles"));
-        Assert.That(said.GetProperty("values").GetProperty("say \"so\"").GetString(), Is.EqualTo("\n"));
+        var diagnostics = lines.Single(line => line.GetProperty("kind").GetString() == "diagnostics");
+        Assert.That(diagnostics.GetProperty("name").GetString(), Is.EqualTo("goggles"));
+        Assert.That(diagnostics.GetProperty("values").GetProperty("say \"so\"").GetString(), Is.EqualTo("\n"));
         Assert.That(lines[^1].GetProperty("reason").GetString(), Is.EqualTo("closed"));
         Assert.That(recorder.Status.Lost, Is.Zero);
-        Assert.That(recorder.Status.Lines, Is.EqualTo(lines.Length - 2), "all but the header and the end");
+        Assert.That(recorder.Status.Lines, Is.EqualTo(lines.Length - 2), "all lines except the header and the end");
     }
 
     static bool HasDrops(string path)
     {
-        // The recorder's own thread creates the file.
+        // The recorder creates the file on its own thread, so the file may not exist yet.
         if (!File.Exists(path)) return false;
         using var reader = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite));
         return reader.ReadToEnd().Contains("\"drops\"");

@@ -36,7 +36,7 @@ public class RecordingRoutesTests
     }
 
     [Test]
-    public async Task Switch_OnAndOff_WritesAFileNamedInTheState()
+    public async Task Switch_OnAndOff_WritesTheFileThatTheStateNames()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Recordings = _folder });
 
@@ -58,7 +58,7 @@ public class RecordingRoutesTests
     [TestCase(Gateways.ObserverToken, HttpStatusCode.Forbidden)]
     [TestCase(Gateways.SourceToken, HttpStatusCode.Forbidden)]
     [TestCase(Operator, HttpStatusCode.OK)]
-    public async Task Switch_WithTokens_RequiresAnOperator(string token, HttpStatusCode expected)
+    public async Task Switch_GatewayWithTokens_RequiresAnOperator(string token, HttpStatusCode expected)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Recordings = _folder, Tokens = Tokens });
 
@@ -76,7 +76,7 @@ public class RecordingRoutesTests
     }
 
     [Test]
-    public async Task Switch_WithoutAFolder_NamesTheOption()
+    public async Task Switch_NoFolder_FailsWithTheNameOfTheOption()
     {
         await using var gateway = await Gateways.StartAsync();
 

@@ -11,7 +11,7 @@ using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>The recordings of a gateway: list, download, and deletion of files.</summary>
+/// <summary>Tests the list of a gateway's recordings, their download, and files that are deleted meanwhile.</summary>
 public class RecordingsTests
 {
     const string Secret = "not for download";
@@ -43,7 +43,7 @@ public class RecordingsTests
         return (response.StatusCode, await response.Content.ReadAsStringAsync().Bounded());
     }
 
-    // Sends the path unchanged, because HttpClient would resolve its dots.
+    // Sends the path unchanged; HttpClient would resolve the dots in it.
     static async Task<string> GetRawAsync(GatewayServer gateway, string path)
     {
         using var tcp = new TcpClient();
@@ -58,7 +58,7 @@ public class RecordingsTests
         JsonDocument.Parse((await GetAsync(gateway, "/operations/state")).Text).RootElement;
 
     [Test]
-    public async Task List_OfAFolder_HasOnlyRecordingsWithNameAndSize()
+    public async Task List_FolderWithOtherFiles_ContainsOnlyRecordingsWithNameAndSize()
     {
         File.WriteAllText(Path.Combine(_folder, "press-20261120T120000Z.jsonl"), "12345\n");
         await using var gateway = await StartAsync();
@@ -74,7 +74,7 @@ public class RecordingsTests
     [TestCase(Gateways.ObserverToken, HttpStatusCode.Forbidden)]
     [TestCase(Gateways.SourceToken, HttpStatusCode.Forbidden)]
     [TestCase(Gateways.OperatorToken, HttpStatusCode.OK)]
-    public async Task Recordings_WithTokens_RequireAnOperator(string token, HttpStatusCode expected)
+    public async Task Recordings_GatewayWithTokens_RequireAnOperator(string token, HttpStatusCode expected)
     {
         File.WriteAllText(Path.Combine(_folder, "a.jsonl"), "{}\n");
         await using var gateway = await StartAsync(hasTokens: true);
@@ -94,7 +94,7 @@ public class RecordingsTests
     [TestCase("a.jsonl/")]
     [TestCase("none.jsonl")]
     [TestCase("a.jsonl%0a")]
-    public async Task Download_NotARecordingOfTheFolder_IsNotFound(string name)
+    public async Task Download_NameIsNoRecordingInTheFolder_ReturnsNotFound(string name)
     {
         File.WriteAllText(Path.Combine(_folder, "a.jsonl"), "{}\n");
         if (!OperatingSystem.IsWindows()) File.CreateSymbolicLink(Path.Combine(_folder, "link.jsonl"), Path.Combine(_outer, "tokens.jsonl"));
@@ -106,7 +106,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Download_RecordingInProgress_ReturnsWholeLines()
+    public async Task Download_RecordingInProgress_ReturnsCompleteLines()
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
@@ -119,7 +119,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Deleted_WhileWritten_IsAProblemAndEndsTheRecording()
+    public async Task Recording_FileDeletedWhileWritten_ReportsAProblemAndEnds()
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
@@ -139,7 +139,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Deleted_AfterItsEnd_RaisesAnEvent()
+    public async Task Recording_FileDeletedAfterItsEnd_RaisesAnEvent()
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
@@ -158,7 +158,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public async Task Look_EventCannotBeAdded_IsLogged()
+    public async Task Look_AddingAnEventFails_IsLogged()
     {
         await using var gateway = await StartAsync();
         var path = Path.Combine(_folder, "a.jsonl");
@@ -174,7 +174,7 @@ public class RecordingsTests
     }
 
     [Test]
-    public void Find_NameWithASeparator_IsNull()
+    public void Find_NameWithASeparator_ReturnsNull()
     {
         var folder = new RecordingsFolder(_folder);
 

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>A disk with room for a limited number of bytes. Like a real disk, it writes the part that fits.</summary>
+/// <summary>Simulates a disk with limited space. Like a real disk, it writes the part of the data that fits.</summary>
 sealed class SmallDisk(int room) : MemoryStream
 {
     public bool IsDisposed { get; private set; }

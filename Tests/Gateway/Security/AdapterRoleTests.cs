@@ -11,7 +11,10 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>An adapter that the gateway starts is a source from any address. Without tokens no other client from another address is one.</summary>
+/// <summary>
+/// Tests that an adapter that the gateway has started is a source from any address. Without tokens, other clients are sources only from
+/// this machine.
+/// </summary>
 public class AdapterRoleTests
 {
     static readonly GatewayOptions WithoutTokens = Gateways.Options();
@@ -26,7 +29,7 @@ public class AdapterRoleTests
 
     [TestCase("192.0.2.7", Role.Observer)]
     [TestCase("127.0.0.1", Role.Source)]
-    public void RoleOf_WithoutTokens_DependsOnAddressAndAdapterToken(string address, Role others)
+    public void RoleOf_GatewayWithoutTokens_DependsOnAddressAndAdapterToken(string address, Role others)
     {
         Assert.That(RoleOf(WithoutTokens, WithoutTokens.AdapterToken, address), Is.EqualTo(Role.Source));
         Assert.That(RoleOf(WithoutTokens, null, address), Is.EqualTo(others));
@@ -34,7 +37,7 @@ public class AdapterRoleTests
     }
 
     [Test]
-    public void RoleOf_WithTokens_AlsoAcceptsTheAdapterToken()
+    public void RoleOf_GatewayWithTokens_AlsoAcceptsTheAdapterToken()
     {
         var options = WithoutTokens with { Tokens = Gateways.Tokens };
 
@@ -44,7 +47,7 @@ public class AdapterRoleTests
     }
 
     [Test]
-    public async Task Adapter_GatewayBoundToLanAddress_HasRoleSource()
+    public async Task Adapter_GatewayBoundToItsLanAddress_IsASource()
     {
         var lan = AddressOnTheLan();
         if (lan == null) Assert.Ignore("this machine has no address but loopback");

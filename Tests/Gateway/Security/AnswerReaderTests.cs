@@ -13,13 +13,13 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>A client that requests a page must read the answer, or it loses its place to others.</summary>
+/// <summary>Tests that the gateway aborts the connection of a client that requests a page but does not read the answer.</summary>
 [Parallelizable(ParallelScope.All)]
 public class AnswerReaderTests
 {
     const int Piece = 64 * 1024;
 
-    // A high rate, so that the bytes in the socket buffers are due at once.
+    // With a high minimum rate, the gateway expects the bytes in the socket buffers to be read almost immediately.
     static readonly GatewayOptions Options = Gateways.Options() with { AnswerBytesPerSecond = 100_000_000 };
 
     [Test]
@@ -36,7 +36,7 @@ public class AnswerReaderTests
         var sent = 0;
         using var quick = await RawRosbridgeClient.ConnectAsync(gateway);
         await quick.SubscribeAsync(RosTopics.JointStates);
-        // Fills all buffers between the gateway and the client.
+        // Publishes until all buffers between the gateway and the client are full.
         while (gateway.Drops[DropReason.SlowReader] < 100)
         {
             source.TryPublish(Gateways.State(++sent, names));
@@ -47,11 +47,11 @@ public class AnswerReaderTests
 
         while ((await client.ReceiveAsync()).JointState.Positions[0] < sent)
         {
-            // Reads up to the newest sample, which shows that the connection was not closed.
+            // Reads until the newest sample arrives, which shows that the connection was not closed.
         }
     }
 
-    // Completes when the gateway ends the unread answer.
+    // Requests an answer without reading it. Completes when the gateway aborts the answer.
     static async Task AskAndReadNothingAsync()
     {
         var isBegun = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -69,7 +69,7 @@ public class AnswerReaderTests
         await isEnded.Task.Bounded();
     }
 
-    // The answer exceeds all buffers on the way. It ends only when it is aborted: a write fails, or the request reports it.
+    // Sends an answer that is longer than all buffers, so it ends only by an abort: a write fails, or RequestAborted is set.
     static async Task AnswerAsync(HttpContext context, TaskCompletionSource isBegun, TaskCompletionSource isEnded)
     {
         isBegun.SetResult();

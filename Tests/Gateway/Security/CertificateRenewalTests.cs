@@ -40,7 +40,7 @@ public class CertificateRenewalTests
     }
 
     [Test]
-    public async Task File_OfAnotherKey_IsIgnoredAndLogged()
+    public async Task File_RenewedWithAnotherKey_IsIgnoredAndLogged()
     {
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
         using var other = ECDsa.Create(ECCurve.NamedCurves.nistP256);
@@ -56,7 +56,7 @@ public class CertificateRenewalTests
     [TestCase(100, 90, null)]
     [TestCase(20, 10, "expires on")]
     [TestCase(20, 21, "expired on")]
-    public void Expiry_Near_IsLoggedOnceAsIsTheRenewal(int lastsDays, int atDays, string expected)
+    public void Look_ExpiryNearOrFar_LogsOnceIfNearAndThenTheRenewal(int lastsDays, int atDays, string expected)
     {
         var notice = new ExpiryNotice(_log.Enqueue);
         var start = new DateTime(2026, 11, 20);
@@ -64,13 +64,13 @@ public class CertificateRenewalTests
         notice.Look(start.AddDays(lastsDays + 80), start.AddDays(0));
         for (var i = 0; i < 3; i++)
             notice.Look(start.AddDays(expected == null ? lastsDays + 80 : lastsDays), start.AddDays(atDays));
-        var told = _log.ToArray();
+        var logged = _log.ToArray();
         notice.Look(start.AddDays(1000), start.AddDays(atDays));
 
-        Assert.That(told.Length, Is.EqualTo(expected == null ? 0 : 1));
+        Assert.That(logged.Length, Is.EqualTo(expected == null ? 0 : 1));
         if (expected != null)
         {
-            Assert.That(told[0], Does.Contain(expected).And.Contain("renew"));
+            Assert.That(logged[0], Does.Contain(expected).And.Contain("renew"));
             Assert.That(_log.Last(), Does.Contain("renewed"));
         }
     }

@@ -3,10 +3,10 @@ using System.Security.Cryptography.X509Certificates;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Creates renewed certificates: other dates, the same key, and therefore the same pin.</summary>
+/// <summary>Creates renewed certificates, which have other dates but the same key and therefore the same pin.</summary>
 static class CertificatesOfOneKey
 {
-    /// <summary>Writes a .pem file with certificate and key, valid for the given number of days from now.</summary>
+    /// <summary>Writes a .pem file with a key and a certificate that is valid for the given number of days from now.</summary>
     public static void Write(string path, ECDsa key, double days) => Write(path, key, DateTimeOffset.UtcNow.AddDays(days));
 
     public static void Write(string path, ECDsa key, DateTimeOffset until)

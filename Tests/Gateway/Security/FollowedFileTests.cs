@@ -19,7 +19,7 @@ public class FollowedFileTests
     [TearDown]
     public void TearDown() => File.Delete(_path);
 
-    /// <summary>An editor truncates the file and then writes it. Content that was read in between is neither used nor reported.</summary>
+    /// <summary>An editor truncates the file before it writes the new text. The incomplete text must be neither used nor reported.</summary>
     [TestCase("")]
     [TestCase("half a ", "the file ends too early")]
     public void File_WrittenDuringRead_IsReadAgain(string meanwhile, string fault = null)

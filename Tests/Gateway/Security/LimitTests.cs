@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>The gateway checks the size of a client's data before it keeps, decodes or parses it.</summary>
+/// <summary>Tests that the gateway checks the size of a client's data before it stores, decodes or parses them.</summary>
 [NonParallelizable] // measures the memory of the whole process
 public class LimitTests
 {
@@ -16,7 +16,7 @@ public class LimitTests
 
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
-    // Clients that never answer a ping or end their message must stay connected while their memory is measured, which may take long.
+    // Long timeouts keep clients connected that never answer a ping or end their message, because measuring the memory may take long.
     static readonly GatewayOptions Patient = WithTokens with
     {
         MaxPendingConnections = Clients,
@@ -33,9 +33,9 @@ public class LimitTests
         for (var i = 0; i < 30; i++)
             await client.SendAsync("junk");
 
-        await Soon.BecomesAsync(() => gateway.Drops.Total == 30, "all judged");
+        await Soon.BecomesAsync(() => gateway.Drops.Total == 30, "all messages are dropped");
         Assert.That(gateway.Drops[DropReason.TooManyMessages], Is.GreaterThan(0));
-        Assert.That(gateway.Drops[DropReason.NotJson], Is.GreaterThanOrEqualTo(5), "no more than allowed were parsed in the first second");
+        Assert.That(gateway.Drops[DropReason.NotJson], Is.GreaterThanOrEqualTo(5), "at least the messages of the first second are parsed");
         for (var i = 0; i < 30; i++)
             Assert.That((await client.ReceiveAsync()).Text, Does.Contain("JSON").Or.Contain("message rate"));
         await SendsAgainAsync(client);
@@ -55,7 +55,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongFromAnObserver_IsNotStored()
+    public async Task Message_LongAndFromAnObserver_IsNotStored()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var client = await RawRosbridgeClient.ConnectAsync(
@@ -68,12 +68,12 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongFromASourceOnAnotherTopic_IsNotDecoded()
+    public async Task Message_LongAndOnATopicWithoutDescription_IsNotDecoded()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
-        // Deeply nested, so parsing would refuse it with another reason.
+        // The message is deeply nested, so a parser would refuse it with another reason.
         await client.SendAsync(new string('[', 900_000));
 
         await client.ExpectErrorAsync("longer");
@@ -82,7 +82,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Junk_AMebibyteOnEachOf64Connections_KeepsMemoryBounded()
+    public async Task Memory_64ConnectionsWithIncompleteMessagesOf1MiB_StaysBounded()
     {
         await using var gateway = await Gateways.StartAsync(Patient);
         var clients = new List<RawWebSocket>();
@@ -112,7 +112,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Refusals_Thousands_WriteFewLogLines()
+    public async Task Log_ThousandsOfRefusals_ContainsFewLines()
     {
         var log = new ConcurrentQueue<string>();
         var gateway = await GatewayServer.StartAsync(
@@ -126,13 +126,13 @@ public class LimitTests
             }
         }
 
-        Assert.That(log.Count(line => line.Contains("Origin")), Is.EqualTo(RateLimitedLog.LinesAMinute + 1), "and one that says how many more");
+        Assert.That(log.Count(line => line.Contains("Origin")), Is.EqualTo(RateLimitedLog.LinesAMinute + 1), "and one line that counts the others");
         Assert.That(log.Last(line => line.Contains("Origin")), Does.Contain("(190 more"));
         Assert.That(gateway.WebSocketConnections[Closure.Origin], Is.EqualTo(200));
     }
 
     [Test]
-    public async Task PendingConnections_OfOneAddress_DoNotBlockOthers()
+    public async Task PendingConnections_ManyFromOneAddress_DoNotBlockOtherAddresses()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens with { MaxPendingConnections = 3 });
         var silent = new List<RawSyncClient>();
@@ -155,7 +155,7 @@ public class LimitTests
 
     static async Task SendsAgainAsync(RawRosbridgeClient client)
     {
-        // Waits until the second with too many messages is over.
+        // Repeats the call until the second with too many messages is over.
         while (true)
         {
             await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "again"));
@@ -163,7 +163,7 @@ public class LimitTests
         }
     }
 
-    // A frame whose stated length exceeds its data, so the message never ends.
+    // Returns a frame with only half of the bytes that its header announces, so the message never ends.
     static byte[] HalfOfAMessage(long length)
     {
         var bytes = new byte[14 + (length / 2)];

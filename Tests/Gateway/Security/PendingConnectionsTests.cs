@@ -12,7 +12,7 @@ public class PendingConnectionsTests
     static readonly IPEndPoint Nat = new(IPAddress.Parse("10.0.0.1"), 1), Other = new(IPAddress.Parse("10.0.0.2"), 1);
 
     [Test]
-    public void Enter_AddressIsFull_EvictsItsOldestConnection()
+    public void Enter_TooManyConnectionsOfTheAddress_EvictsItsOldest()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(2);
@@ -25,7 +25,7 @@ public class PendingConnectionsTests
     }
 
     [Test]
-    public void Enter_ManySilentConnections_EvictNoneWithCompletedHandshake()
+    public void Enter_ManySilentConnections_EvictsNoneWithCompletedHandshake()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(2);
@@ -41,7 +41,7 @@ public class PendingConnectionsTests
     }
 
     [Test]
-    public void CompleteHandshake_TooManyOfOneAddress_EvictsTheOldestOfThem()
+    public void CompleteHandshake_TooManyOfOneAddress_EvictsTheOldestOfTheAddress()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(2);
@@ -52,7 +52,7 @@ public class PendingConnectionsTests
     }
 
     [Test]
-    public void Enter_TotalLimitReached_EvictsTheOldestSilentOne()
+    public void Enter_TotalLimitReached_EvictsTheOldestSilentConnection()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(10, maxInAll: 2);
@@ -64,14 +64,14 @@ public class PendingConnectionsTests
         Assert.That(evicted, Is.EqualTo(new[] { "silent" }));
         Assert.That(pending.TryEvictOldest(), Is.True);
         Assert.That(evicted, Is.EqualTo(new[] { "silent", "new" }));
-        Assert.That(pending.TryEvictOldest() && pending.TryEvictOldest(), Is.False, "there is one only");
+        Assert.That(pending.TryEvictOldest() && pending.TryEvictOldest(), Is.False, "there is only one");
     }
 
     [TestCase(false)]
     [TestCase(true)]
-    public async Task Headset_AddressFullOfHalfOpenClients_Connects(bool isOtherAddress)
+    public async Task Headset_ManyUnfinishedConnections_StillConnects(bool isOtherAddress)
     {
-        // The limit in total is equal to the limit per address.
+        // The total limit is equal to the limit per address.
         var options = Gateways.Options() with { Tokens = Gateways.Tokens, MaxPendingConnections = 8, MaxConnections = 8, TokenTimeout = TimeSpan.FromMinutes(5) };
         await using var gateway = await Gateways.StartAsync(options);
         var silent = new List<IDisposable>();
@@ -91,7 +91,7 @@ public class PendingConnectionsTests
             await socket.RoundTripAsync();
 
             for (var i = 0; i < 20; i++) silent.Add(await RawSyncClient.ConnectAsync(gateway));
-            Assert.That(await sync.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null, "who was let in keeps its place");
+            Assert.That(await sync.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null, "accepted connections are not evicted");
         }
         finally
         {

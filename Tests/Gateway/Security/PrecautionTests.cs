@@ -40,7 +40,7 @@ public class PrecautionTests
         using var folder = new TemporaryFolder();
         var path = Path.Combine(folder.Path, "tokens.txt");
         File.WriteAllText(path, "observer a\n");
-        // As seen from this process, the file belongs to another user, with the same group or another one.
+        // Gives the file to another user, with the group of this process or another group.
         Run("chown", whose.EndsWith("another group") ? "65534:65534" : "65534", path);
         Run("chmod", mode, path);
 
@@ -57,7 +57,7 @@ public class PrecautionTests
     }
 
     [Test]
-    public async Task Root_WithoutNeed_CausesAWarning()
+    public async Task Start_AsRootWithoutNeed_CausesAWarning()
     {
         await using var gateway = await Gateways.StartAsync();
 

@@ -20,7 +20,7 @@ public class RateLimitedLogTests
     public void TearDown() => _log.Dispose();
 
     [Test]
-    public void Lines_Repeated_AreLoggedAFewTimesAndThenCounted()
+    public void Lines_Repeated_AreLoggedAFewTimesThenCounted()
     {
         for (var i = 0; i < 1000; i++) _log.Write("refused");
         var atOnce = _lines.Count;
@@ -32,7 +32,7 @@ public class RateLimitedLogTests
     }
 
     [Test]
-    public void Lines_AllDifferent_AreLimitedTogether()
+    public void Lines_AllDifferent_HaveACommonLimit()
     {
         for (var i = 0; i < 1000; i++) _log.Write("refused " + i);
 
@@ -40,7 +40,7 @@ public class RateLimitedLogTests
     }
 
     [Test]
-    public void Lines_InEachMinute_HaveTheirOwnLimit()
+    public void Lines_InSeveralMinutes_AreLimitedPerMinute()
     {
         for (var minute = 0; minute < 3; minute++)
         {

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Gateway.Security;
 public class ReadOnlyTests
 {
     [Test]
-    public async Task Source_WithoutSubscriptions_ReceivesNoMessagesOfOthers()
+    public async Task Source_WithoutSubscriptions_ReceivesNoMessagesOfOtherClients()
     {
         await using var gateway = await Gateways.StartAsync();
         using var plant = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -25,12 +25,12 @@ public class ReadOnlyTests
                 """{"op":"service_response","service":"/x","id":"3","result":true,"values":{}}""",
             })
             await other.SendAsync(attempt);
-        // The answers to the attempts come before the answer to this call, so all attempts have been handled then.
+        // The gateway answers in order, so when the answer to this call arrives, it has handled all attempts.
         while ((await AskAsync(other)).Id != "done")
         {
         }
 
-        await plant.RoundTripAsync(); // the first message that the plant receives is the answer to this call
+        await plant.RoundTripAsync(); // the plant must receive the answer to this call first
     }
 
     static async Task<RosbridgeMessage> AskAsync(RawRosbridgeClient client)

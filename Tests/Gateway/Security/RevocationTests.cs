@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Tokens are added and removed while the gateway runs with open connections.</summary>
+/// <summary>Tests tokens that are added and removed while the gateway runs with open connections.</summary>
 public class RevocationTests
 {
     readonly ConcurrentQueue<string> _log = [];
@@ -30,7 +30,7 @@ public class RevocationTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public async Task Token_Removed_EndsOnlyItsTwoConnections()
+    public async Task Token_Removed_EndsOnlyTheTwoConnectionsThatUseIt()
     {
         await using var gateway = await StartAsync("observer gone-token", "observer kept-token");
         using var gone = await ConnectAsync(gateway, "gone-token");
@@ -46,7 +46,7 @@ public class RevocationTests
         Assert.That(close.CloseStatus, Is.EqualTo(WebSocketCloseStatus.PolicyViolation));
         Assert.That(close.CloseStatusDescription, Is.EqualTo("Token"));
         Assert.That(await goneSync.ReceiveAsync(), Is.Null);
-        Tell("revoked token: both connections ended", since);
+        PrintTime("revoked token: both connections ended", since);
         await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Token] == 1, "counted");
         await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Token] == 1, "counted");
         await kept.RoundTripAsync();
@@ -54,7 +54,7 @@ public class RevocationTests
         Assert.That(await RefusalAsync(gateway, "gone-token"), Is.EqualTo(HttpStatusCode.Unauthorized));
     }
 
-    /// <summary>Checks the sum of the waits by design. The delays of a busy machine are not part of the promise.</summary>
+    /// <summary>Checks the sum of the waits in the design, because the delays of a busy machine are not part of the promise.</summary>
     [Test]
     public void Token_Removed_TakesEffectWithinTwoSeconds() =>
         Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.CloseTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
@@ -70,13 +70,13 @@ public class RevocationTests
         Write("observer other");
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "ended");
-        // Half a second until the next check, a quarter for the file to settle, and one second for the close handshake without an answer.
-        Tell("revoked token of a client that reads nothing: ended", since);
+        // At most half a second until the next check, a quarter until the file is stable, and one second of waiting for the close frame.
+        PrintTime("revoked token of a client that reads nothing: ended", since);
         Assert.That(gateway.WebSocketConnections[Closure.Token], Is.EqualTo(1));
     }
 
     [Test]
-    public async Task Token_RemovedOfASource_ItsMessagesAreIgnored()
+    public async Task Token_OfASourceRemoved_ItsMessagesAreIgnored()
     {
         await using var gateway = await StartAsync("source gone-token", "observer other");
         using var observer = await ConnectAsync(gateway, "other");
@@ -89,7 +89,7 @@ public class RevocationTests
         Assert.That(close.MessageType, Is.EqualTo(WebSocketMessageType.Close));
         try
         {
-            // Sends a message instead of answering the close, like an attacker.
+            // Like an attacker, sends a message instead of answering the close frame.
             await gone.SendAsync(Gateways.StateText(1));
         }
         catch (WebSocketException)
@@ -98,11 +98,11 @@ public class RevocationTests
         }
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 1, "ended");
-        await observer.RoundTripAsync(); // no sample came before the answer
+        await observer.RoundTripAsync(); // no sample has arrived before the answer
     }
 
     [Test]
-    public async Task Token_WithChangedRole_ReconnectsWithTheNewRole()
+    public async Task Token_RoleChanged_ClientReconnectsWithTheNewRole()
     {
         await using var gateway = await StartAsync("source changing");
         using var before = await ConnectAsync(gateway, "changing");
@@ -140,21 +140,21 @@ public class RevocationTests
 
     [TestCase("observer kept\nadmin wrong-secret\n", "line 2")]
     [TestCase(null, "cannot be read")]
-    public async Task File_Invalid_KeepsTheLastListAndIsLoggedOnce(string text, string part)
+    public async Task File_Invalid_LastValidListIsUsedAndTheErrorIsLoggedOnce(string text, string part)
     {
         await using var gateway = await StartAsync("observer kept", "observer also-kept");
         using var client = await ConnectAsync(gateway, "also-kept");
 
         if (text == null) File.Delete(TokensPath);
         else File.WriteAllText(TokensPath, text);
-        await Soon.BecomesAsync(() => !_log.IsEmpty, "told");
+        await Soon.BecomesAsync(() => !_log.IsEmpty, "the error is logged");
         await client.RoundTripAsync();
         Write("observer kept", "observer also-kept", "observer new");
         await Soon.BecomesAsync(() => AcceptsAsync(gateway, "new").Result, "followed again");
 
-        var told = _log.Where(line => line.Contains(TokensPath)).ToArray();
-        Assert.That(told.Length, Is.EqualTo(1), string.Join('\n', told));
-        Assert.That(told[0], Does.Contain(part).And.Contain("stays in use").And.Not.Contain("secret"));
+        var lines = _log.Where(line => line.Contains(TokensPath)).ToArray();
+        Assert.That(lines.Length, Is.EqualTo(1), string.Join('\n', lines));
+        Assert.That(lines[0], Does.Contain(part).And.Contain("stays in use").And.Not.Contain("secret"));
         await client.RoundTripAsync();
     }
 
@@ -172,12 +172,12 @@ public class RevocationTests
 
         Assert.That((await client.Socket.ReceiveAsync(new byte[100], default).Bounded()).CloseStatusDescription, Is.EqualTo("Token"));
         Assert.That(await sync.ReceiveAsync(), Is.Null);
-        Tell("revoked headset: both connections ended", since);
+        PrintTime("revoked headset: both connections ended", since);
         await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.Token] == 1, "counted");
     }
 
-    // By design this takes one or two seconds. Each wait above has a limit, but the time on a loaded machine is not asserted.
-    static void Tell(string what, long since) =>
+    // Prints the elapsed time. By design it is one or two seconds, but it is not asserted, because a busy machine may take longer.
+    static void PrintTime(string what, long since) =>
         TestContext.Out.WriteLine($"{what} after {Stopwatch.GetElapsedTime(since).TotalMilliseconds:0} ms");
 
     Task<GatewayServer> StartAsync(params string[] tokens)

@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Sends a recognisable token in every place that accepts one, and checks that it never appears in any output.</summary>
+/// <summary>Sends a recognisable token in each place that accepts a token, and checks that it appears in no output.</summary>
 public class SecretTests
 {
     const string Secret = "s3cr3t-needle";
@@ -28,7 +28,7 @@ public class SecretTests
     public void TearDown() => Directory.Delete(_folder, true);
 
     [Test]
-    public async Task Secrets_OnAllPaths_AreInNoLogNoAnswerAndNoFile()
+    public async Task Secrets_SentInAllPlaces_AppearInNoLogAnswerOrFile()
     {
         File.WriteAllText(TokensPath, $"source {Secret}-right\nobserver {Secret}-other\noperator {Secret}-operator\n");
         var headsets = new HeadsetList(PairingPath, log: _log.Enqueue);
@@ -46,7 +46,7 @@ public class SecretTests
             answers.AppendLine(await GetAsync(gateway, "/metrics", $"{Secret}-operator"));
             // The gateway also reports a damaged line and a revoked token.
             File.WriteAllText(TokensPath, $"source {Secret}-right\nadmin {Secret}-damaged\n");
-            await Soon.BecomesAsync(() => _log.Any(line => line.Contains("line 2")), "told");
+            await Soon.BecomesAsync(() => _log.Any(line => line.Contains("line 2")), "the damaged line is logged");
             File.WriteAllText(TokensPath, $"observer {Secret}-other\n");
             await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Token] > 4, "revoked");
         }

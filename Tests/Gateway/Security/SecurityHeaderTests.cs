@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Security headers of every answer.</summary>
+/// <summary>Tests the security headers of all answers.</summary>
 public sealed class SecurityHeaderTests : IDisposable
 {
     readonly HttpClient _http = new();
@@ -18,7 +18,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/operations")]
     [TestCase("/vlc")]
     [TestCase("/pair")]
-    public async Task Page_Served_AllowsOnlyTheScriptItWasBuiltWith(string path)
+    public async Task Page_Served_AllowsOnlyItsOwnScript(string path)
     {
         if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
         using var folder = new TemporaryFolder();
@@ -31,9 +31,9 @@ public sealed class SecurityHeaderTests : IDisposable
         Assert.That(answer.StatusCode, Is.EqualTo(HttpStatusCode.OK));
         var policy = PolicyOf(answer);
         Assert.That(policy, Does.Contain("default-src 'none'").And.Contain("frame-ancestors 'none'"));
-        // Browsers use style attributes to show an XML parser error, such as that of an invalid URDF.
+        // Style attributes are allowed, because browsers use them to display errors of their XML parser, for example for an invalid URDF.
         Assert.That(policy.Replace("style-src-attr 'unsafe-inline'", ""), Does.Not.Contain("unsafe-inline"));
-        Assert.That(ScriptsOf(page).Select(HashOf), Is.EqualTo(new[] { SourceOf(policy, "script-src") }), "its one script");
+        Assert.That(ScriptsOf(page).Select(HashOf), Is.EqualTo(new[] { SourceOf(policy, "script-src") }), "the page has only this script");
         Assert.That(SourceOf(policy, "style-src"), Does.StartWith("'sha256-"));
     }
 
@@ -41,7 +41,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/healthz", HttpStatusCode.OK)]
     [TestCase("/metrics", HttpStatusCode.Unauthorized)]
     [TestCase("/nowhere", HttpStatusCode.Unauthorized)]
-    public async Task Answer_OfAnyKind_ForbidsSniffingAndFraming(string path, HttpStatusCode status)
+    public async Task Answer_OfAnyStatus_ForbidsSniffingAndFraming(string path, HttpStatusCode status)
     {
         if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
@@ -56,14 +56,14 @@ public sealed class SecurityHeaderTests : IDisposable
     }
 
     [Test]
-    public void Pages_OpenedFromDisk_AllowOnlyTheScriptTheyWereBuiltWith()
+    public void Pages_OpenedFromDisk_AllowOnlyTheirOwnScript()
     {
         if (!ReportPage.HasPlots) Assert.Ignore("built without Node.js");
 
         foreach (var page in new[] { ReportPage.Render("{}"), FiguresPage.Render("{}"), CalibrationPage.Render("{}") })
         {
             var policy = Regex.Match(page, "http-equiv=\"Content-Security-Policy\"\\s+content=\"([^\"]*)\"").Groups[1].Value;
-            // The data of these pages contain drawings with style attributes.
+            // Style attributes are allowed, because the data of these pages contain drawings with style attributes.
             Assert.That(policy.Replace("style-src-attr 'unsafe-inline'", ""), Does.Not.Contain("unsafe-inline"));
             Assert.That(ScriptsOf(page).Select(HashOf), Is.EqualTo(new[] { SourceOf(policy, "script-src") }));
         }
@@ -76,7 +76,7 @@ public sealed class SecurityHeaderTests : IDisposable
 
     static string SourceOf(string policy, string directive) => Regex.Match(policy, directive + " ([^;]*)").Groups[1].Value;
 
-    // Returns the scripts that run; data is in elements of another type.
+    // Returns the scripts that a browser executes. Data are in script elements with a type.
     static IEnumerable<string> ScriptsOf(string page) =>
         Regex.Matches(page, "<script>(.*?)</script>", RegexOptions.Singleline).Select(match => match.Groups[1].Value);
 

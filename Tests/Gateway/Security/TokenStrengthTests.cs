@@ -13,7 +13,7 @@ public class TokenStrengthTests
     [TestCase("0123456789ABCDEF0123456789ABCDE", 124)]
     [TestCase("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", 0)]
     [TestCase("Tr0ub4dor&3", 11 * 6.5546)]
-    public void BitsOf_Token_EqualsItsLengthTimesTheBitsOfItsAlphabet(string token, double bits) =>
+    public void BitsOf_Token_IsItsLengthTimesTheBitsOfItsAlphabet(string token, double bits) =>
         Assert.That(TokenStrength.BitsOf(token), Is.EqualTo(bits).Within(0.01));
 
     [Test]
@@ -37,11 +37,11 @@ public class TokenStrengthTests
 
         Assert.That(TokenStrength.BitsOf(list.Add("a", out _)), Is.GreaterThan(TokenStrength.MinBits));
         Assert.That(TokenStrength.BitsOf(Gateways.Options().AdapterToken), Is.GreaterThan(TokenStrength.MinBits));
-        Assert.That(TokenCode.TokenBytes * 8, Is.GreaterThanOrEqualTo(TokenStrength.MinBits), "of a code that is worth something for minutes");
+        Assert.That(TokenCode.TokenBytes * 8, Is.GreaterThanOrEqualTo(TokenStrength.MinBits), "a pairing code is valid only for minutes");
     }
 
     [Test]
-    public async Task TokensFile_WithAWeakToken_CausesAWarningWithItsLine()
+    public async Task TokensFile_WithAWeakToken_CausesAWarningWithItsLineNumber()
     {
         using var folder = new TemporaryFolder();
         var path = Path.Combine(folder.Path, "tokens.txt");

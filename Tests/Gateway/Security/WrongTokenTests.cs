@@ -11,17 +11,17 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
-/// <summary>Wrong tokens are answered slowly; a valid one is accepted at once, even from the same address.</summary>
+/// <summary>Tests that the gateway answers wrong tokens slowly, but accepts a valid token immediately, even from the same address.</summary>
 [Parallelizable(ParallelScope.All)]
 public class WrongTokenTests
 {
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
-    /// <summary>Delays much longer than the test, so a delayed answer does not arrive.</summary>
+    /// <summary>These delays are much longer than the test, so a delayed answer never arrives.</summary>
     static readonly GatewayOptions Slow = WithTokens with { WrongTokenDelay = TimeSpan.FromMinutes(10), TokenTimeout = TimeSpan.FromMinutes(10) };
 
     [Test]
-    public async Task Http_ManyWrongBearers_BlockTheAddress()
+    public async Task Http_ManyWrongTokens_BlockTheAddress()
     {
         var time = new SteppedTime();
         await using var gateway = await Gateways.StartAsync(WithTokens with { WrongTokenDelay = TimeSpan.Zero, Time = time });
@@ -42,7 +42,7 @@ public class WrongTokenTests
     [TestCase("10.0.0.1", "10.0.0.2", false)]
     [TestCase("::ffff:10.0.0.1", "10.0.0.1", true)]
     [TestCase("::ffff:10.0.0.1", "::ffff:10.0.0.2", false)]
-    public void Count_OtherIPv6AddressOfANetwork_SharesTheCount(string guessing, string other, bool isBlocked)
+    public void Count_AddressesOfTheSameIPv6Network_AreCountedTogether(string guessing, string other, bool isBlocked)
     {
         var wrong = new WrongTokens(new SteppedTime());
 
@@ -63,7 +63,7 @@ public class WrongTokenTests
         Assert.That(new[] { Wait(guessing), Wait(IPAddress.Parse("2001:db8::2")), Wait(guessing) }, Is.EqualTo(new[] { 1.0, 2, 3 }));
         Assert.That(Wait(other), Is.Zero);
         time.Advance(TimeSpan.FromSeconds(2.5));
-        Assert.That(Wait(guessing), Is.EqualTo(1.5), "half a second of the third is left");
+        Assert.That(Wait(guessing), Is.EqualTo(1.5), "half a second of the third delay is left");
         time.Advance(TimeSpan.FromSeconds(30));
         Assert.That(Wait(guessing), Is.EqualTo(1));
         for (var i = 0; i < 1000; i++) Wait(guessing);
@@ -71,7 +71,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public void Count_TooManyAddresses_RemovesTheOneInactiveForLongest()
+    public void Count_TooManyAddresses_RemovesTheAddressInactiveForLongest()
     {
         var wrong = new WrongTokens(new SteppedTime());
         var (silent, trying, newest) = (IPAddress.Parse("10.0.0.1"), IPAddress.Parse("10.0.0.2"), IPAddress.Parse("10.0.0.3"));
@@ -90,13 +90,13 @@ public class WrongTokenTests
 
         Block(newest);
         for (var i = 0; i < WrongTokens.MaxAddresses - 1; i++) wrong.Count(new IPAddress([10, 2, (byte)(i >> 8), (byte)i]));
-        Assert.That(wrong.BlockedFor(newest) > TimeSpan.Zero, Is.True, "only the oldest make room");
+        Assert.That(wrong.BlockedFor(newest) > TimeSpan.Zero, Is.True, "only the oldest are removed");
         Assert.That(wrong.BlockedFor(silent) > TimeSpan.Zero, Is.False);
     }
 
     [TestCase("4711")]
     [TestCase(Gateways.ObserverToken)]
-    public async Task ValidToken_ManyGuessesFromItsAddress_IsAcceptedAtOnceOnBothPorts(string valid)
+    public async Task ValidToken_ManyGuessesFromItsAddress_IsAcceptedImmediatelyOnBothPorts(string valid)
     {
         await using var gateway = await Gateways.StartAsync(Slow with { Tokens = new TokenList([(valid, Role.Observer)]) });
         using var guesses = new CancellationTokenSource();
@@ -114,7 +114,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Http_WrongBearersOnParallelConnections_AreAnsweredOneByOne()
+    public async Task Http_WrongTokensOnParallelConnections_AreAnsweredOneByOne()
     {
         var time = new RecordedDelays();
         await using var gateway = await Gateways.StartAsync(Slow with { Time = time });
@@ -128,7 +128,7 @@ public class WrongTokenTests
             return http.SendAsync(request);
         }).ToList();
 
-        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all are held back");
+        await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all answers are delayed");
         Assert.That(time.Long.Order(), Is.EqualTo(new[] { 1, 2, 3 }.Select(turn => turn * Slow.WrongTokenDelay)));
         Assert.That(answers, Has.None.Matches<Task>(answer => answer.IsCompleted));
         Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "a known one");
@@ -163,7 +163,7 @@ public class WrongTokenTests
     }
 
     [Test]
-    public async Task Sync_ManyWrongTokens_AreDelayedButNotAValidToken()
+    public async Task Sync_ManyWrongTokens_AreDelayedAndAValidTokenIsNot()
     {
         await using var gateway = await Gateways.StartAsync(Slow);
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++)
@@ -181,11 +181,11 @@ public class WrongTokenTests
 
         Assert.That((await known.ReceiveAsync()).Value.IsAccepted, Is.True);
         Assert.That(await known.ExchangeAsync(SyncFrame.Request(1, 2)), Is.Not.Null);
-        Assert.That(answer.IsCompleted, Is.False, "the wrong one is held back");
+        Assert.That(answer.IsCompleted, Is.False, "the answer to the wrong token is delayed");
     }
 
     [Test]
-    public async Task Guesses_OnOnePort_DelayTheOtherPort()
+    public async Task WrongTokens_OnOnePort_DelayAnswersOnTheOtherPort()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens with { WrongTokenDelay = TimeSpan.Zero });
         for (var i = 0; i < PairingLimits.WrongCodesPerMinute; i++)
@@ -198,7 +198,7 @@ public class WrongTokenTests
         Assert.That((await AskAsync(gateway, "guess")).Status, Is.EqualTo(HttpStatusCode.TooManyRequests));
     }
 
-    /// <summary>A request that the gateway has begun to read and whose body is not sent yet.</summary>
+    /// <summary>Sends the header of a request, which the gateway reads, and delays the body.</summary>
     sealed class HalfRequest(TcpClient client) : IDisposable
     {
         public static async Task<HalfRequest> BeginAsync(GatewayServer gateway, string path, int length)
@@ -223,14 +223,14 @@ public class WrongTokenTests
 
         async Task<int> StatusAsync()
         {
-            // Length of "HTTP/1.1 100 Continue" and an empty line; of other answers only the beginning is needed.
+            // Reads "HTTP/1.1 100 Continue" and an empty line, or the first 25 bytes of another answer.
             var answer = new byte[25];
             await client.GetStream().ReadExactlyAsync(answer).AsTask().Bounded();
             return int.Parse(Encoding.ASCII.GetString(answer, 9, 3), CultureInfo.InvariantCulture);
         }
     }
 
-    /// <summary>Records delays at least as long as those of wrong tokens. They end when the test ends them.</summary>
+    /// <summary>Records delays that are at least as long as those of wrong tokens. A delay lasts until the test ends it.</summary>
     sealed class RecordedDelays : TimeProvider
     {
         readonly List<(TimeSpan Delay, Action End)> _delays = [];

@@ -10,7 +10,7 @@ public class AdapterReportTests
     [TestCase("refused 1790000000.250 status Bad (0x80000000)", "refused", "status Bad (0x80000000)")]
     [TestCase("fault 1790000000.250 the node\nis gone", "fault", "the node is gone")]
     [TestCase("missing 1790000000.250 ", "missing", "")]
-    public void TryParse_ValidValue_IsParsed(string value, string state, string reason)
+    public void TryParse_ValidValue_ReturnsStateTimeAndReason(string value, string state, string reason)
     {
         Assert.That(AdapterReport.TryParse(value, out var report), value);
 
@@ -28,10 +28,10 @@ public class AdapterReportTests
     [TestCase("live 99999999999999")]
     [TestCase("stale 1790000000 a state of the gateway only")]
     [TestCase("LIVE 1790000000")]
-    public void TryParse_InvalidValue_IsRefused(string value) => Assert.That(AdapterReport.TryParse(value, out _), Is.False);
+    public void TryParse_InvalidValue_ReturnsFalse(string value) => Assert.That(AdapterReport.TryParse(value, out _), Is.False);
 
     [Test]
-    public void TryParse_LongReason_IsShortened()
+    public void TryParse_LongReason_ShortensIt()
     {
         Assert.That(AdapterReport.TryParse("fault 1 " + new string('x', 5000), out var report));
 

@@ -27,7 +27,7 @@ public class CellBoardTests
     static TransformsMessage Pose(string child, double t, string parent = "world") => new(new FrameTransform(At(t), parent, child, 1, 2, 3, 0, 0, 0, 1));
 
     [Test]
-    public void Frames_EachKind_HaveTheirStates()
+    public void Frames_OfEachKind_HaveTheirStates()
     {
         _board.Add(_source, Pose("table", 0), isStationary: true);
         _board.Add(_source, Pose("box", 5), isStationary: false);
@@ -43,7 +43,7 @@ public class CellBoardTests
     }
 
     [Test]
-    public void Frames_NewParent_ReportsIt()
+    public void Frames_ParentChanges_ReturnTheNewParent()
     {
         _board.Add(_source, Pose("box", 5), isStationary: false);
         _board.Add(_source, Pose("box", 6, "tool"), isStationary: false);
@@ -52,7 +52,7 @@ public class CellBoardTests
     }
 
     [Test]
-    public void Frames_MoreThanAllowed_ReplaceThoseThatAreSilent()
+    public void Frames_MoreThanAllowed_ReplaceSilentFrames()
     {
         for (var i = 0; i < ProtocolLimits.Frames; i++) _board.Add(_source, Pose($"box{i}", 5), isStationary: false);
         _board.Add(_source, Pose("one more", 5), isStationary: false);
@@ -65,7 +65,7 @@ public class CellBoardTests
     }
 
     [Test]
-    public void Signals_RepeatedAndEnded_KeepTheTimeOfTheChange()
+    public void Signals_RepeatedThenEnded_KeepTheTimeOfTheChange()
     {
         _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
         _board.Add(_source, new SignalsMessage(At(7), new SignalValue("grip", 1)));
@@ -79,7 +79,7 @@ public class CellBoardTests
     }
 
     [Test]
-    public void Frames_ReportedInFault_HaveTheReasonWhileTheirPosesAreMissing()
+    public void Frames_ReportedInFault_HaveTheReasonUntilPosesArrive()
     {
         _source.Name = "cell";
         _board.Add(_source, Pose("box", 5), isStationary: false);
@@ -99,16 +99,16 @@ public class CellBoardTests
 
         _time.Advance(TimeSpan.FromSeconds(1.5));
 
-        Assert.That(_board.Frames(At(9)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }), "the adapter does not report any more");
+        Assert.That(_board.Frames(At(9)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }), "no more reports");
     }
 
     [Test]
-    public void Signals_ReportedByTheirOwnSource_AreNotLive()
+    public void Signals_ReportedInFaultByTheirSource_AreNotLive()
     {
         _source.Name = "cell";
         _board.Add(_source, new SignalsMessage(At(5), new SignalValue("grip", 1)));
         _reports.Add("other", [KeyValuePair.Create("signal/grip", "missing 1700000000.000 no value")]);
-        Assert.That(_board.Signals(At(5)).Single().State, Is.EqualTo("live"), "another adapter has no value of it");
+        Assert.That(_board.Signals(At(5)).Single().State, Is.EqualTo("live"), "another adapter does not publish this signal");
 
         _reports.Add("other", []);
         _reports.Add("cell", [KeyValuePair.Create("signal/grip", "refused 1700000000.000 BadSensorFailure"), KeyValuePair.Create("signal/lamp", "missing 1700000000.000 no value")]);

@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Gateway.Status;
 public class ClockStepsTests
 {
     [Test]
-    public void Look_ControlClockStepped_NotesOneEventPerStep()
+    public void Look_ControlClockStepped_AddsOneEventPerStep()
     {
         var plant = new ServedClockTests.VirtualPlant();
         var plc = plant.Add("plc", 1000, 20);

@@ -20,13 +20,13 @@ public class ConditionsTests
         new((int)JointDataState.Fault, "node deleted", false),
     ];
 
-    /// <summary>A joint without a usable value is not a fault before the first sample, and before the plant's clock is measured.</summary>
+    /// <summary>Before the first sample arrives or the plant's clock is measured, a joint without a valid value is not a fault.</summary>
     [TestCaseSource(nameof(Rows))]
-    public void Of_JointNotLive_IsNormalAtStartWhileValueOrClockIsPending(int state, string reason, bool isNormal)
+    public void Of_JointNotLive_IsNormalAtStartIfItsValueOrClockIsPending(int state, string reason, bool isNormal)
     {
         var condition = Conditions.Of(new JointStatus("a1", "cell", (JointDataState)state, Since, null, 0, reason));
 
         Assert.That(condition.IsNormalAtStart, Is.EqualTo(isNormal));
-        Assert.That(condition.Level, Is.EqualTo(Level.Error), "what lasts is an event");
+        Assert.That(condition.Level, Is.EqualTo(Level.Error), "a lasting condition is an event");
     }
 }

@@ -18,7 +18,7 @@ public class DiagnosticsBoardTests
         board.Add(Said("one", ("state", "converging")));
         _time.Advance(DiagnosticsBoard.ForgottenAfter - TimeSpan.FromSeconds(1));
         board.Add(Said("two"));
-        Assert.That(board.Read().Select(said => said.Name), Is.EqualTo(new[] { "one", "two" }));
+        Assert.That(board.Read().Select(status => status.Name), Is.EqualTo(new[] { "one", "two" }));
         Assert.That(board.Read()[0].Ago, Is.EqualTo(DiagnosticsBoard.ForgottenAfter - TimeSpan.FromSeconds(1)));
 
         _time.Advance(TimeSpan.FromSeconds(2));
@@ -38,7 +38,7 @@ public class DiagnosticsBoardTests
         }
 
         Assert.That(board.Read(), Has.Count.EqualTo(DiagnosticsBoard.MaxClients));
-        Assert.That(board.Read().Select(said => said.Name), Does.Contain("honest"));
+        Assert.That(board.Read().Select(status => status.Name), Does.Contain("honest"));
     }
 
     [Test]
@@ -51,7 +51,7 @@ public class DiagnosticsBoardTests
     }
 
     [Test]
-    public void Add_LongValue_IsShortenedWithAMark()
+    public void Add_LongValue_IsShortenedVisibly()
     {
         var board = new DiagnosticsBoard(_time);
         var right = new string('y', DiagnosticsBoard.MaxValueLength);
@@ -66,18 +66,18 @@ public class DiagnosticsBoardTests
     }
 
     [Test]
-    public void Add_LongNamesAndValues_KeepsAtMostTheMaximumLength()
+    public void Add_LongNamesAndValues_KeepsAtMostTheMaximumTotalLength()
     {
         var board = new DiagnosticsBoard(_time);
         var many = Enumerable.Range(0, 60).Select(i => ($"{i}", new string('x', 900))).ToArray();
         board.Add(Said("a", [("state", "connected"), (new string('k', 60_000), "1"), .. many]));
         board.Add(Said("b", many));
 
-        var said = board.Read();
+        var statuses = board.Read();
 
-        Assert.That(said[0].Values.Single().Key, Is.EqualTo("state"));
+        Assert.That(statuses[0].Values.Single().Key, Is.EqualTo("state"));
         Assert.That(
-            said[1].Values.Sum(pair => pair.Key.Length + pair.Value.Length),
+            statuses[1].Values.Sum(pair => pair.Key.Length + pair.Value.Length),
             Is.LessThanOrEqualTo(DiagnosticsBoard.MaxLength).And.GreaterThan(15_000));
     }
 }

@@ -20,7 +20,7 @@ public class EventListTests
         new("joint", name, "is refused", reason, Level.Error, true, since);
 
     [Test]
-    public void Update_ConditionBeginsAndEnds_IsOneEventAndTwoLogLines()
+    public void Update_ConditionBeginsAndEnds_AddsOneEventAndTwoLogLines()
     {
         var began = _time.GetUtcNow();
         for (var i = 0; i < 10; i++)
@@ -41,7 +41,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_ConditionRecurs_IsANewEvent()
+    public void Update_ConditionRecurs_AddsANewEvent()
     {
         _events.Update([Joint("a")]);
         _events.Update([]);
@@ -51,7 +51,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_ReasonChanges_IsTheSameEventWithTheNewReason()
+    public void Update_ReasonChanges_KeepsTheEventWithTheNewReason()
     {
         _events.Update([Joint("a", "status Bad")]);
         _events.Update([Joint("a", "NaN")]);
@@ -61,7 +61,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_ConditionWithStartTime_BeginsAtThatTime()
+    public void Update_ConditionWithStartTime_AddsAnEventThatBeginsThen()
     {
         var since = _time.GetUtcNow() - TimeSpan.FromSeconds(1.8);
 
@@ -71,7 +71,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Date_ConditionWithAndWithoutAnEvent_StartsAtTheEventOrNow()
+    public void Date_ConditionWithOrWithoutAnEvent_BeginsWithTheEventOrNow()
     {
         var began = _time.GetUtcNow();
         _events.Update([Joint("a")]);
@@ -83,7 +83,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_NormalAtStartAndOverWithinTheGracePeriod_AddsNoEvent()
+    public void Update_NormalAtStartAndEndsWithinTheGracePeriod_AddsNoEvent()
     {
         _events.Update([Joint("a") with { IsNormalAtStart = true }, Joint("b")]);
         _time.Advance(EventList.StartGrace - TimeSpan.FromSeconds(0.1));
@@ -97,7 +97,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_NormalAtStartAndLongerThanTheGracePeriod_AddsAnEventFromItsStart()
+    public void Update_NormalAtStartButLongerThanTheGracePeriod_AddsAnEventFromItsStart()
     {
         _time.Advance(TimeSpan.FromSeconds(1));
         var began = _time.GetUtcNow();
@@ -105,7 +105,7 @@ public class EventListTests
         _events.Update([condition]);
         _time.Advance(TimeSpan.FromSeconds(1));
         Assert.That(_events.Read(), Is.Empty);
-        Assert.That(_events.Date([condition]).Single().Since, Is.EqualTo(began), "what lasts is dated without an event, too");
+        Assert.That(_events.Date([condition]).Single().Since, Is.EqualTo(began), "an active condition without an event has a start time, too");
 
         _time.Advance(TimeSpan.FromSeconds(1));
         _events.Update([condition]);
@@ -116,7 +116,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_NormalAtStartButLater_AddsAnEventImmediately()
+    public void Update_NormalAtStartButBeginsLater_AddsAnEventImmediately()
     {
         _time.Advance(EventList.StartGrace);
 
@@ -129,7 +129,7 @@ public class EventListTests
     [TestCase("NaN", "", "joint a is refused: NaN", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC)")]
     [TestCase("", "Repair it.", "joint a is refused. Repair it.", "joint a is refused (since 2026-11-20 12:00:00 UTC). Repair it.")]
     [TestCase("NaN.", "Repair it.", "joint a is refused: NaN. Repair it.", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC). Repair it.")]
-    public void Text_ReasonAndRemedy_FormSentences(string reason, string remedy, string text, string withSince)
+    public void Text_WithReasonAndRemedy_ConsistsOfSentences(string reason, string remedy, string text, string withSince)
     {
         var condition = Joint("a", reason, new DateTimeOffset(2026, 11, 20, 12, 0, 0, TimeSpan.Zero)) with { Remedy = remedy };
 
@@ -137,7 +137,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Note_MomentaryEvent_EndsImmediately()
+    public void Note_Any_AddsAnEventThatEndsImmediately()
     {
         _events.Note(new Condition("recording", "x.jsonl", "was deleted", "", Level.Warning));
         _events.Update([]);
@@ -147,7 +147,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_TooManyEvents_KeepsTheNewestAndTheActive()
+    public void Update_TooManyEvents_KeepsTheNewestAndTheActiveEvents()
     {
         var lasting = Joint("lasting");
         for (var i = 0; i < 1000; i++)
@@ -160,7 +160,7 @@ public class EventListTests
         Assert.That(kept, Has.Count.EqualTo(EventList.MaxEvents));
         Assert.That(kept[0].Condition.Which, Is.EqualTo("999"));
         Assert.That(kept[^1].Condition.Which, Is.EqualTo("lasting"));
-        Assert.That(_events.Read(10), Has.Count.EqualTo(11), "those that last are never left out");
+        Assert.That(_events.Read(10), Has.Count.EqualTo(11), "active events are never omitted");
     }
 
     [Test]

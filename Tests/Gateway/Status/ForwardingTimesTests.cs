@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Gateway.Status;
 public class ForwardingTimesTests
 {
     [Test]
-    public void Percentile_AMinuteLater_ExcludesOldTimes()
+    public void Percentile_TimesOlderThanAMinute_ExcludesThem()
     {
         var time = new SteppedTime();
         var times = new ForwardingTimes(time);
@@ -24,7 +24,7 @@ public class ForwardingTimesTests
     }
 
     [Test]
-    public void Counts_AllTimes_StayInTheirBuckets()
+    public void Counts_TimesAtTheLimits_AreInTheCorrectBuckets()
     {
         var time = new SteppedTime();
         var times = new ForwardingTimes(time);
@@ -36,7 +36,7 @@ public class ForwardingTimesTests
         times.Percentile(0.5);
 
         var five = Array.IndexOf(ForwardingTimes.Limits, 0.005);
-        Assert.That(times.Counts()[five], Is.EqualTo(1), "a limit belongs to its class");
+        Assert.That(times.Counts()[five], Is.EqualTo(1), "an upper limit belongs to its bucket");
         Assert.That(times.Counts()[five + 1], Is.EqualTo(1));
         Assert.That(times.Counts()[^1], Is.EqualTo(1));
         Assert.That(times.Sum, Is.EqualTo(2.0100001).Within(1e-9));

@@ -10,12 +10,12 @@ public class LatencyHistogramTests
     [TestCase(0.5)]
     [TestCase(0.95)]
     [TestCase(0.99)]
-    public void Percentile_ManyLengths_IsAtMostOneBucketTooLong(double fraction)
+    public void Percentile_ManyLengths_IsTooLongByAtMostOneBucket(double fraction)
     {
         const int Seed = 7;
         var random = new Random(Seed);
         var histogram = new LatencyHistogram();
-        // From a microsecond to ten seconds, equally many in each decade.
+        // The lengths are from 1 µs to 10 s, with about the same number in each decade.
         var lengths = Enumerable.Range(0, 20_000).Select(_ => TimeSpan.FromSeconds(Math.Pow(10, -6 + 7 * random.NextDouble()))).ToArray();
         foreach (var length in lengths) histogram.Add(length);
         Array.Sort(lengths);
@@ -27,7 +27,7 @@ public class LatencyHistogramTests
     }
 
     [Test]
-    public void Percentile_TwoHistograms_UsesAllLengths()
+    public void Percentile_TwoHistograms_UsesTheLengthsOfBoth()
     {
         var (fast, slow) = (new LatencyHistogram(), new LatencyHistogram());
         for (var i = 0; i < 99; i++) fast.Add(new TimeSpan(3));
@@ -43,7 +43,7 @@ public class LatencyHistogramTests
     [TestCase(-1)]
     [TestCase(long.MaxValue)]
     [TestCase(long.MinValue)]
-    public void Add_LengthOutsideAllBuckets_CountsInTheNearest(long ticks)
+    public void Add_LengthOutsideAllBuckets_CountsInTheNearestBucket(long ticks)
     {
         var histogram = new LatencyHistogram();
 

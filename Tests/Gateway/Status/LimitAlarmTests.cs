@@ -29,7 +29,7 @@ public class LimitAlarmTests
 
     void Send(double elbow) => _source.TryPublish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, elbow]));
 
-    // Waits, because another thread reads the description.
+    // Publishes until the position is found outside its limits, because another thread reads the description first.
     Task Found(double elbow) => Soon.BecomesAsync(
         () =>
         {
@@ -39,7 +39,7 @@ public class LimitAlarmTests
         "it is found");
 
     [Test]
-    public async Task Joints_OneInDegrees_IsLoggedOnceAndCounted()
+    public async Task Joints_OnePositionInDegrees_IsLoggedOnceAndCounted()
     {
         _source.TryDescribe(RobotFiles.LoadText("ur5"));
 
@@ -54,7 +54,7 @@ public class LimitAlarmTests
     }
 
     [Test]
-    public async Task Joints_NewDescription_AreCheckedAgain()
+    public async Task Joints_NewDescription_AreCheckedWithItsLimits()
     {
         var urdf = RobotFiles.LoadText("ur5");
         _source.TryDescribe(urdf);
@@ -72,7 +72,7 @@ public class LimitAlarmTests
     }
 
     [Test]
-    public void Joints_WithoutAUsableDescription_AreNotChecked()
+    public void Joints_NoValidDescription_AreNotChecked()
     {
         for (var i = 0; i < 10; i++) Send(90);
         _source.TryDescribe("no robot");

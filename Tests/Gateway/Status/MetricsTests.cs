@@ -8,7 +8,7 @@ using YamlDotNet.Serialization;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>The metrics, parsed by Prometheus' own Python parser if it is installed (Debian: python3-prometheus-client).</summary>
+/// <summary>Tests the metrics, also with the parser of Prometheus in Python if it is installed (Debian: python3-prometheus-client).</summary>
 public class MetricsTests
 {
     const string Python = "/usr/bin/python3";
@@ -65,7 +65,7 @@ public class MetricsTests
         .Single(sample => (string)sample[0] == name && (label == null || sample[1].AsObject().Any(pair => (string)pair.Value == label)))[2];
 
     [Test]
-    public void Of_Snapshot_IsReadByTheParser()
+    public void Of_Snapshot_CanBeParsedByPrometheus()
     {
         var times = new ForwardingTimes();
         times.Add(TimeSpan.FromMilliseconds(3));
@@ -99,7 +99,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_Joint_MetricIsOneOnlyForItsState()
+    public void Of_Joint_Has1ForItsStateOnly()
     {
         var lines = Metrics.Of(Snapshot(), new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_state{", StringComparison.Ordinal)).ToList();
 
@@ -116,7 +116,7 @@ public class MetricsTests
     [TestCase("synchronised", 1, "synchronised")]
     [TestCase("holdover", 0, "holdover")]
     [TestCase("invented", 0, "other")]
-    public void Of_ClockState_SynchronisedMetricIsOneOnlyIfSynchronised(string state, int synchronised, string expected)
+    public void Of_ClockStateOfAHeadset_IsSynchronisedInThatStateOnly(string state, int synchronised, string expected)
     {
         var lines = Metrics.Of(Snapshot(Words("goggles", ("state", state))), new ForwardingTimes()).Split('\n');
 
@@ -143,7 +143,7 @@ public class MetricsTests
     [TestCase("held", "held")]
     [TestCase("coarse", "coarse")]
     [TestCase("a word of a later release", "other")]
-    public void Of_HeadsetPose_IsOneOfAFixedSetOfStates(string pose, string expected)
+    public void Of_PoseStateOfAHeadset_IsAKnownStateOrOther(string pose, string expected)
     {
         var text = Metrics.Of(Snapshot(Words("goggles", ("pose", pose), ("missing_joints", "a,b"), ("current_share", 0.25))), new ForwardingTimes());
 
@@ -154,7 +154,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void AlertRules_OfTheExample_UseMetricsAndStatesThatExist()
+    public void AlertRules_OfTheExample_UseExistingMetricsAndStates()
     {
         var rules = new DeserializerBuilder().Build().Deserialize<Dictionary<string, object>>(RepositoryFiles.Read("Gateway/Packaging/nowpose-alerts.yaml"));
         var group = (Dictionary<object, object>)((List<object>)rules["groups"]).Single();

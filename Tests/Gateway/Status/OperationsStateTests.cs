@@ -12,14 +12,14 @@ using static Nowpose.Headless.Tests.Gateway.Status.StatusRequests;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>The state that the operations page reads.</summary>
+/// <summary>Tests the state that the operations page reads.</summary>
 public class OperationsStateTests
 {
     static DiagnosticsMessage Diagnostics(string name, params (string Key, string Value)[] values) =>
         new(Gateways.Start, name, [.. values.Select(pair => KeyValuePair.Create(pair.Key, pair.Value))]);
 
     [Test]
-    public async Task State_JointOutsideTheLimitsOfTheDescription_IsNamed()
+    public async Task State_JointOutsideTheLimitsOfTheDescription_ContainsTheJoint()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -34,7 +34,7 @@ public class OperationsStateTests
             isNamed = named.SequenceEqual(["wrist_1_joint"]);
         }
 
-        Assert.That(isNamed, "within 400 samples, for its description is read meanwhile");
+        Assert.That(isNamed, "within 400 samples, during which the description is read");
         Assert.That((await GetAsync(gateway, "/metrics")).Text, Does.Match("(?m)^nowpose_source_beyond_limits{.*} 1$"));
     }
 
@@ -67,8 +67,8 @@ public class OperationsStateTests
             source.TryPublish(new JointStateMessage(clock.Now - TimeSpan.FromMilliseconds(80), ["a", "b"], [1, 2]));
             await client.ReceiveAsync();
         }
-        // The client may receive the last message before the gateway records its forwarding time.
-        await Soon.BecomesAsync(() => gateway.Hub.Forwarding.Counts().Sum() == 20, "all are counted");
+        // The client may receive the last message before the gateway records the forwarding time of this message.
+        await Soon.BecomesAsync(() => gateway.Hub.Forwarding.Counts().Sum() == 20, "all messages are counted");
         source.Publish(Diagnostics(
             "goggles", ("state", "synchronised"), ("rtt_ms", "4"), ("l_app_ms", "95"), ("render_ms", "12"), ("l_visu_ms", "42"), ("budget_ms", "x")));
         source.Publish(Diagnostics("plant/press", ("kind", "opcua"), ("state", "connected"), ("samples", "20")));
@@ -76,7 +76,7 @@ public class OperationsStateTests
         var state = await StateAsync(gateway);
 
         Assert.That(state.GetProperty("cell").GetString(), Is.EqualTo("press"));
-        Assert.That(state.GetProperty("role").GetString(), Is.EqualTo("operator"), "a browser on this machine may do all");
+        Assert.That(state.GetProperty("role").GetString(), Is.EqualTo("operator"), "a browser on this machine has all rights");
         Assert.That(state.GetProperty("control_time_s").GetDouble(), Is.EqualTo(clock.Now.SinceEpoch.TotalSeconds).Within(20));
         var joints = state.GetProperty("sources")[0];
         Assert.That(joints.GetProperty("joints").EnumerateArray().Select(name => name.GetString()), Is.EqualTo(new[] { "a", "b" }));
@@ -122,7 +122,7 @@ public class OperationsStateTests
     }
 
     [Test]
-    public async Task State_ClockNeverAnswered_OmitsItsNumbers()
+    public async Task State_ClockNeverMeasured_OmitsItsNumbers()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "press", (_, _) => null);
@@ -142,7 +142,7 @@ public class OperationsStateTests
     }
 
     [Test]
-    public async Task State_ClockMeasured_ContainsEstimatedErrorAndBound()
+    public async Task State_ClockMeasured_ContainsItsErrorAndBound()
     {
         await using var gateway = await Gateways.StartAsync();
         using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "press", new StopwatchControlClock(Gateways.Start));
@@ -159,7 +159,7 @@ public class OperationsStateTests
     }
 
     [Test]
-    public async Task State_AdapterWithALongReason_ContainsIt()
+    public async Task State_AdapterReportsALongReason_ContainsTheReason()
     {
         var untrusted = $"the server's certificate is not trusted; its thumbprint is {new string('a', 40)} (SHA-1), {new string('b', 64)} (SHA-256). "
             + $"If this is the certificate of your server, move /{new string('c', 240)}.der to /trusted, "
@@ -170,26 +170,26 @@ public class OperationsStateTests
             RosTopics.Diagnostics, Diagnostics("plant/press", ("state", "refused"), ("reason", untrusted)), RosTimeForm.Sec));
         await client.RoundTripAsync();
 
-        var told = (await StateAsync(gateway)).GetProperty("adapters")[0];
+        var reported = (await StateAsync(gateway)).GetProperty("adapters")[0];
 
-        Assert.That(told.GetProperty("reason").GetString(), Is.EqualTo(untrusted));
+        Assert.That(reported.GetProperty("reason").GetString(), Is.EqualTo(untrusted));
     }
 
     [Test]
-    public async Task State_TextsCutWithinACharacter_IsAnswered()
+    public async Task State_TextsTruncatedWithinACharacter_IsAnswered()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
         foreach (var ahead in new[] { "", "x" })
             source.Publish(Diagnostics($"plant/{ahead}", ("reason", ahead + string.Concat(Enumerable.Repeat("\U0001F916", 1000)))));
 
-        var told = (await StateAsync(gateway)).GetProperty("adapters");
+        var reported = (await StateAsync(gateway)).GetProperty("adapters");
 
-        Assert.That(told.EnumerateArray().Select(adapter => adapter.GetProperty("reason").GetString()), Has.All.Contains("…"));
+        Assert.That(reported.EnumerateArray().Select(adapter => adapter.GetProperty("reason").GetString()), Has.All.Contains("…"));
     }
 
     [Test]
-    public async Task State_OverTls_ContainsTheExpiryOfTheCertificate()
+    public async Task State_GatewayWithTls_ContainsTheExpiryOfTheCertificate()
     {
         using var certificate = CertificateFiles.Generate();
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Certificate = certificate });
@@ -214,7 +214,7 @@ public class OperationsStateTests
     }
 
     [Test]
-    public async Task State_ForwardingOfAThrottledClient_IsNotCounted()
+    public async Task State_ThrottledClient_ItsForwardingTimesAreNotCounted()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -227,7 +227,7 @@ public class OperationsStateTests
     }
 
     [Test]
-    public async Task State_OfAGateway_NamesItsHost()
+    public async Task State_Requested_ContainsTheHostNameOfTheGateway()
     {
         await using var gateway = await Gateways.StartAsync();
 

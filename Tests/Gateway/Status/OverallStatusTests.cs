@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>The line with the overall state, in cells with and without a robot.</summary>
+/// <summary>Tests the overall status in cells with and without a robot.</summary>
 public class OverallStatusTests
 {
     static FrameView Frame(string state) => new("part", "world", "twin", state, null);
@@ -21,7 +21,7 @@ public class OverallStatusTests
     public void Of_NothingPublished_IsAWarning([Values] bool hasRobot) => Assert.That(LevelOf([], [], hasRobot), Is.EqualTo("warning"));
 
     [Test]
-    public void Of_ObjectsOrSignalsWithoutARobot_IsOk()
+    public void Of_ObjectsOrSignalsInACellWithoutRobot_IsOk()
     {
         Assert.That(LevelOf([Frame("live")], []), Is.EqualTo("ok"));
         Assert.That(LevelOf([], [Signal("live")]), Is.EqualTo("ok"));
@@ -29,7 +29,7 @@ public class OverallStatusTests
     }
 
     [Test]
-    public void Of_ObjectsOfARobotWithoutJoints_IsAWarning() =>
+    public void Of_ObjectsButNoJointsInACellWithRobot_IsAWarning() =>
         Assert.That(LevelOf([Frame("live")], [Signal("live")], hasRobot: true), Is.EqualTo("warning"));
 
     [Test]
@@ -51,7 +51,7 @@ public class OverallStatusTests
     }
 
     [Test]
-    public void Of_Condition_IsTheWorst()
+    public void Of_SeveralConditions_IsTheMostSevere()
     {
         var condition = new Condition("frame", "part (twin)", "is in fault", "no value", Level.Error);
 
@@ -59,12 +59,12 @@ public class OverallStatusTests
     }
 
     [Test]
-    public void ExpectsJoints_PlantsOfObjectsOnly_IsFalse()
+    public void ExpectsJoints_AllPlantsWithObjectsOnly_IsFalse()
     {
         var objects = new PlantFile("twin.yaml", "twin", "") { HasObjects = true };
         var clock = new PlantFile("clock.yaml", "clock", "");
 
-        Assert.That(PlantFile.ExpectsJoints([], "<robot/>"), Is.False, "sources may connect at any time");
+        Assert.That(PlantFile.ExpectsJoints([], "<robot/>"), Is.False, "without plants, sources of joints may connect at any time");
         Assert.That(PlantFile.ExpectsJoints([objects], null), Is.False);
         Assert.That(PlantFile.ExpectsJoints([objects, clock], null), Is.False);
         Assert.That(PlantFile.ExpectsJoints([clock], null));

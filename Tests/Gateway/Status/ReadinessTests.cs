@@ -7,13 +7,13 @@ using static Nowpose.Headless.Tests.Gateway.Status.StatusRequests;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>The conditions under which the gateway is ready.</summary>
+/// <summary>Tests under which conditions the gateway is ready.</summary>
 public class ReadinessTests
 {
     [Test]
-    public async Task Ready_SourceStampsWithACorrectedSystemClock_IsNotReadyWithTheReason()
+    public async Task Ready_SourceUsesTheCorrectedSystemClock_IsNotReadyWithAReason()
     {
-        // One hour behind, as after a correction of the system clock that the gateway's own clock did not follow.
+        // The gateway's clock is one hour behind the system clock, as after a correction of the system clock that it did not follow.
         var behind = new StopwatchControlClock(new ControlTime(DateTime.UtcNow - DateTime.UnixEpoch - TimeSpan.FromHours(1)));
         await using var gateway = await Gateways.StartAsync(clock: behind);
         using var source = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -37,7 +37,7 @@ public class ReadinessTests
     }
 
     [Test]
-    public async Task Ready_SystemClockServedAndSourceStampsWithIt_IsReady()
+    public async Task Ready_SourceUsesTheServedSystemClock_IsReady()
     {
         await using var gateway = await Gateways.StartAsync(clock: new SystemControlClock());
         using var source = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -63,11 +63,11 @@ public class ReadinessTests
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
         Assert.That(text, Does.StartWith("waiting\nthe gateway's own control clock is not served"));
-        Assert.That((await GetAsync(gateway, "/healthz")).Status, Is.EqualTo(HttpStatusCode.OK), "it lives all the same");
+        Assert.That((await GetAsync(gateway, "/healthz")).Status, Is.EqualTo(HttpStatusCode.OK), "the gateway is alive nevertheless");
     }
 
     [Test]
-    public async Task Ready_SourcesExpected_IsNotReadyBeforeTheFirst()
+    public async Task Ready_SourcesExpected_IsNotReadyBeforeTheFirstSource()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { ExpectsSources = true });
         Assert.That((await GetAsync(gateway, "/readyz")).Status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));

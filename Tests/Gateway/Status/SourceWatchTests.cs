@@ -22,7 +22,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Read_SourceStops_RateFallsAndTheSourceIsRemoved()
+    public void Read_SourceStops_ReturnsADecreasingRateAndThenNoSource()
     {
         var watch = new SourceWatch();
         for (var i = 0; i <= 100; i++) watch.Add(["a"], At(i * 0.02), TimeSpan.Zero);
@@ -33,7 +33,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Add_ArmAndGripperSeparately_AreTwoSources()
+    public void Add_ArmAndGripperInSeparateMessages_CountsTwoSources()
     {
         var watch = new SourceWatch();
         foreach (var names in new[] { "arm", "gripper", "arm" }) watch.Add([names], At(0), TimeSpan.Zero);
@@ -42,7 +42,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Add_OverlappingSets_AreOneSource()
+    public void Add_MessagesWithOverlappingJoints_CountsOneSource()
     {
         var watch = new SourceWatch();
         string[] joints = ["a", "b", "c", "d", "e"];
@@ -61,7 +61,7 @@ public class SourceWatchTests
     }
 
     [Test]
-    public void Add_SourcesMerged_KeepTheirCounts()
+    public void Add_MessageThatMergesTwoSources_KeepsTheirCounts()
     {
         var watch = new SourceWatch();
         for (var i = 0; i < 100; i++) watch.Add([i % 2 == 0 ? "a" : "b"], At(i * 0.02), TimeSpan.FromMilliseconds(i));

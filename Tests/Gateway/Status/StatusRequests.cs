@@ -5,7 +5,7 @@ using Nowpose.Gateway;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>Requests to the routes that monitoring reads.</summary>
+/// <summary>Sends requests to the routes that monitoring reads.</summary>
 static class StatusRequests
 {
     public static async Task<(HttpStatusCode Status, string Text, HttpContentHeaders Headers)> GetAsync(

@@ -4,7 +4,7 @@ using static Nowpose.Headless.Tests.Gateway.Status.StatusRequests;
 
 namespace Nowpose.Headless.Tests.Gateway.Status;
 
-/// <summary>Access to the gateway's answers to monitoring.</summary>
+/// <summary>Tests the access to the routes that monitoring reads.</summary>
 public class StatusRoutesTests
 {
     static readonly string[] OpenToAll = ["/healthz", "/readyz"];
@@ -14,7 +14,7 @@ public class StatusRoutesTests
     [TestCase("/metrics")]
     [TestCase("/vlc")]
     [TestCase("/")]
-    public async Task Origin_Foreign_ReceivesOnlyTheHealthState(string path)
+    public async Task Request_ForeignOrigin_ReceivesOnlyTheHealthState(string path)
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -32,7 +32,7 @@ public class StatusRoutesTests
     [TestCase("/metrics", Gateways.ObserverToken, HttpStatusCode.OK)]
     [TestCase("/healthz", null, HttpStatusCode.OK)]
     [TestCase("/readyz", null, HttpStatusCode.OK)]
-    public async Task Routes_TokenRequiredButMissing_ReturnOnlyHealth(string path, string token, HttpStatusCode expected)
+    public async Task Request_WithOrWithoutToken_ReturnsOnlyHealthWithoutAValidToken(string path, string token, HttpStatusCode expected)
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
 
@@ -45,7 +45,7 @@ public class StatusRoutesTests
     [TestCase("/operations/state", "evil.example", HttpStatusCode.Forbidden)]
     [TestCase("/metrics", "evil.example", HttpStatusCode.Forbidden)]
     [TestCase("/metrics", "localhost", HttpStatusCode.OK)]
-    public async Task Routes_ReboundHostName_AreRefused(string path, string host, HttpStatusCode expected)
+    public async Task Request_HostNameRedirectedToThisMachine_IsRefused(string path, string host, HttpStatusCode expected)
     {
         await using var gateway = await Gateways.StartAsync();
 
@@ -56,7 +56,7 @@ public class StatusRoutesTests
     [TestCase("/metrics")]
     [TestCase("/healthz")]
     [TestCase("/readyz")]
-    public async Task Routes_OtherMethods_AreRefused(string path)
+    public async Task Request_MethodNotAllowed_IsRefused(string path)
     {
         await using var gateway = await Gateways.StartAsync();
 

@@ -142,7 +142,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Disable_Shown_RemovesItsObjects()
+    public void OnDisable_WhileShown_RemovesItsObjects()
     {
         Play(200_000);
         Build();

@@ -106,7 +106,7 @@ public sealed class LoadSweepEndTests
         _played.Run(1);
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
-        Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' is switched off; the sweep needs it"));
+        Assert.That(_played.Sweep.Problem, Is.EqualTo("load generator 'Load' is switched off; the sweep needs it, so switch it on and sweep again"));
         Assert.That(_played.Cell.Messages.Count(m => m.Contains("switched off", StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_played.Load.Vertices, Is.EqualTo(7777), "as before");
         await Soon.BecomesAsync(() => File.Exists(_played.Sweep.Path) && SweepTable.Read(_played.Sweep.Path, out _).Count > 30, "the log is written");

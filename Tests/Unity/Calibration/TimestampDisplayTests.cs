@@ -166,7 +166,7 @@ public sealed class TimestampDisplayTests
     }
 
     [Test]
-    public void Disable_Shown_RemovesItsObjects()
+    public void OnDisable_WhileShown_RemovesItsObjects()
     {
         Play();
         var mesh = Code.GetComponent<MeshFilter>().sharedMesh;

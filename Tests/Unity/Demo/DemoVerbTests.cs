@@ -122,7 +122,7 @@ public class DemoVerbTests
 
     [Test]
     [Platform(Exclude = "Win", Reason = "no program sends another one Ctrl-C there")]
-    public async Task Demo_Interrupted_WritesItsMeasurementsAndExits130()
+    public async Task Demo_Interrupted_WritesItsMeasurementsAndExitsWith130()
     {
         using var run = new PeerProcess("Nowpose.Cli.dll", "demo", "--network", "lan", "--out", _folder);
         await Soon.BecomesAsync(() => run.Printed("3 of 20 s"), "three seconds of it");
@@ -147,7 +147,7 @@ public class DemoVerbTests
     [TestCase("--recording", "gone.csv", "gone.csv: file not found")]
     [TestCase("--visu-error-ms", "-50", "--visu-ms plus --visu-error-ms: -10 ms is out of range")]
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
-    public async Task Demo_InvalidOption_IsOneLineAndExit2(string option, string value, string named)
+    public async Task Demo_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string named)
     {
         var before = Directory.Exists("nowpose-demo");
 

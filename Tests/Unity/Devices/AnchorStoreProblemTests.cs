@@ -43,7 +43,7 @@ public sealed class AnchorStoreProblemTests
         var anchor = _played.Kept("cell");
         _played.Run(15);
 
-        Assert.That(anchor.Problem, Is.EqualTo("the device could not store it as 'cell'; it is lost at the next start"));
+        Assert.That(anchor.Problem, Is.EqualTo("the device could not store it as 'cell'; it is lost at the next start, so place it again then"));
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
 
@@ -71,7 +71,7 @@ public sealed class AnchorStoreProblemTests
         XRAnchorStore.Loading = _ => Task.FromResult(_played.Storage);
         _played.Run(2);
 
-        Assert.That(problem, Is.EqualTo("the runtime has no anchor store; anchors are lost at the next start"));
+        Assert.That(problem, Is.EqualTo("the device's XR runtime has no anchor store, so anchors are lost at the next start; place the base again after each start"));
         Assert.That(_played.Cell.Messages.Count(m => m.Contains("anchor store 'Anchors'")), Is.EqualTo(1));
         Assert.That(_played.Anchors.IsReady);
         Assert.That(_played.Anchors.Problem, Is.Null);

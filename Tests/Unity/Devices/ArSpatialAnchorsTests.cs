@@ -208,7 +208,7 @@ public sealed class ArSpatialAnchorsTests
         Assert.That(_anchors.IsReady, Is.False);
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
         Assert.That(anchor.KeptAs, Is.Null);
-        Assert.That(anchor.Problem, Does.StartWith("anchors are lost at a restart"));
+        Assert.That(anchor.Problem, Does.StartWith("anchors are lost at the next start"));
         Assert.That(_anchors.Find("cell"), Is.Null);
     }
 

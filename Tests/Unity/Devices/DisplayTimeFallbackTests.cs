@@ -1,5 +1,6 @@
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Latency;
+using Nowpose.Messages;
 using Nowpose.OpenXR;
 using Nowpose.Session;
 using Nowpose.Unity;
@@ -61,7 +62,7 @@ public sealed class DisplayTimeFallbackTests
         Assert.That(_played.Session.Statistics.IsLightPredicted, Is.False);
         Assert.That(_played.Session.Frame.State, Is.EqualTo(PoseState.Current));
         var warnings = _played.Cell.Messages.Where(
-            m => m.Contains("has no performance counter of Windows (kernel32.dll); the calibrated L_visu is used"));
+            m => m.Contains(CounterMessages.Missing("kernel32.dll") + "; the calibrated L_visu is used"));
         Assert.That(warnings.Count(), Is.EqualTo(1));
     }
 

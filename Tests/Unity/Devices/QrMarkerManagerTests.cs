@@ -93,7 +93,7 @@ public sealed class QrMarkerManagerTests
 
         _played.Cell.Run(4, _played.Session);
 
-        Assert.That(_played.Markers.Problem, Does.StartWith("there is no AR Session in the scene"));
+        Assert.That(_played.Markers.Problem, Does.StartWith("the scene has no AR Session"));
     }
 
     [Test]
@@ -107,7 +107,7 @@ public sealed class QrMarkerManagerTests
         _played.Origin.Head.SetParent(_played.Origin.Origin.transform, false);
         _played.Cell.Run(1, _played.Session);
 
-        Assert.That(problem, Does.StartWith("there is no XR Origin above the main camera"));
+        Assert.That(problem, Does.StartWith("the main camera has no XR Origin above it"));
         Assert.That(_played.Markers.Problem, Is.Null);
         Assert.That(_played.Origin.Origin.GetComponent<ARMarkerManager>(), Is.Not.Null);
     }

@@ -53,7 +53,7 @@ public sealed class QrMarkersTests
     [TestCase(TrackingState.Tracking, MarkerTracking.Tracking)]
     [TestCase(TrackingState.Limited, MarkerTracking.Limited)]
     [TestCase(TrackingState.None, MarkerTracking.None)]
-    public void Read_TrackingState_IsPassedOn(TrackingState state, MarkerTracking expected)
+    public void Read_AnyTrackingState_ReturnsTheCorrespondingState(TrackingState state, MarkerTracking expected)
     {
         _played.Report(state: state);
 

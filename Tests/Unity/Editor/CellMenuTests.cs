@@ -53,7 +53,7 @@ public sealed class CellMenuTests : EditorFixture
     }
 
     [Test]
-    public void Place_WithAContext_IsBelowTheContext()
+    public void Place_ContextObjectGiven_PlacesThePrefabBelowIt()
     {
         Put(PackageAsset.VirtualGripper);
         var parent = Keep(new GameObject("parent"));

@@ -74,7 +74,7 @@ public sealed class UrdfImporterTests : EditorFixture
     [TestCase("a.stl", "solid a\nfacet\nvertex 0 0\n", "arm.urdf: Assets/arm_description/urdf/a.stl:3: a vertex has 2 numbers; it needs 3")]
     [TestCase("a.ply", "ply", "arm.urdf: mesh 'a.ply' has an unsupported format; allowed: STL, OBJ, DAE and FBX")]
     [TestCase("a.fbx", "broken", "arm.urdf: mesh Assets/arm_description/urdf/a.fbx: Unity has not imported it; see its import log for the reason")]
-    public void Import_MeshInvalid_CausesOneWarningWithItsName(string file, string content, string warning)
+    public void Import_MeshInvalid_CausesOneWarningWithTheNameOfTheFile(string file, string content, string warning)
     {
         _imported.Folder.Write("Assets/arm_description/urdf/" + file, content);
 
@@ -104,7 +104,7 @@ public sealed class UrdfImporterTests : EditorFixture
 
         _imported.Context = Importers.Import(new UrdfImporter(), Urdf).Context;
 
-        Assert.That(_imported.Context.Errors, Is.EqualTo(new[] { "arm.urdf: 16777217 bytes; the maximum is 16777216" }));
+        Assert.That(_imported.Context.Errors, Is.EqualTo(new[] { "arm.urdf: 16777217 bytes; the maximum is 16777216; check that it is a URDF" }));
     }
 
     [Test]

@@ -50,7 +50,7 @@ public sealed class UnityEventTests : PlayerFixture
     }
 
     [Test]
-    public void Invoke_EventWithAnArgument_PassesItUnlessTheCallStoresOne()
+    public void Invoke_EventWithAnArgument_PassesItToCallsWithoutAStoredArgument()
     {
         var listener = Add<Listener>("a");
         var passed = FromFile<UnityEvent<int>>(listener, "HeardInt", PersistentListenerMode.EventDefined);

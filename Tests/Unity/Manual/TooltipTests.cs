@@ -34,7 +34,7 @@ public sealed partial class TooltipTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Tooltip_ValuesWithAReason_IncludeTheDefault(Type type)
+    public void Tooltip_StatedDefault_EqualsTheDefaultOfTheField(Type type)
     {
         // Finds, for example, 1.3 in "Distance from the head in metres. Default 1.3: a picture is sharp at an arm's length and more."
         var stated = new InspectedType(type).Fields

@@ -85,7 +85,7 @@ public class AppearanceLifeTests
     }
 
     [Test]
-    public void OnEnable_Again_ShowsTheStateOfThePose()
+    public void OnEnable_EnabledAgain_ShowsTheStateOfThePose()
     {
         _played.BeCurrent();
         _played.Cell.IsPlantUp = false;

@@ -209,7 +209,7 @@ public class RenderTimeSourceTests
     }
 
     [Test]
-    public void OnEnable_Again_MeasuresAgain()
+    public void OnEnable_EnabledAgain_MeasuresAgain()
     {
         Gpu.ReadbackFrames = 2;
         Play(2);

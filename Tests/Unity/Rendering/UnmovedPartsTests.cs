@@ -106,7 +106,7 @@ public class UnmovedPartsTests
     [TestCase("flange unknown")]
     [TestCase("gripper disabled")]
     [TestCase("gripper destroyed")]
-    public void Show_GripperOnARigThatDoesNotFollow_IsNotDrawn(string trouble)
+    public void Show_GripperCannotFollow_IsNotDrawn(string trouble)
     {
         if (trouble == "rig refused") Child("arm_link_0", _played.Rig.transform);
         var (gripper, part, words) = MountElsewhere(trouble == "flange unknown" ? "hand" : "");

@@ -109,7 +109,7 @@ public class SessionConnectionTests
     }
 
     [Test]
-    public async Task Disconnect_ThenPaused_StaysDisconnected()
+    public async Task Pause_AfterDisconnect_StaysDisconnected()
     {
         using var server = new FakeWebSocketServer();
         var session = _cell.NewSession(settings: To(1, server.Port)).With("_connectOnEnable", true);

@@ -161,7 +161,7 @@ public sealed class SessionRecordingTests
         await Soon.BecomesAsync(() => !_recording.IsRecording, "the file is full");
         _cell.Run(3, _session);
 
-        Assert.That(_cell.Messages.Count(m => m.Contains("maximum size, 0.02 MB", StringComparison.Ordinal)), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(m => m.Contains("maximum size of 0.02 MB", StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
         Assert.That(Files, Has.Length.EqualTo(1), "no other is begun");
         Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current));

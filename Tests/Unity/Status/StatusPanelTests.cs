@@ -38,7 +38,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_JointDataEnd_NamesTheJointsOnTopAndInTheConsole()
+    public void LateUpdate_JointDataStop_NamesTheJointsInTheMessageAndInTheConsole()
     {
         _played.Play(10);
 
@@ -248,7 +248,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_ObjectWithoutPose_HasARowAndIsNamedOnTop()
+    public void LateUpdate_ObjectWithoutPose_HasARowAndIsNamedInTheMessage()
     {
         var lid = new GameObject("lid");
         lid.transform.SetParent(_played.Session.transform, false);

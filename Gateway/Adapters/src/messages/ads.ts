@@ -1,48 +1,51 @@
 import { wrongValue } from './configuration';
 
-const NET_ID = 'the parts of an AMS Net Id are 0 to 255';
+const NET_ID = 'each part of an AMS Net Id must be a number from 0 to 255';
 
 /** Errors in a configuration of the kind ads. */
 export const adsSettingMessages = {
-  endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, ports 1 to 65535`),
+  endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, and each port from 1 to 65535`),
   netId: (value: unknown) => wrongValue(value, NET_ID),
-  notPlain: 'missing; ADS is neither encrypted nor authenticated here: if all machines in its network are trusted, set plain: true',
-  restWithoutOnChange: wrongValue('rest', 'without on_change: true values at rest are sent too, so missing values are always a fault'),
+  notPlain: 'missing; ADS is neither encrypted nor authenticated: if all machines in its network are trusted, set plain: true',
+  restWithoutOnChange: wrongValue(
+    'rest',
+    'without on_change: true, the PLC also sends values at rest, so missing values are always a fault; remove silence, or set on_change: true',
+  ),
 };
 
 /** Texts about a PLC. */
 export const adsMessages = {
   notSecure:
     "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and imitate the PLC",
-  notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; reading continues when TwinCAT runs`,
-  stopped: (netId: string, state: string) => `TwinCAT at ${netId} went to ${state} mode`,
+  notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; switch it to RUN mode, then reading continues`,
+  stopped: (netId: string, state: string) => `TwinCAT at ${netId} has changed to ${state} mode; reading continues in RUN mode`,
   noRouter: (host: string, port: number, code: string) =>
-    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router runs there and that its firewall allows TCP ${port}`,
+    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router runs there and that its firewall allows TCP port ${port}`,
   noRuntime: (port: number, netId: string) =>
-    `no PLC runtime at AMS port ${port} of ${netId}; the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
+    `${netId} has no PLC runtime at AMS port ${port}; check plant.endpoint: the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
   unknownNetId: (host: string, netId: string) =>
-    `${host} does not know the AMS Net Id ${netId}; check it, and that ${host} is that machine or has a route to it`,
+    `${host} does not know the AMS Net Id ${netId}; check plant.endpoint, and that ${host} has this AMS Net Id or a route to it`,
   /** @param localNetId AMS Net Id of this machine; null if the router at the host assigns an address. */
   noAnswer: (host: string, localNetId: string | null) =>
     `${host} accepts the connection but does not answer${
       localNetId === null
         ? ''
-        : `; if it has never answered, add a route to this machine: `
-          + `in TwinCAT, SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, the address of this machine`
+        : `; if it has never answered, add a route to this machine in TwinCAT: `
+          + `SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, address of this machine`
     }`,
-  ended: (host: string) => `the connection to ${host} ended`,
-  noTimeOfCycle: (symbol: string) => `the value arrived without ${symbol} of its cycle`,
+  ended: (host: string) => `${host} has ended the connection`,
+  noTimeOfCycle: (symbol: string) => `the time ${symbol} of the same cycle has not arrived`,
   newProgram: 'the PLC has a new program; its variables are looked up again',
-  moved: (symbol: string) => `${symbol} has moved in the PLC's memory; its variables are looked up again`,
+  moved: (symbol: string) => `the size of ${symbol} in the PLC has changed; its variables are looked up again`,
   notReadable: (symbol: string, reason: string) => `${symbol} cannot be read: ${reason}`,
-  valuesStopped: "the PLC's program does not run, so its variables do not change",
-  programState: (state: string) => `the PLC's program is in state ${state}; positions continue when it runs`,
+  valuesStopped: "the PLC's program does not run, so its variables are not current",
+  programState: (state: string) => `the PLC's program is in state ${state}; positions are sent again when it runs`,
   programStopped: "the PLC's program does not run; start it",
   clockNotReadable: (reason: string) => `the PLC's clock cannot be read: ${reason}`,
-  clockStopped: (symbol: string) => `${symbol} does not advance`,
-  noNotification: (maxMs: number) => `no first notification within ${maxMs} ms`,
-  frameTooLarge: 'the frame is larger than 16 MiB',
-  sampleTooLarge: (size: number, most: number) => `a sample has ${size} bytes, more than its frame of ${most}`,
+  clockStopped: (symbol: string) => `the time in ${symbol} does not advance`,
+  noNotification: (maxMs: number) => `the PLC sent no first notification within ${maxMs} ms`,
+  frameTooLarge: 'the PLC sent a frame larger than 16 MiB',
+  sampleTooLarge: (size: number, most: number) => `a sample has ${size} bytes, but its frame has only ${most}`,
   wouldWrite: (command: number) => `command ${command} would write to the control system; adapters only read`,
 };
 
@@ -51,10 +54,10 @@ export const symbolMessages = {
   /** @param similar Symbols with similar names; empty for none; undefined if the PLC's symbol table is too long to be read. */
   unknown: (place: string, symbol: string, similar: string[] | undefined) =>
     `${place}: the PLC has no symbol ${symbol}${
-      similar === undefined ? '' : similar.length === 0 ? '; look up its symbols in the PLC program' : `; similar symbols are ${similar.join(', ')}`
+      similar === undefined ? '' : similar.length === 0 ? '; look up the name in the PLC program' : `; similar symbols are ${similar.join(', ')}`
     }`,
-  unusable: (place: string, symbol: string, type: string, reason: string) => `${place}: ${symbol} is ${type}; ${reason}`,
-  array: (element: string) => `name one element, such as ${element}`,
+  unusable: (place: string, symbol: string, type: string, reason: string) => `${place}: ${symbol} has the type ${type}; ${reason}`,
+  array: (element: string) => `enter one element of the array, such as ${element}`,
   notNumber: 'a position must be a number: LREAL, REAL or a whole number',
   notTime: 'a time must have 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME',
 };

@@ -5,8 +5,8 @@ export const wrongValue = (value: unknown, remedy: string): string => `value ${s
 
 /** Errors in entries that exist for several kinds of plant. */
 export const configurationMessages = {
-  address: (value: unknown) => wrongValue(value, 'allowed: a scheme with ://, a host and, after a colon, a port from 1 to 65535'),
-  noKind: (allowed: string[]) => `missing; add the section plant with its kind, allowed: ${allowed.join(', ')}`,
+  address: (value: unknown) => wrongValue(value, 'allowed: SCHEME://HOST:PORT with a port from 1 to 65535'),
+  noKind: (allowed: string[]) => `missing; add the section plant with a kind; allowed: ${allowed.join(', ')}`,
   misspelt: (meant: string) => `unknown entry; did you mean ${meant}?`,
   /** @param guess The entry that was probably meant; undefined if there is none. */
   unknownEntry: (guess: string | undefined, allowed: readonly string[]) => `unknown entry; ${question(guess)}allowed: ${allowed.join(', ')}`,
@@ -15,17 +15,16 @@ export const configurationMessages = {
   tokenInClear: (value: unknown) => wrongValue(value, "a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin"),
   /** @param kind Kind of the object that has the name, such as joint. */
   nameTwice: (value: unknown, line: number | undefined, kind: string) =>
-    wrongValue(value, `line ${line} already has this ${kind}; name each ${kind} once`),
-  valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; name each ${kind} once`,
-  unitAndScale: 'the unit already determines the scale; remove one of the two',
-  publishingTooShort: (publishingMs: number, samplingMs: number) =>
-    wrongValue(publishingMs, `allowed: a time from sampling_ms, ${samplingMs}, to 10000 ms`),
-  noTimeVariable: (entry: string) => wrongValue('variable', `add time with the ${entry} of the time variable`),
+    wrongValue(value, `line ${line} already has this ${kind}; list each ${kind} once`),
+  valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; list each ${kind} once`,
+  unitAndScale: 'unit and scale are both set; remove one of the two',
+  publishingTooShort: (publishingMs: number, samplingMs: number) => wrongValue(publishingMs, `allowed: ${samplingMs} ms (sampling_ms) to 10000 ms`),
+  noTimeVariable: (entry: string) => wrongValue('variable', `add the section time with the ${entry} of the time variable`),
   unusedTime: (timestamp: string) => `timestamp is ${timestamp}; remove time, or set timestamp to variable`,
   notPlain: (scheme: string) =>
     `missing; ${scheme}:// to another machine is neither encrypted nor authenticated: `
     + `use ${scheme}s://, or set plain: true if all machines in its network are trusted`,
-  pinWithoutTls: 'not used with ws://; write wss://, or remove the pin',
+  pinWithoutTls: 'not used with ws://; use wss://, or remove the pin',
   passwordInClear: (remedy: string) => `the password would be sent unencrypted; use ${remedy}`,
   noPassword: 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD',
 };
@@ -33,38 +32,41 @@ export const configurationMessages = {
 /** Errors in the configuration of frames. */
 export const frameMessages = {
   world: (name: string) => wrongValue(name, 'this is the anchored frame of the cell, which has no parent'),
-  quaternionAndAngles: 'the quaternion already determines the rotation; remove one of the two',
-  noAddress: (entry: string) => `missing; add the ${entry} of the variable with this number`,
+  quaternionAndAngles: 'quaternion and angles are both set; remove one of the two',
+  noAddress: (entry: string) => `missing; add the ${entry} of the variable that contains this number`,
   /** @param chain Names of the frames in the cycle: the frame, its parent, and so on, with the frame again at the end. */
   cycle: (value: unknown, chain: string[], world: string) =>
     wrongValue(
       value,
-      `${chain.length === 2 ? 'a frame cannot be its own parent' : `its parents lead back to it: ${chain.join(', ')}`}; `
-        + `name ${world}, a link of a robot, or another frame`,
+      `${chain.length === 2 ? 'a frame cannot be its own parent' : `the parents form a cycle: ${chain.join(', ')}`}; `
+        + `enter ${world}, a link of a robot, or another frame`,
     ),
 };
 
 /** Errors in the configuration of robots and in their descriptions. */
 export const robotMessages = {
-  tooLarge: (value: unknown) => wrongValue(value, 'the file is larger than 1 MiB; put its meshes into separate files'),
-  notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; name a URDF file'),
+  tooLarge: (value: unknown) => wrongValue(value, 'the file is larger than 1 MiB; move its meshes to separate files'),
+  notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; enter a URDF file'),
   notReadable: (value: unknown, code: string | undefined, included: string[]) =>
-    wrongValue(value, `the file cannot be read (${code}); name an existing URDF file or one of ${included.join(', ')}`),
+    wrongValue(value, `the file cannot be read (${code}); enter an existing URDF file or one of ${included.join(', ')}`),
   noJoint: (value: unknown, guess: string | undefined) =>
-    wrongValue(value, `the robot has no such joint${guess === undefined ? '' : `, did you mean ${guess}?`}`),
+    wrongValue(
+      value,
+      `the robot description has no such joint; ${guess === undefined ? 'enter a joint of the description' : `did you mean ${guess}?`}`,
+    ),
 };
 
 /** Errors in the files that a configuration names, and in the file of the configuration. */
 export const fileMessages = {
-  notReadable: (value: unknown, code: string | undefined) => wrongValue(value, `the file cannot be read (${code}); name an existing file`),
+  notReadable: (value: unknown, code: string | undefined) => wrongValue(value, `the file cannot be read (${code}); enter an existing file`),
   notOneLine: (value: unknown, most: number) => wrongValue(value, `the file must contain exactly one line of 1 to ${most} characters`),
   readableByAll: (value: unknown, path: string) =>
-    wrongValue(value, `every user of this machine may read the file; remove this right: chmod o= ${path}`),
-  configurationNotReadable: (code: string | undefined) => `cannot be read (${code}); name an existing file`,
-  circular: 'an alias (*) refers to an entry that contains it; write the entry out',
-  tab: 'a tab precedes the entry; YAML allows spaces only, so replace the tab',
-  keyTwice: 'this key occurs twice; remove one',
-  indent: (problem: string) => `${problem}; entries of one level must start in the same column`,
+    wrongValue(value, `every user of this machine may read the file; remove this permission: chmod o= ${path}`),
+  configurationNotReadable: (code: string | undefined) => `cannot be read (${code}); enter an existing file`,
+  circular: 'an alias (*) refers to an entry that contains the alias; replace the alias by a copy of the entry',
+  tab: 'the line is indented with a tab; YAML allows only spaces, so replace the tab by spaces',
+  keyTwice: 'this key occurs twice; remove one of the two entries',
+  indent: (problem: string) => `${problem}; entries of the same level must start in the same column`,
   notYaml: (problem: string) => `not valid YAML: ${problem}`,
 };
 

@@ -1,29 +1,31 @@
 /** Texts about the connection to a gateway, and about the versions of gateway and adapter. */
 export const gatewayMessages = {
   notConnected: (name: string) => `${name} is not connected`,
-  notAnswered: (service: string, seconds: number) => `${service} was not answered within ${seconds} s`,
-  silent: (seconds: number) => `no message for ${seconds} s`,
-  noToken: '401, the token is missing or unknown to the gateway; give the adapter a token of a source',
-  measuring: (name: string) => `${name} measures this clock; it forwards positions after the measurement`,
-  noService: (service: string) => `no service ${service} here`,
-  refuses: 'nothing listens there; check that it runs',
-  notTrusted: (code: string) => `its certificate is not trusted (${code}); set gateway.pin to what the gateway prints`,
-  noCertificate: 'the gateway presented no certificate; start it with --tls or --certificate',
-  otherPin: (pin: string) => `the gateway has the pin ${pin} but the configuration has another; if the gateway's key was renewed, set the pin to it`,
-  versionFits: (version: string) => `the gateway's version ${version} fits`,
-  otherVersion: (version: string, own: string) => `the gateway has version ${version}, this adapter has ${own}; install the same version`,
+  notAnswered: (service: string, seconds: number) => `${service} did not answer within ${seconds} s`,
+  silent: (seconds: number) => `nothing was received for ${seconds} s`,
+  noToken: 'HTTP status 401: the token is missing or unknown to the gateway; set gateway.token_file to a token with the role source',
+  measuring: (name: string) => `${name} is measuring this clock; it forwards positions after the measurement`,
+  noService: (service: string) => `this adapter has no service ${service}`,
+  refuses: 'the connection was refused; check that the program runs there, and the port',
+  notTrusted: (code: string) => `the certificate is not trusted (${code}); set gateway.pin to the pin that the gateway prints`,
+  noCertificate: 'the gateway sent no certificate; start it with --tls or --certificate',
+  otherPin: (pin: string) =>
+    `the gateway's pin is ${pin}, but the configuration contains another; set the pin to this value only if the gateway's key was renewed`,
+  versionFits: (version: string) => `the gateway's version ${version} fits this adapter`,
+  otherVersion: (version: string, own: string) =>
+    `the gateway has version ${version}, but this adapter has version ${own}; install the same version of both`,
 };
 
 /** Texts about the clock of a plant. */
 export const clockMessages = {
   stopped: 'the clock does not advance',
   notConnected: 'the plant is not connected',
-  steps: (stepMs: number) => `its clock advances in steps of ${Math.round(stepMs)} ms`,
+  steps: (stepMs: number) => `the plant's clock advances in steps of ${Math.round(stepMs)} ms`,
   coarse: (steps: string) =>
-    `${steps}, too coarse for headsets; name a time that advances in smaller steps, or make the clock of the control system advance in smaller steps`,
-  fineAgain: 'the resolution of its clock is sufficient again',
+    `${steps}, which is too coarse for headsets; the steps must be below 50 ms: use another time variable, or set the clock to smaller steps`,
+  fineAgain: "the resolution of the plant's clock is sufficient again",
   noTime: (node: string) => `${node} does not contain a valid time`,
-  notReadable: (reason: string) => `its clock cannot be read: ${reason}`,
+  notReadable: (reason: string) => `the plant's clock cannot be read: ${reason}`,
 };
 
 /** Texts about the log. */
@@ -33,8 +35,8 @@ export const logMessages = {
 
 /** Parts of the summary of a configuration. */
 export const summaryMessages = {
-  adsStamp: 'the stamp of ADS',
-  onlyClock: 'only its clock',
+  adsStamp: 'the time stamp of ADS',
+  onlyClock: 'only the clock is read',
   stamps: (stamp: string, samplingMs: number, publishingMs: number) =>
     `t_k is ${stamp}, sampled every ${samplingMs} ms, published every ${publishingMs} ms`,
   timeVariable: (name: string) => `the variable ${name}`,

@@ -2,32 +2,33 @@ import { wrongValue } from './configuration';
 
 /** Errors in a configuration of the kind opcua. */
 export const opcuaSettingMessages = {
-  namespace: (value: unknown) => wrongValue(value, 'a namespace (ns) must be a number from 0 to 65535'),
-  numericId: (value: unknown) => wrongValue(value, 'a numeric id (i) must be from 0 to 4294967295'),
-  open: wrongValue('none', 'anyone on the network could read the data and imitate the plant: use sign_and_encrypt, or add i_know_this_is_open: true'),
-  notOpen: (mode: string) => `security.mode is ${mode}, so the connection is not open; remove this entry`,
-  passwordAndCertificate: (name: string) => `the user ${name} has a password already; keep either name and password_file or certificate and key`,
+  namespace: (value: unknown) => wrongValue(value, 'the namespace (ns) must be a number from 0 to 65535'),
+  numericId: (value: unknown) => wrongValue(value, 'the numeric id (i) must be a number from 0 to 4294967295'),
+  open: wrongValue('none', 'anyone on the network can read the data and imitate the plant: use sign_and_encrypt, or add i_know_this_is_open: true'),
+  notOpen: (mode: string) => `not used with security.mode: ${mode}, because the connection is secure; remove this entry`,
+  passwordAndCertificate: (name: string) =>
+    `the user ${name} has a name and a certificate; keep either name and password_file or certificate and key`,
   noPart: (part: string) => `missing; add the path of the user's ${part}, a PEM file`,
-  otherKey: 'it is not the key of plant.user.certificate; name a certificate and its key',
-  noCertificate: 'the file contains no certificate; name one in DER or PEM (-----BEGIN CERTIFICATE-----)',
-  encryptedKey: 'the key is encrypted with a password, which cannot be entered at startup; name an unencrypted key',
-  noKey: 'the file contains no private key; name one in PEM (-----BEGIN PRIVATE KEY-----)',
+  otherKey: 'the key does not belong to plant.user.certificate; enter a certificate and its key',
+  noCertificate: 'the file contains no certificate; enter a certificate in DER or PEM format (-----BEGIN CERTIFICATE-----)',
+  encryptedKey: 'the key is encrypted with a password, which cannot be entered at startup; enter an unencrypted key',
+  noKey: 'the file contains no private key; enter a key in PEM format (-----BEGIN PRIVATE KEY-----)',
 };
 
 /** Texts about certificates and their folder. */
 export const certificateMessages = {
   own: (file: string, thumbprint: string) => `own certificate ${file}, thumbprint ${thumbprint}: the server must trust it`,
   notStored: (folder: string, code: string) =>
-    `certificates cannot be stored in ${folder} (${code}); give this user write access, or set plant.security.folder to another`,
+    `certificates cannot be stored in ${folder} (${code}); give this user write access, or set plant.security.folder to another folder`,
   notFolder: (path: string) => `${path} is not a folder`,
   otherKey: (file: string, keyFile: string) =>
-    `${file} is not the certificate of the key ${keyFile}; delete both to create others, and let the server trust the new certificate`,
+    `the certificate ${file} does not belong to the key ${keyFile}; delete both files, restart, and let the server trust the new certificate`,
   notTrusted: (sha1: string, sha256: string, cure: string) =>
     `the server's certificate is not trusted; its thumbprint is ${sha1} (SHA-1), ${sha256} (SHA-256). ${cure}`,
   move: (file: string, folder: string) =>
-    `If this is the certificate of your server, move ${file} to ${folder}, or add plant.security.thumbprint to the configuration`,
+    `If this is the certificate of your server, move ${file} to ${folder}, or set plant.security.thumbprint to this thumbprint`,
   addThumbprint: (reason: string) =>
-    `It could not be stored (${reason}). If the thumbprint is that of your server, add it to the configuration as plant.security.thumbprint`,
+    `The certificate could not be stored (${reason}). If it is the certificate of your server, set plant.security.thumbprint to this thumbprint`,
   outOfDate: (thumbprint: string, from: string, to: string) =>
     `the server's certificate ${thumbprint} is valid only from ${from} to ${to}; renew it at the server, then trust the new certificate`,
 };
@@ -35,7 +36,7 @@ export const certificateMessages = {
 /** Texts about the connection to an OPC UA server. */
 export const opcuaMessages = {
   notSecure: 'WARNING: plant.security.mode is none: the server is not authenticated, and anyone on the network can read and change its values',
-  notConnected: 'not connected: the session with the server has ended',
+  notConnected: 'the session with the server has ended',
   lost: 'the connection was lost',
   aborted: 'the server aborted the connection',
   closed: 'the connection was closed',
@@ -44,43 +45,44 @@ export const opcuaMessages = {
   subscriptionEnded: 'the server ended the subscription',
   subscriptionStatus: (status: string) => `the server ended the subscription (${status})`,
   silent: (seconds: number) => `nothing was published for ${seconds} s`,
-  notReadable: (reason: string) => `its nodes cannot be read: ${reason}`,
-  rareTime: 'the server rarely updates CurrentTime; its clock is read from the send time of its answers',
+  notReadable: (reason: string) => `the nodes cannot be read: ${reason}`,
+  rareTime: 'the server rarely updates CurrentTime, so its clock is read from the time stamps of its answers',
   noTimeOfAnswer: "the server's answer has no time stamp",
   notAllowed: (request: string) => `${request} is not allowed; the adapter only reads`,
-  noServer: (endpoint: string) => `no OPC UA server answers at ${endpoint}; check that it runs`,
+  noServer: (endpoint: string) => `no OPC UA server answers at ${endpoint}; check that it runs, and plant.endpoint`,
 };
 
 /** Reasons why a server refuses this adapter, with the remedy. */
 export const opcuaRefusalMessages = {
   adapterNotTrusted: (file: string, thumbprint: string) =>
     `the server does not trust this adapter; accept the certificate ${file}, thumbprint ${thumbprint}, at the server`,
-  user: (name: string) => `the server does not accept user ${name}; check name and password in plant.user, and the rights of this user at the server`,
-  anonymous: 'the server does not accept this user; set plant.user to a user with read access',
+  user: (name: string) =>
+    `the server does not accept the user ${name}; check name and password in plant.user, and the rights of this user at the server`,
+  anonymous: 'the server does not accept an anonymous user or this certificate; set plant.user to a user with read access',
   noOpenEndpoint: 'the server offers no connection without security; remove plant.security.mode',
   noPolicy: (policy: string) =>
     `the server offers no SignAndEncrypt with ${policy}; choose another plant.security.policy, or enable this policy at the server`,
   login: 'the server does not support this login; change plant.user',
-  noFreeSession: 'the server has no free session; close a session of another client',
+  noFreeSession: 'the server has no free session; close the session of another client',
 };
 
 /** Reasons why a node cannot be read, or its value cannot be used. */
 export const nodeMessages = {
   noNamespace: (place: string, node: string) => `${place}: value ${node}; the server has no such namespace`,
-  namespaces: (problems: string, namespaces: string[]) => `${problems}; it has ${namespaces.join(', ')}`,
+  namespaces: (problems: string, namespaces: string[]) => `${problems}; the namespaces of the server: ${namespaces.join(', ')}`,
   unknown: (place: string, node: string, status: string) =>
-    `${place}: value ${node}; the server answers ${status}; look up the node's id in an OPC UA browser`,
+    `${place}: value ${node}; the server answers ${status}; look up the node id in an OPC UA browser`,
   gone: (place: string, node: string, status: string) => `${place}: value ${node}; the server no longer has this node (${status})`,
   notMonitored: (place: string, status: string) => `${place}: the server answers ${status}`,
   missing: (node: string, status: string) => `the server has no node ${node} (${status})`,
   notReadable: (node: string, status: string) => `${node} cannot be read: ${status}`,
-  noValue: 'it has no value',
+  noValue: 'the node has no value',
   badStatus: (status: string, description: string) => `the server answers ${status}, ${description}`,
   array: (node: string) => `${node} is an array; add index`,
   notArray: (node: string) => `${node} is not an array; remove index`,
   index: (node: string, count: number) => `${node} has ${count} elements; allowed: an index from 0 to ${count - 1}`,
-  notTime: 'the value is not a time; name a DateTime, or a 64-bit whole number or an LREAL with its unit',
+  notTime: 'the value is not a time; use a DateTime, or a 64-bit whole number or an LREAL with a unit',
   noTimeOfCycle: (node: string, groupMs: string) =>
-    `no value of ${node} has a time stamp within ${groupMs} ms (group_ms) of this value; `
+    `no value of ${node} has a time stamp within ${groupMs} ms (group_ms) of the time stamp of this value; `
     + 'if the server stamps the variables of a cycle one by one, increase group_ms',
 };

@@ -2,13 +2,14 @@ import { wrongValue } from './configuration';
 
 /** Texts about a robot with rosbridge. */
 export const rosMessages = {
-  notSecure: 'this rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the robot',
+  notSecure:
+    'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the robot',
   clockAvailable: "the robot's clock is available",
-  noClock: (reason: string) => `the robot's clock is not available: ${reason}; start rosapi beside rosbridge, or set clock: false`,
-  noTime: (service: string) => `${service} returns no time; with use_sim_time, start the simulation`,
+  noClock: (reason: string) => `the robot's clock is not available: ${reason}; start rosapi, or set plant.clock: false`,
+  noTime: (service: string) => `${service} returns no time; if the robot uses use_sim_time, start the simulation`,
   noTransforms: 'the message has no list of transforms',
-  sourceAndTopic: 'the topic is of this joint only; remove source or topic',
+  sourceAndTopic: 'source and topic are both set, but a joint with its own topic has no source; remove one of the two',
   twoTypes: (value: unknown, line: number, type: string, topic: string) =>
-    wrongValue(value, `line ${line} has ${type} for ${topic}; a topic has one type`),
-  sourceTwice: (source: string) => `the robot's joint ${source} occurs twice; name each joint once`,
+    wrongValue(value, `line ${line} has the type ${type} for ${topic}; use the same type for a topic`),
+  sourceTwice: (source: string) => `the robot's joint ${source} occurs twice; list each joint once`,
 };

@@ -2,9 +2,9 @@ import { wrongValue } from './configuration';
 
 /** Errors in a configuration of the kind rtde. */
 export const rtdeSettingMessages = {
-  notCalibrated: (value: unknown, arms: string[]) => wrongValue(value, `calibration needs one of ${arms.join(', ')}`),
-  recipeTooLong: (size: number, most: number) => `their fields need a recipe of ${size} bytes; a controller accepts ${most}; remove signals`,
-  index: (value: unknown) => wrongValue(value, 'the arm has six joints; allowed: a whole number from 0 to 5'),
+  notCalibrated: (value: unknown, arms: string[]) => wrongValue(value, `allowed with calibration: true: ${arms.join(', ')}`),
+  recipeTooLong: (size: number, most: number) => `the fields need a recipe of ${size} bytes; the maximum is ${most} bytes; remove signals`,
+  index: (value: unknown) => wrongValue(value, 'allowed: a whole number from 0 to 5, because the arm has six joints'),
   summary: (place: string, source: string, rateHz: number, read: string) =>
     `RTDE ${place}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; ${read}`,
   indexTwice: (value: unknown, line: number) => wrongValue(value, `line ${line} already has this joint of the arm; use each index once`),
@@ -17,16 +17,16 @@ export const rtdeMessages = {
   refuses: (place: string, service: string) =>
     `${place} refuses the connection; start the robot's controller, and enable ${service} in PolyScope under Settings > Security > Services`,
   unknownHost: (host: string) =>
-    `there is no machine with the name ${host}; correct plant.host, or write the robot's IP address, which PolyScope shows under Settings > Network`,
+    `there is no machine with the name ${host}; correct plant.host, or enter the robot's IP address, which PolyScope shows under Settings > Network`,
   noAnswer: (place: string, code: string) => `${place} does not answer (${code}); check plant.host, the robot's network and the firewalls on the way`,
   notRtde: (place: string) => `${place} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`,
-  header: (size: number, type: number) => `a header with size ${size} and type ${type}`,
+  header: (size: number, type: number) => `the data have an invalid header with size ${size} and type ${type}`,
   noRtdeAnswer: (place: string) => `${place} accepts the connection but does not answer with RTDE; check plant.host and plant.port`,
-  oldProtocol: (place: string) => `${place} supports RTDE protocol version 1 only; version 2 is needed, so update the controller's software`,
-  noRecipe: (place: string) => `${place} does not answer the output recipe; if this repeats, restart the controller`,
+  oldProtocol: (place: string) => `${place} supports RTDE protocol version 1 only; version 2 is required, so update the controller's software`,
+  noRecipe: (place: string) => `${place} does not answer the request for the output recipe; if this repeats, restart the controller`,
   notStarted: (place: string) => `${place} does not start to send data; if this repeats, restart the controller`,
   damaged: (place: string) => `the stream of ${place} is damaged; reading starts again. If this repeats, check the robot's network`,
-  endedBeforeAnswer: (problem: string) => `${problem} before it answered; if other programs read this robot over RTDE, end one of them`,
+  endedBeforeAnswer: (problem: string) => `${problem} before it answered; if other programs read this robot over RTDE, stop one of them`,
   endedWhileReading: (problem: string) => `${problem}; check whether the controller was switched off or restarted. Reading continues when it answers`,
   silent: (place: string, seconds: number) =>
     `nothing has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
@@ -39,7 +39,7 @@ export const rtdeMessages = {
   lostPackages:
     "packages are missing in the controller's stream (counted as refused/package-lost); "
     + 'lower rate_hz, or reduce the load of the controller and the network',
-  clockStepped: (stepMs: number) => `the controller's clock contradicts its earlier times by ${stepMs.toFixed(1)} ms; it is measured again`,
+  clockStepped: (stepMs: number) => `the controller's clock has stepped by ${stepMs.toFixed(1)} ms; the clock is measured again`,
   noData: 'the robot sends no data',
   clockNotMeasured: "the robot's clock is not measured yet",
 };
@@ -48,27 +48,26 @@ export const rtdeMessages = {
 export const fieldMessages = {
   recipe: (fields: number, types: number) =>
     `the controller answered the recipe of ${fields} fields with ${types} types; check that it is an RTDE server of protocol version 2`,
-  missing: (names: string[]) => `the controller does not have ${names.join(', ')}`,
-  readWithout: (problem: string) => `${problem}; reading continues without it`,
+  missing: (names: string[]) => `the controller does not have the fields ${names.join(', ')}`,
+  readWithout: (problem: string) => `${problem}; reading continues without them`,
   needed: (field: string) => `the controller has no field ${field}; update the controller's software`,
   unknown: (field: string) => `the controller has no field ${field}; correct the field, or update the controller's software`,
   otherType: (field: string, type: string, needed: string) =>
-    `the controller's field ${field} is ${type}, not ${needed}; `
-    + "the adapter supports the type in UR's guide only; update this adapter or the controller",
+    `the controller's field ${field} is ${type}, not ${needed} as in UR's guide; update this adapter or the controller`,
   notType: 'a type of RTDE',
   unknownType: 'of an unknown type',
-  oneNumber: (field: string) => `${field} is one number; remove index`,
-  index: (field: string, count: number) => `${field} has ${count} numbers; index must be 0 to ${count - 1}`,
+  oneNumber: (field: string) => `${field} is a single number; remove index`,
+  index: (field: string, count: number) => `${field} has ${count} numbers; set index to 0 to ${count - 1}`,
   noBits: (field: string) => `${field} has no bits; remove bit`,
   packageSize: (size: number, expected: number) => `a data package of ${size} bytes; the recipe has ${expected}`,
-  packageRecipe: (recipe: number, expected: number) => `a data package of recipe ${recipe}, not ${expected}`,
-  packageTime: (timestamp: number) => `a data package with timestamp ${timestamp} s`,
-  bit: (field: string, count: number) => `${field} has ${count} bits; bit must be 0 to ${count - 1}`,
+  packageRecipe: (recipe: number, expected: number) => `a data package of recipe ${recipe} instead of ${expected}`,
+  packageTime: (timestamp: number) => `a data package with the invalid timestamp ${timestamp} s`,
+  bit: (field: string, count: number) => `${field} has ${count} bits; set bit to 0 to ${count - 1}`,
 };
 
 /** Texts about the state of a robot. */
 export const robotStateMessages = {
-  programStopped: (program: string) => `the robot's program is ${program}; its positions are still sent`,
+  programStopped: (program: string) => `the state of the robot's program is ${program}; the positions are still sent`,
   programRuns: "the robot's program runs again",
   noPower: (mode: string) => `the arm has no power (robot mode ${mode}), so its joint angles are not measured; switch it on at the teach pendant`,
 };
@@ -83,17 +82,18 @@ export const safetyStops: Record<number, string> = {
   8: 'safety violation; read the log on the teach pendant and restart the robot',
   9: 'safety fault; read the log on the teach pendant and restart the controller',
   12: 'automatic mode safeguard stop; close the safeguard and continue on the teach pendant',
-  13: 'three-position enabling stop; hold the enabling switch in its middle position',
+  13: 'three-position enabling stop; hold the enabling device in its middle position',
 };
 
 /** Texts about the calibration of an arm. */
 export const calibrationMessages = {
-  used: (apartMm: number) => `the controller's calibration is used; the tool differs by up to ${apartMm.toFixed(1)} mm from the published kinematics`,
+  used: (apartMm: number) =>
+    `the controller's calibration is used; it moves the tool by up to ${apartMm.toFixed(1)} mm compared with the published kinematics`,
   none: (reason: string) => `no calibration: ${reason}; the published kinematics are used`,
   service: 'the primary client interface',
   late: (place: string, seconds: number) => `${place} has not sent its kinematics within ${seconds} s`,
   ended: (place: string) => `${place} ended the connection before it sent its kinematics`,
   notPrimary: (place: string) => `${place} does not use UR's primary client interface`,
   otherRobot: (apartMm: number) =>
-    `its tool is up to ${apartMm.toFixed(0)} mm from that of the robot description, so it is another robot; correct robot`,
+    `the tool is up to ${apartMm.toFixed(0)} mm away from the tool in the robot description, so this is another robot; correct the entry robot`,
 };

@@ -4,16 +4,16 @@ import { shown } from '../configuration/problem';
 export const refusalMessages = {
   noStamp: 'the value has no time stamp; choose another timestamp in the configuration',
   before1970: 'the time stamp is before 1970; set the clock of the control system',
-  notNewer: (apartMs: number) => `its time stamp is not newer than that of the previous value (${apartMs.toFixed(1)} ms older)`,
+  notNewer: (apartMs: number) => `the time stamp is ${apartMs.toFixed(1)} ms older than that of the previous value; it must be newer`,
   ahead: (apartMs: number, maxMs: number) =>
-    `its time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; up to ${maxMs.toFixed(1)} ms is allowed`,
+    `the time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; the maximum is ${maxMs.toFixed(1)} ms`,
   behind: (apartMs: number, maxMs: number) =>
-    `its time stamp is ${apartMs.toFixed(1)} ms behind the control clock; up to ${maxMs.toFixed(1)} ms is allowed`,
+    `the time stamp is ${apartMs.toFixed(1)} ms behind the control clock; the maximum is ${maxMs.toFixed(1)} ms`,
   noField: (topic: string, field: string) => `the message on ${topic} has no field ${field}`,
-  notNumber: (value: unknown) => `value ${shown(value)} is not a number; name a numeric variable`,
-  notPosition: (text: string) => `value ${text} is not a position`,
-  scaledNotPosition: (number: number, scale: number) => `value ${number} with scale ${scale} is not a position`,
-  parent: (choice: number, last: number) => `its parent is number ${choice}; allowed: a whole number from 0 to ${last}`,
+  notNumber: (value: unknown) => `value ${shown(value)} is not a number; use a numeric variable`,
+  notPosition: (text: string) => `value ${text} is not a finite number`,
+  scaledNotPosition: (number: number, scale: number) => `value ${number} multiplied by the scale ${scale} is not a finite number`,
+  parent: (choice: number, last: number) => `the number ${choice} selects no parent; allowed: a whole number from 0 to ${last}`,
   quaternion: (length: number) => `the quaternion has the length ${length.toFixed(3)}; allowed: 0.99 to 1.01`,
 };
 
@@ -34,33 +34,34 @@ export const stateMessages = {
   validAgain: (name: string) => `${name} is valid again`,
 };
 
+// The gateway recognises this remedy by its beginning "set ".
 const CURE = 'set silence: { fault_after_s: N } if the source sends its values repeatedly, even at rest';
 
 /** Texts about a joint without new values: the reason for its state, and the reason why it may not be at rest. */
 export const silenceMessages = {
-  confirmed: 'its source confirms the last value',
-  noValue: 'no value arrives',
+  confirmed: 'the source confirms the last value',
+  noValue: 'no new value arrives',
   /**
    * @param evidence Fact about the joint without new values.
    * @param maxMs Time after which missing values are a fault, ms; null if they mean rest.
    */
   basis: (evidence: string, maxMs: number | null) =>
-    `${evidence}; ${maxMs === null ? 'silence means rest' : `silence is a fault after ${maxMs / 1000} s`}`,
-  unconfirmed: `nothing confirms its last value, so rest cannot be distinguished from an end of its data; ${CURE}`,
-  allUnconfirmed: `nothing arrives from its source, so rest cannot be distinguished from an end of the source; ${CURE}`,
-  tooLong: (maxMs: number) => `no new value for more than ${maxMs / 1000} s, which is a fault here (silence in plant.yaml)`,
-  notConfirmed: (maxMs: number) => `no value for more than ${maxMs / 1000} s, and the source does not confirm the last one`,
-  ended: 'its data ended in mid-motion: it cannot have stopped at its last position',
+    `${evidence}; ${maxMs === null ? 'missing values mean rest' : `missing values are a fault after ${maxMs / 1000} s`}`,
+  unconfirmed: `nothing confirms the last value, so rest cannot be distinguished from an end of the data; ${CURE}`,
+  allUnconfirmed: `nothing arrives from the source, so rest cannot be distinguished from a failure of the source; ${CURE}`,
+  tooLong: (maxMs: number) => `no new value for more than ${maxMs / 1000} s, which is a fault (silence in the plant's configuration)`,
+  notConfirmed: (maxMs: number) => `no new value for more than ${maxMs / 1000} s, and the source does not confirm the last value`,
+  ended: 'its data ended in mid-motion: the joint cannot have stopped at its last position',
   endedBecause: (reason: string) => `its data ended in mid-motion: ${reason}`,
   /** @param basis Origin of the limit. */
   stopTooHard: (required: number, limit: number, unit: string, basis: keyof typeof LIMITS) =>
-    `a stop there would need ${required.toFixed(1)} ${unit}, more than the ${limit.toFixed(1)} ${unit} ${LIMITS[basis]}`,
+    `a stop at the last position requires a deceleration of ${required.toFixed(1)} ${unit}, above the ${limit.toFixed(1)} ${unit} ${LIMITS[basis]}`,
   unobservedStop: (required: number, unit: string) => `the stop itself was not observed; it would need ${required.toFixed(1)} ${unit}`,
   notWritten: "the server's source timestamps show that the value is no longer written, although it was written at rest before",
 };
 
 const LIMITS = {
   configured: 'of max_deceleration',
-  observed: 'observed in its samples; set max_deceleration if it can brake harder',
-  assumed: 'assumed for it; set max_deceleration if it can brake harder',
+  observed: 'observed in the samples; if the joint can brake harder, set max_deceleration',
+  assumed: 'assumed for the joint; if the joint can brake harder, set max_deceleration',
 };

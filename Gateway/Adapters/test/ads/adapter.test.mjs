@@ -2,20 +2,20 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { until } from '../program.mjs';
 import { nanoseconds } from '../rosbridge.mjs';
-import { assertTrue, cell, clockOf, jointIs, statesOf } from './cell.mjs';
+import { assertMatchesPlc, cell, clockOf, jointIs, statesOf } from './cell.mjs';
 import { command, group } from './frames.mjs';
 import { Plc } from './plc.mjs';
 import { PlcSymbol } from './symbols.mjs';
 import { angle, opening, variables, youBot } from './youbot.mjs';
 
 describe('ads', { concurrency: 4 }, () => {
-  it('Adapter_Notifications_HaveThePositionAtTheirStamp', async t => {
+  it('Adapter_Notifications_GivePositionsAtTheirTimeStamps', async t => {
     const { bridge, server } = await cell(t, { plc: youBot({ cycleMs: 5, aheadMs: 40_000, ppm: 100 }) });
 
     const states = await statesOf(bridge, 100);
 
-    // A stamp truncated to a millisecond would cause errors of up to 1e-3 s times 0.9 rad/s.
-    assertTrue(states);
+    // Time stamps truncated to milliseconds would cause errors of up to 0.9e-3 rad (1e-3 s times 0.9 rad/s).
+    assertMatchesPlc(states);
     const stamps = states.map(s => nanoseconds(s.header.stamp));
     assert.ok(stamps.some(stamp => stamp % 1_000_000n !== 0n), 'stamps below a millisecond');
     assert.deepEqual(server.seen.filter(s => [command.write, command.writeControl].includes(s.command)), []);
@@ -45,17 +45,17 @@ describe('ads', { concurrency: 4 }, () => {
     ['GVL.nTime', 'ns', 1e-6], ['GVL.ftTime', undefined, 1e-6], ['GVL.fSeconds', 's', 1e-5],
     ['TwinCAT_SystemInfoVarList._TaskInfo[1].DcTaskTime', 'dctime', 1e-6],
   ])
-    it(`Adapter_TimeIn${symbol.replace(/\W/g, '')}_BecomesTheStamp`, async t => {
-      // The stamps of the notifications are wrong by 3 s, so an adapter that used them would fail this test.
+    it(`Adapter_TimeIn${symbol.replace(/\W/g, '')}_IsUsedAsTimeStamp`, async t => {
+      // The time stamps of the notifications are wrong by 3 s, so an adapter that uses them fails this test.
       const plc = youBot({ cycleMs: 5, stampOf: time => (time + 3_000_000_000n) / 100n + 116444736000000000n });
       const more = `  timestamp: variable\n  time: { symbol: "${symbol}"${unit ? `, unit: ${unit}` : ''} }\n`;
       const { bridge } = await cell(t, { plc, more });
 
-      assertTrue(await statesOf(bridge, 40), tolerance);
+      assertMatchesPlc(await statesOf(bridge, 40), tolerance);
     });
 
   for (const [kind, more, coarsest] of [['Notification', '', 1_000_000], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n', 5_000_000]])
-    it(`Clock_${kind}_LiesBetweenRequestAndAnswer`, async t => {
+    it(`Clock_${kind}_IsBetweenRequestAndAnswer`, async t => {
       const plc = youBot({ cycleMs: 5, aheadMs: -7000 });
       const { bridge, server } = await cell(t, { plc, more });
       await statesOf(bridge);
@@ -72,12 +72,12 @@ describe('ads', { concurrency: 4 }, () => {
         assert.ok(nanoseconds(received) >= before - late && nanoseconds(received) <= after, `${before} ${nanoseconds(received)} ${after}`);
         assert.deepEqual([error_bound_ns, synchronised], [0, true]);
       }
-      // The subscriptions that read the clock are cancelled.
+      // The adapter cancels the subscriptions with which it reads the clock.
       await until(() => server.notifications <= 8, () => `${server.notifications} notifications`);
     });
 
   for (const [kind, more] of [['Notification', ''], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n']])
-    it(`Clock_${kind}WithoutJoints_IsOfferedWithoutSamples`, async t => {
+    it(`Clock_${kind}InPlantWithoutJoints_IsOffered`, async t => {
       const { bridge, plc } = await cell(t, { plc: youBot({ cycleMs: 5, aheadMs: -7000 }), more, joints: '  []\n' });
       await clockOf(bridge);
 
@@ -95,12 +95,13 @@ describe('ads', { concurrency: 4 }, () => {
 
     const stamps = states.filter(s => s.name.includes('arm_joint_5')).map(s => nanoseconds(s.header.stamp));
     const steps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 5e6);
-    // A machine that sleeps longer than the double catches up leaves a gap. If intermediate samples were dropped, most steps would be gaps.
+    // If this machine pauses for longer than the simulated PLC catches up, a step is longer than 1. If the adapter dropped intermediate
+    // samples, most steps would be longer than 1.
     assert.ok(steps.every(step => step > 0 && Number.isInteger(step)), `${steps}`);
     assert.ok(steps.filter(step => step === 1).length > 0.8 * steps.length, `${steps}`);
   });
 
-  it('Adapter_OneJointAtRest_IsRepeatedOftenEnoughForAHeadset', async t => {
+  it('Adapter_OneJointAtRest_RepeatsItOftenEnoughForAHeadset', async t => {
     const plc = new Plc([...variables(), new PlcSymbol('MAIN.fStill', 'LREAL', () => 1.5)], { cycleMs: 5, aheadMs: 40_000 });
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: still, symbol: MAIN.fStill }\n';
     const { bridge } = await cell(t, { plc, more: '  on_change: true\n', joints });
@@ -116,11 +117,11 @@ describe('ads', { concurrency: 4 }, () => {
     assert.ok(stamps.at(-1) < plc.now());
   });
 
-  it('Adapter_AllJointsAtRest_ReadsThemBackAndAssumesRest', async t => {
+  it('Adapter_AllJointsAtRest_ReadsThemAndAssumesRest', async t => {
     const still = ['one', 'two'].map(name => new PlcSymbol(`MAIN.${name}`, 'LREAL', () => 1.5));
     const joints = '  - { joint: one, symbol: MAIN.one }\n  - { joint: two, symbol: MAIN.two }\n';
     const { bridge } = await cell(t, { plc: new Plc([...variables(), ...still], { cycleMs: 5 }), more: '  on_change: true\n', joints });
-    // A gateway reads the clock repeatedly as well.
+    // Reads the clock repeatedly, like a gateway.
     const asked = setInterval(() => void bridge.call('/nowpose/plant_time/cell').catch(() => {}), 200);
     t.after(() => clearInterval(asked));
 
@@ -131,14 +132,14 @@ describe('ads', { concurrency: 4 }, () => {
     const repeated = bridge.jointStates.slice(count), stamps = repeated.filter(s => s.name.includes('one')).map(s => nanoseconds(s.header.stamp));
     const gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6).sort((a, b) => a - b);
     assert.ok(repeated.every(s => s.position.every(position => position === 1.5)));
-    // On a busy machine some gaps are longer. A headset shows a sample for 300 ms.
+    // A headset shows a sample for 300 ms. On a busy machine some gaps are longer, so only the median gap is checked.
     assert.ok(gaps[gaps.length >> 1] < 200, `${gaps}`);
     await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
   });
 
-  it('Adapter_RouterOnThisMachine_AssignsAnAddress', async t => {
+  it('Adapter_RouterOnThisMachine_UsesTheAddressThatTheRouterAssigns', async t => {
     const { bridge } = await cell(t, { local: '' });
 
-    assertTrue(await statesOf(bridge, 20));
+    assertMatchesPlc(await statesOf(bridge, 20));
   });
 });

@@ -1,4 +1,4 @@
-// An adapter between a PLC that moves a youBot and a double of the gateway.
+// Connects an adapter to a PLC that moves a youBot and to a test double of the gateway.
 import assert from 'node:assert/strict';
 import { start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
@@ -20,7 +20,7 @@ ${local}  plain: true
 ${more}joints:
 ${joints ?? [0, 1, 2, 3, 4].map(i => `  - joint: arm_joint_${i + 1}\n    symbol: GVL.aJoints[${i}]\n`).join('')}`;
 
-/** A PLC, a gateway and an adapter between them. */
+/** Starts a PLC, a test double of the gateway, and an adapter that connects them. */
 export async function cell(t, { plc = youBot({ cycleMs: 5 }), more, joints, local, server: options } = {}) {
   const server = new AdsServer(plc, options), port = await server.listen();
   t.after(() => server.close());
@@ -34,8 +34,8 @@ export const clockOf = bridge => until(async () => (await bridge.call('/nowpose/
 export const statesOf = (bridge, count = 1) => until(
   () => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states; ${JSON.stringify(bridge.state)}`);
 
-/** Asserts that each joint of each message is where the PLC had it at the message's stamp. The PLC decides which joints share a cycle. */
-export function assertTrue(states, tolerance = 1e-6) {
+/** Asserts that each message contains the positions that the joints had in the PLC at the time stamp of the message. */
+export function assertMatchesPlc(states, tolerance = 1e-6) {
   for (const { header, name, position } of states)
     name.forEach((joint, i) => {
       const truth = angle(Number(joint.at(-1)) - 1, nanoseconds(header.stamp));

@@ -1,4 +1,4 @@
-// Configurations of an adapter for ADS.
+// Tests how the adapter checks configurations for ADS.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';

@@ -1,4 +1,4 @@
-// Faults of a PLC and of its variables, and how an adapter reports and survives them.
+// Tests how an adapter reports faults of a PLC and of its variables, and how it continues after them.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { createServer } from 'node:net';
@@ -7,7 +7,7 @@ import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
 import { temporaryFile } from '../temporary.mjs';
-import { assertTrue, cell, clockOf, configuration, jointIs, NET_ID, statesOf } from './cell.mjs';
+import { assertMatchesPlc, cell, clockOf, configuration, jointIs, NET_ID, statesOf } from './cell.mjs';
 import { command, state } from './frames.mjs';
 import { AdsServer } from './server.mjs';
 import { variables, youBot } from './youbot.mjs';
@@ -41,7 +41,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assert.match(bridge.joint('axis').reason, like(symbolMessages.unknown('line 11', 'MAIN.fAxs2', ['MAIN.fAxis2'])));
   });
 
-  it('Adapter_PlcStopped_ReportsItAndReadsAgainAfterTheStop', async t => {
+  it('Adapter_PlcStopped_ReportsTheStopAndReadsAgainAfterIt', async t => {
     const { plc, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -59,7 +59,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assert.equal((await until(() => bridge.state?.state === 'connected' && bridge.state, 'diagnostics')).kind, 'ads');
   });
 
-  it('Adapter_NewProgram_LooksUpItsVariablesAgain', async t => {
+  it('Adapter_NewPlcProgram_LooksUpTheVariablesAgain', async t => {
     const { plc, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -67,10 +67,10 @@ describe('faults over ADS', { concurrency: 4 }, () => {
 
     await adapter.said('looked up again');
     const count = bridge.jointStates.length;
-    assertTrue((await statesOf(bridge, count + 20)).slice(count));
+    assertMatchesPlc((await statesOf(bridge, count + 20)).slice(count));
   });
 
-  it('Adapter_ConfigMode_IsReportedUntilRunMode', async t => {
+  it('Adapter_PlcInConfigMode_ReportsTheModeUntilRunMode', async t => {
     const plc = youBot({ cycleMs: 5 });
     plc.systemState = state.config;
     const { bridge, adapter } = await cell(t, { plc });
@@ -84,7 +84,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await adapter.said(adsMessages.stopped(NET_ID, 'Config'));
   });
 
-  it('Adapter_PlcClosedAndRestarted_IsReadAgain', async t => {
+  it('Adapter_PlcRestarted_ReadsAgain', async t => {
     const { plc, server, bridge, adapter, port } = await cell(t);
     await statesOf(bridge);
 
@@ -99,7 +99,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await until(() => Number(bridge.state?.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
-  it('Adapter_PlcStopsAnswering_IsReportedAndReadAgain', async t => {
+  it('Adapter_PlcStopsAnswering_ReportsItAndReadsAgain', async t => {
     const { server, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -111,14 +111,14 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await statesOf(bridge, count + 5);
   });
 
-  it('Adapter_InvalidFrames_DoNotEndTheProcess', async t => {
+  it('Adapter_InvalidFrames_ContinuesToRun', async t => {
     const random = seeded(4711), connections = [];
     const server = createServer(socket => {
       connections.push(socket.on('error', () => {}));
       socket.on('data', () => {
         const length = Math.floor(random() * 300), bytes = Buffer.alloc(6 + length);
         for (let i = 0; i < bytes.length; i++) bytes[i] = Math.floor(random() * 256);
-        // Most messages are whole frames of the protocol, addressed to the adapter, with random content. The others are not even frames.
+        // Most messages have a valid header with the adapter's address, followed by random content. In the others the header is random, too.
         if (connections.length % 4 > 0) bytes.writeUInt16LE(0, 0);
         if (connections.length % 5 > 0) bytes.writeUInt32LE(length, 2);
         if (length > 32) Buffer.from([192, 168, 0, 10, 1, 1, 0x89, 0x80]).copy(bytes, 6);
@@ -141,7 +141,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assert.equal(adapter.child.exitCode, null);
   });
 
-  it('Adapter_NoRoute_ExplainsHowToAddOne', async t => {
+  it('Adapter_NoRoute_ExplainsHowToAddARoute', async t => {
     const { adapter } = await cell(t, { server: { routes: ['10.0.0.1.1.1'] } });
 
     await adapter.said(adsMessages.noAnswer('127.0.0.1', '192.168.0.10.1.1'));
@@ -163,14 +163,14 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     ['Zero', () => 0n, 'stamp-missing'],
     ['Frozen', () => 134_000_000_000_000_000n, 'stamp-not-newer'],
   ])
-    it(`Adapter_${name}Stamp_IsRefusedWithAReason`, async t => {
+    it(`Adapter_${name}TimeStamp_RefusesTheValueWithAReason`, async t => {
       const { bridge } = await cell(t, { plc: youBot({ cycleMs: 5, stampOf }) });
 
       await until(() => Number(bridge.state?.[`refused/${reason}`]) > 10, () => JSON.stringify(bridge.state));
       assert.ok(bridge.jointStates.length <= 5, 'at most one for each joint');
     });
 
-  it('Adapter_Terminated_RemovesItsNotifications', async t => {
+  it('Adapter_Terminated_DeletesItsNotifications', async t => {
     const { server, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 

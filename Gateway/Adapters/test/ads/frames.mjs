@@ -1,10 +1,10 @@
-// The frames of Beckhoff's ADS/AMS specification (TE1000, "AMS/TCP" and "ADS commands"), little-endian throughout.
+// Creates frames as described in Beckhoff's ADS/AMS specification (TE1000, "AMS/TCP" and "ADS commands"). All numbers are little-endian.
 export const command = {
   readDeviceInfo: 1, read: 2, write: 3, readState: 4, writeControl: 5,
   addNotification: 6, deleteNotification: 7, notification: 8, readWrite: 9,
 };
 
-/** Values of the first two bytes of an AMS/TCP header. The specification has only 0; the others are the router's own. */
+/** Values of the first two bytes of an AMS/TCP header. The specification defines only 0; the TwinCAT router also uses the other values. */
 export const tcpCommand = { ads: 0, closePort: 1, openPort: 0x1000, localNetId: 0x1002 };
 
 export const group = {
@@ -29,7 +29,7 @@ const request = 0x0004;
 export const netIdBytes = text => Buffer.from(text.split('.').map(Number));
 export const netIdText = bytes => [...bytes].join('.');
 
-/** AMS/TCP header: two bytes that are zero for ADS, then the length of the data that follows. */
+/** Returns a frame: an AMS/TCP header with `kind` (a value of tcpCommand, 2 bytes) and the length of the data (4 bytes), then the data. */
 export function tcpFrame(kind, data) {
   const header = Buffer.alloc(6);
   header.writeUInt16LE(kind, 0);
@@ -64,16 +64,16 @@ export function parseAms(bytes) {
   };
 }
 
-/** Returns the response to a request: source and target exchanged, same command and same invoke id. */
+/** Returns the response to a request. Source and target are exchanged; command and invoke id are the same. */
 export const answer = (asked, data, errorCode = 0) =>
   amsFrame(asked.source, asked.target, asked.command, response, errorCode, asked.invokeId, data);
 
 export const result = code => words(code);
 
-/** Returns the response data of Read and ReadWrite: result, length, data. */
+/** Returns the data of a response to Read or ReadWrite: result, length, data. */
 export const readResult = data => Buffer.concat([words(0, data.length), data]);
 
-/** Returns a device notification: stamps in units of 100 ns since 1601 UTC, each with the samples taken at that time. */
+/** Returns a device notification. `stamps` are times in units of 100 ns since 1601 UTC, each with the samples taken at this time. */
 export function notificationFrame(target, source, stamps) {
   const parts = [words(stamps.length)];
   for (const { stamp, samples } of stamps) {
@@ -92,7 +92,7 @@ export function words(...values) {
   return bytes;
 }
 
-/** Extracts whole AMS/TCP frames from a stream of bytes. */
+/** Extracts complete AMS/TCP frames from a stream of bytes. */
 export class FrameReader {
   #bytes = Buffer.alloc(0);
 

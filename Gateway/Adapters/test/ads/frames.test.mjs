@@ -1,4 +1,5 @@
-// Compares the double byte for byte with frames written by hand from the specification, so that it is not fitted to one client.
+// Compares the frames of the simulated PLC byte for byte with frames that were written by hand from the specification. Thus the
+// simulated PLC follows the specification and not only one client.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { connect } from 'node:net';
@@ -12,7 +13,7 @@ const there = '05 18 0c 07 01 01 53 03', here = 'c0 a8 00 0a 01 01 89 80';
 const bytes = hex => Buffer.from(hex.replace(/\s/g, ''), 'hex');
 const text = buffer => buffer.toString('hex').replace(/..(?!$)/g, '$& ');
 
-/** A PLC with a cycle of one day: no value changes while a test runs. */
+/** Returns a PLC whose cycle takes one day, so no value changes while a test runs. */
 const still = () => new Plc([
   new PlcSymbol('MAIN.fA', 'LREAL', () => 1.5),
   new PlcSymbol('G.aB', 'INT', () => [7, -2], { count: 2, first: 1 }),
@@ -89,13 +90,13 @@ const exchanges = {
 };
 
 for (const [name, [asked, expected]] of Object.entries(exchanges))
-  test(`Server_${name.replace(/\W+/g, '')}_AnswersByteForByte`, async t => {
+  test(`Server_${name.replace(/\W+/g, '')}_AnswersWithTheBytesOfTheSpecification`, async t => {
     const { ask } = await served(t, still());
 
     assert.equal(await ask(asked), expected.replace(/\s+/g, ' '));
   });
 
-test('Server_Notification_IsAStreamOfStampsAndSamples', async t => {
+test('Server_Notification_ContainsTimeStampsAndSamples', async t => {
   const plc = new Plc([new PlcSymbol('MAIN.fA', 'LREAL', () => 1.5)], { cycleMs: 5, stampOf: () => 0x01dd0a0b0c0d0e0fn });
   const { ask, next, server } = await served(t, plc);
   const add = `00 00 48 00 00 00 ${there} ${here} 06 00 04 00 28 00 00 00 00 00 00 00 01 00 00 00
@@ -117,7 +118,7 @@ test('Server_PortOpened_ReturnsAnAddress', async t => {
   assert.equal(await ask('00 10 02 00 00 00 00 00'), '00 10 08 00 00 00 7f 00 00 01 01 01 89 80');
 });
 
-test('Server_ConfigMode_HasNoRuntime', async t => {
+test('Server_InConfigMode_HasNoRuntime', async t => {
   const plc = still();
   const { ask } = await served(t, plc);
   plc.systemState = state.config;
@@ -127,7 +128,7 @@ test('Server_ConfigMode_HasNoRuntime', async t => {
     `00 00 20 00 00 00 ${here} ${there} 04 00 05 00 00 00 00 00 06 00 00 00 01 00 00 00`);
 });
 
-test('Server_SenderWithoutRoute_ClosesTheConnection', async t => {
+test('Server_RequestOfASenderWithoutRoute_ClosesTheConnection', async t => {
   const { socket } = await served(t, still(), { routes: ['10.0.0.1.1.1'] });
   const closed = once(socket, 'close');
 

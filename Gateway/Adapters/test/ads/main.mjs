@@ -1,4 +1,4 @@
-// npm run ads-server: starts a moving youBot behind ADS on this machine, for trying out an adapter or a client. Ends with Ctrl-C.
+// npm run ads-server: starts a simulated PLC with a moving youBot on this machine, to try an adapter or another ADS client. Ctrl-C ends it.
 import { parseArgs } from 'node:util';
 import { AdsServer, runtimePort } from './server.mjs';
 import { youBot } from './youbot.mjs';

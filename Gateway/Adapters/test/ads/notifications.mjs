@@ -1,7 +1,7 @@
-// Device notifications of one client. A sample that is due in a cycle is taken for that cycle, even if the machine runs late.
+// Sends device notifications to the clients. A sample that is due in a cycle has the value of this cycle, even if this machine is late.
 import { group, mode, notificationFrame } from './frames.mjs';
 
-/** Longest interruption for which missed samples are sent later, in ns. After a longer one they are skipped. */
+/** Longest interruption after which missed samples are still sent, in ns. After a longer interruption they are skipped. */
 const longestCatchUp = 200_000_000n;
 
 export class Notifications {
@@ -21,7 +21,7 @@ export class Notifications {
     return this.#entries.size;
   }
 
-  /** Adds a notification; times are in units of 100 ns, as in the request. The first sample comes with the next cycle. */
+  /** Adds a notification. Times are in units of 100 ns, as in the request. The first sample is taken in the next cycle. */
   add(client, server, { indexGroup, indexOffset, length, transmission, maxDelay, cycleTime }) {
     const interval = BigInt(cycleTime) * 100n;
     const whole = interval <= this.#plc.cycle ? this.#plc.cycle : interval - interval % this.#plc.cycle;
@@ -38,7 +38,7 @@ export class Notifications {
     return this.#entries.delete(handle);
   }
 
-  /** Removes notifications of variables whose memory place changed. Each one is reported once, by a sample without data. */
+  /** Removes the notifications of variables that have moved in memory. For each of them the client gets one sample without data. */
   invalidate() {
     for (const [handle, entry] of this.#entries) {
       if (entry.indexGroup !== group.memory) continue;
@@ -74,7 +74,7 @@ export class Notifications {
     this.#waiting.push({ entry, handle, time, data, until: time + entry.maxDelay });
   }
 
-  /** Sends one packet with one stamp per cycle, once any waiting sample has reached its maximum delay. */
+  /** Sends the waiting samples in one packet with one time stamp per cycle, as soon as one of them has reached its maximum delay. */
   #flush(atOnce) {
     const now = this.#plc.now();
     if (this.#waiting.length === 0 || !atOnce && !this.#waiting.some(w => w.until <= now)) return;

@@ -1,4 +1,4 @@
-// A PLC as an ADS client sees it: clock, task, variables and states.
+// Simulates the parts of a PLC that an ADS client can read: clock, task, variables and states.
 import { performance } from 'node:perf_hooks';
 import { error, group, state, words } from './frames.mjs';
 import { symbolEntry } from './symbols.mjs';
@@ -18,8 +18,8 @@ export class Plc {
   downloaded = new Set();
 
   /**
-   * `aheadMs` is the PLC clock minus this machine's clock at the start, `ppm` is its skew, and `cycleMs` is the cycle time of its task.
-   * `variables` are PlcSymbols, whose values change only from cycle to cycle.
+   * `variables` are PlcSymbols; their values change only from cycle to cycle. `aheadMs` is the time of the PLC's clock minus that of this
+   * machine's clock at the start, `ppm` is the skew of the PLC's clock, and `cycleMs` is the cycle time of the PLC's task.
    */
   constructor(variables, { aheadMs = 0, ppm = 0, cycleMs = 1, stampOf = time => fileTime(time) } = {}) {
     this.#startTime = BigInt(Math.round((Date.now() + aheadMs) * 1e6));
@@ -38,7 +38,7 @@ export class Plc {
     this.#stoppedAt = this.cycleTime();
   }
 
-  /** The PLC's clock in nanoseconds since 1970. */
+  /** Returns the time of the PLC's clock in nanoseconds since 1970. */
   now() {
     const elapsed = (performance.now() - this.#startedAt) * (1 + this.#ppm * 1e-6);
     return this.#startTime + BigInt(Math.round(elapsed * 1e6));
@@ -48,13 +48,13 @@ export class Plc {
     this.#startTime += BigInt(Math.round(milliseconds * 1e6));
   }
 
-  /** Start of the task's newest cycle, in nanoseconds since 1970. Cycles do not start at round times. */
+  /** Returns the start of the newest cycle that began before `time`, in nanoseconds since 1970. Cycles do not start at round times. */
   cycleTime(time = this.now()) {
     const phase = this.cycle * 3n / 7n / 100n * 100n;
     return time - (time - phase) % this.cycle;
   }
 
-  /** Loads a new program: all variables move to other places, and handles of the old places become invalid. */
+  /** Loads a new program: all variables move to other memory addresses, and handles of the old addresses become invalid. */
   download(variables) {
     this.version = this.version % 255 + 1;
     this.#place(variables, 0x1000 + 64 * this.version);
@@ -89,7 +89,10 @@ export class Plc {
     return words(this.#symbols.length, this.table.length);
   }
 
-  /** Returns the bytes at a place at the beginning of a cycle, or an ADS error. In stop the task does not run and the values do not change. */
+  /**
+  * Returns the bytes at a memory address as they are at `time`, the start of a cycle; or an ADS error. While the PLC is stopped, the
+  * values do not change.
+  */
   read(indexGroup, indexOffset, length, time = this.cycleTime()) {
     if (this.plcState !== state.run) time = this.#stoppedAt;
     if (indexGroup === group.symbolVersion) return Buffer.from([this.version]);

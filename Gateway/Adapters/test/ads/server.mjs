@@ -1,4 +1,4 @@
-// Answers ADS clients over TCP like the runtime of a TwinCAT PLC (port 851) and the system service (port 10000).
+// Answers ADS clients over TCP like the runtime of a TwinCAT PLC (port 851) and its system service (port 10000).
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 import {
@@ -17,14 +17,14 @@ export class AdsServer {
   #handles = new Map();
   #nextPort = 32905;
 
-  /** `routes` are the AMS Net Ids of the accepted senders. A target without a route to a sender closes the connection. */
+  /** `routes` are the AMS Net Ids of the accepted senders. The server closes the connection of any other sender, like TwinCAT without a route. */
   constructor(plc, { netId = '5.24.12.7.1.1', routes } = {}) {
     this.plc = plc;
     this.netId = netId;
     this.routes = routes;
-    /** Every request received. Tests use it to check that nothing was written. */
+    /** All received requests. With them, tests check that nothing was written. */
     this.seen = [];
-    /** While true, requests are read and never answered. */
+    /** While true, the server reads requests but does not answer them. */
     this.silent = false;
     plc.downloaded.add(this.#downloaded);
   }
@@ -39,7 +39,7 @@ export class AdsServer {
     return [...this.#sockets].reduce((sum, s) => sum + s.notifications.count, 0);
   }
 
-  /** Closes all connections without notice, as a power failure does. */
+  /** Closes all connections without a message, like a power failure. */
   async close() {
     this.plc.downloaded.delete(this.#downloaded);
     for (const { socket } of this.#sockets) socket.destroy();
@@ -130,7 +130,7 @@ export class AdsServer {
     return this.plc.read(place.indexGroup, place.indexOffset, length);
   }
 
-  /** Resolves a handle to the place of its variable. */
+  /** Returns the memory address of the variable of a handle; any other address is returned unchanged. */
   #place(indexGroup, indexOffset) {
     const symbol = indexGroup === group.valueByHandle ? this.#handles.get(indexOffset) : undefined;
     return symbol ? { indexGroup: group.memory, indexOffset: symbol.offset } : { indexGroup, indexOffset };
@@ -154,7 +154,7 @@ export class AdsServer {
     }
   }
 
-  /** Takes group, offset and length of each variable. Returns each result, then the data of all, padded to the requested lengths. */
+  /** Reads several variables, given by group, offset and length. Returns all results, then all data, padded to the requested lengths. */
   #sumRead(count, written) {
     const asked = [...Array(count).keys()].map(i => [0, 4, 8].map(at => written.readUInt32LE(12 * i + at)));
     const time = this.plc.cycleTime();

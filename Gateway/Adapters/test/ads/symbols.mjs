@@ -1,9 +1,9 @@
-// Symbols of a PLC and their entries in a symbol table (AdsSymbolEntry of TcAdsDef.h).
+// Defines the symbols of a simulated PLC and encodes their entries of the symbol table (AdsSymbolEntry of TcAdsDef.h).
 import { words } from './frames.mjs';
 
 const primitive = (type, size, write) => ({ type, size, write });
 
-/** Types by their IEC 61131-3 names: ADST number, size in bytes, and the function that writes a value. */
+/** Data types by their IEC 61131-3 names: ADST number, size in bytes, and the function that writes a value. */
 export const types = {
   BOOL: primitive(33, 1, (b, v) => b.writeUInt8(v ? 1 : 0)),
   INT: primitive(2, 2, (b, v) => b.writeInt16LE(v)),
@@ -19,7 +19,7 @@ export const types = {
   STRING: primitive(30, 81, (b, v) => b.write(`${v}\0`, 'latin1')),
 };
 
-/** One variable. `value` returns its content at a PLC time (nanoseconds since 1970, BigInt); `count` makes it an array. */
+/** A variable. `value` returns its content at a time of the PLC (nanoseconds since 1970, BigInt). `count` > 0 makes it an array. */
 export class PlcSymbol {
   constructor(name, typeName, value, { count = 0, first = 0 } = {}) {
     Object.assign(this, { name, typeName, value, count, first });
@@ -39,7 +39,7 @@ export class PlcSymbol {
     return bytes;
   }
 
-  /** Returns the element at an index of the array. */
+  /** Returns the element with an index of the PLC, which begins at `first`. */
   element(index) {
     const place = index - this.first;
     if (this.count === 0 || place < 0 || place >= this.count) return undefined;
@@ -51,7 +51,7 @@ export class PlcSymbol {
 
 const text = string => Buffer.from(`${string}\0`, 'latin1');
 
-/** AdsSymbolEntry: 30 bytes, then zero-terminated name, type and comment. For an array, its first index and its length follow. */
+/** Returns an AdsSymbolEntry: 30 bytes, then name, type and comment, each terminated by zero; for an array, then its first index and length. */
 export function symbolEntry(symbol, indexGroup) {
   const isArray = symbol.count > 0;
   const lengths = Buffer.alloc(10);

@@ -13,20 +13,20 @@ describe('cycles of a PLC', () => {
     return { taken, dropped };
   };
 
-  it('Values_TimesAfterTheMaximumDelay_AllGetTheirTime', () => {
+  it('Values_TimesArriveOneMaximumDelayLater_AllGetTheirTime', () => {
     const { taken, dropped } = met(50, 50);
 
     assert.deepEqual([taken.length, dropped], [50, []]);
     assert.ok(taken.every(([time, value]) => time === BigInt(1000 + value)));
   });
 
-  it('Values_WithoutTimes_AreDroppedAtTheLimit', () => assert.equal(met(1000, 50).dropped.length, 1000 - 116));
+  it('Values_TimesNeverArrive_AreDroppedBeyondTheLimit', () => assert.equal(met(1000, 50).dropped.length, 1000 - 116));
 });
 
 describe('time by notifications', () => {
   const STAMP = 133_000_000_000_000_000n;
 
-  /** A PLC whose first notification comes before or after the answer to its subscription. */
+  /** Simulates a PLC whose first notification arrives before (`early`) or after the answer to the subscription. */
   function plc({ early, handles = [1, 2, 3] }) {
     const time = new NotificationTime({
       subscribe: async () => {
@@ -40,13 +40,13 @@ describe('time by notifications', () => {
   }
 
   for (const early of [true, false])
-    it(`Stamp_${early ? 'BeforeTheAnswer' : 'AfterTheAnswer'}_IsTheTime`, async () => {
+    it(`NotificationTime_${early ? 'NotifiedBeforeTheAnswer' : 'NotifiedAfterTheAnswer'}_IsTheTimeStampOfTheNotification`, async () => {
       const time = plc({ early });
 
       assert.deepEqual([(await time.read()).sent, (await time.read()).sent], [ofFileTime(STAMP + 2n), ofFileTime(STAMP + 1n)]);
     });
 
-  it('Stamp_HandleOfAnEarlierRequest_IsIgnored', async () => {
+  it('NotificationTime_HandleOfAnEarlierRequest_IsIgnored', async () => {
     const time = plc({ early: false, handles: [1, 1] });
     await time.read();
 

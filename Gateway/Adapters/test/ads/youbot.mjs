@@ -1,16 +1,16 @@
-// The variables of a PLC that moves a youBot, and the true joint values at a time of that PLC.
+// Defines the variables of a PLC that moves a youBot, and the true joint positions as functions of the PLC's time.
 import { Plc } from './plc.mjs';
 import { PlcSymbol } from './symbols.mjs';
 
 export const arm = ['arm_joint_1', 'arm_joint_2', 'arm_joint_3', 'arm_joint_4', 'arm_joint_5'];
 
-/** Angle of an arm joint in rad. Each joint swings about its middle at its own frequency. */
+/** Returns the angle of an arm joint in rad. Each joint swings about the middle of its range, with its own frequency. */
 export function angle(joint, nanoseconds) {
   const seconds = Number(nanoseconds % 3_600_000_000_000n) / 1e9;
   return [2.9, 1.1, -2.5, 1.7, 2.9][joint] + 0.4 * Math.sin(2 * Math.PI * (0.2 + 0.05 * joint) * seconds);
 }
 
-/** Opening of each finger in m. */
+/** Returns the position of each finger in m. */
 export function opening(nanoseconds) {
   return 0.005 + 0.004 * Math.sin(2 * Math.PI * 0.3 * Number(nanoseconds % 3_600_000_000_000n) / 1e9);
 }

@@ -16,7 +16,7 @@ const { brokerMessages } = messages;
 const { BrokerLink } = await parts('broker/brokerLink');
 
 describe('broker', { skip: missing, concurrency: 3 }, () => {
-  it('Bridges_JointStates_ArriveWithTheirStamps', async t => {
+  it('Bridges_JointStates_KeepTheirTimeStamps', async t => {
     const { near, far, sync } = await halls(t);
     const stamp = sync.now();
 
@@ -45,10 +45,10 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(later.published('/joint_trajectory')[0], plan);
   });
 
-  it('Broker_StallsAndContinues_DoesNotBlockTheGatewayAndDropsTheOldest', async t => {
+  it('Bridge_BrokerStalls_DropsTheOldestAndStillAnswersItsGateway', async t => {
     const { near, far, broker, sync, publisher } = await halls(t);
     broker.stall();
-    // More than the combined capacity of all buffers on the path.
+    // Sends more than all buffers on the path can hold.
     const names = [...Array(250).keys()].map(i => `a_joint_with_a_rather_long_name_${i}`), start = sync.now();
     for (let i = 0n; i < 1000n; i++) {
       publish(near, '/joint_states', state(start + i, names, names.map(() => Number(i))));
@@ -68,7 +68,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.ok(far.jointStates.length < 1000, `${far.jointStates.length} after ${performance.now() - asked} ms`);
   });
 
-  it('Broker_Restarted_BothBridgesReconnect', async t => {
+  it('Bridges_BrokerRestarted_Reconnect', async t => {
     const { near, far, broker, sync, publisher, subscriber } = await halls(t);
     publish(near, '/robot_description', { data: '<robot name="kept"/>' });
     await until(() => far.published('/robot_description').length > 0, 'the description');
@@ -78,21 +78,21 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await broker.run();
 
     await until(() => far.state?.state === 'connected', () => subscriber.err);
-    // The broker has lost its retained messages; the bridge still has them.
+    // The broker has lost its retained messages, so the bridge must send them again.
     const client = await connectAsync(broker.url, { protocolVersion: 5 });
     t.after(() => client.endAsync(true));
     const kept = new Promise(resolve => client.on('message', (topic, payload) => resolve(JSON.parse(payload))));
     await client.subscribeAsync(`${TOPIC}/robot_description`);
     assert.deepEqual(await kept, { data: '<robot name="kept"/>' });
     const count = far.jointStates.length;
-    // Joint states sent before both bridges have reconnected are lost, which is allowed.
+    // Joint states may be lost until both bridges have reconnected.
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
       return far.jointStates.length > count;
     }, () => `joint states; ${publisher.err}${subscriber.err}`);
   });
 
-  it('Message_ListenerThrows_IsCountedAndTheNextIsProcessed', async t => {
+  it('Message_ListenerThrows_IsCountedAndTheNextMessageIsProcessed', async t => {
     const broker = await Mosquitto.start(t), heard = [], problems = [], ending = new AbortController();
     const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'subscribe' };
     const link = new BrokerLink(settings, 'hall', ['joint_states'], {
@@ -114,7 +114,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     await running;
   });
 
-  it('Bridge_PasswordOfTheBroker_LogsInAndIsNeverLogged', async t => {
+  it('Bridge_BrokerWithPassword_LogsInAndNeverLogsThePassword', async t => {
     const passwords = join(temporaryFolder(), 'passwords'), password = 'of-the-hall-4711';
     assert.equal(spawnSync('mosquitto_passwd', ['-b', '-c', passwords, 'hall', password]).status, 0);
     const broker = await Mosquitto.start(t, ['allow_anonymous false', `password_file ${passwords}`]), near = await RosbridgeDouble.start(t);
@@ -127,7 +127,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.doesNotMatch(right.err + wrong.err, /4711|not-that-one/);
   });
 
-  it('Bridge_BrokerWithTls_IsTrustedOnlyWithItsAuthority', async t => {
+  it('Bridge_BrokerWithTls_ConnectsOnlyWithTheAuthorityOfItsCertificate', async t => {
     const folder = temporaryFolder(), key = join(folder, 'key.pem'), certificate = join(folder, 'certificate.pem');
     const made = spawnSync('openssl', ['req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:prime256v1', '-nodes', '-days', '2',
       '-subj', '/CN=127.0.0.1', '-addext', 'subjectAltName=IP:127.0.0.1', '-keyout', key, '-out', certificate]);

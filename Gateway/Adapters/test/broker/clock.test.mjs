@@ -7,7 +7,7 @@ import { missing, Mosquitto } from './mosquitto.mjs';
 import { SyncServer } from './syncServer.mjs';
 
 describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }, () => {
-  it('Clock_Upstream_IsForwardedWithItsBound', async t => {
+  it('Clock_OfThePlantsGateway_IsForwardedWithItsErrorBound', async t => {
     const { far, sync } = await halls(t);
     Object.assign(sync, { aheadNs: -3_600_000_000_000n, boundUs: 250, resolutionNs: 1_000_000 });
 
@@ -22,7 +22,7 @@ describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }
     assert.equal((await far.call('/nowpose/plant_time/hall')).values.synchronised, false);
   });
 
-  it('Clock_UpstreamRestarted_IsRequestedAgain', async t => {
+  it('Clock_PlantsGatewayRestarted_IsRequestedAgain', async t => {
     const { far, sync, subscriber } = await halls(t);
     await served(far);
 
@@ -34,7 +34,7 @@ describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }
     await served(far);
   });
 
-  it('Clock_WithToken_IsRequestedWithIt', async t => {
+  it('Clock_TokenConfigured_IsRequestedWithTheToken', async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t, { token: 'secret-of-a' })]);
     const right = temporaryFile('token', 'secret-of-a\n'), wrong = temporaryFile('token', 'another-one\n');
     bridge(t, 'subscribe', far, broker, clockOf(sync, `, token_file: "${right}"`));

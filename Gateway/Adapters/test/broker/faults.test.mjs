@@ -11,7 +11,7 @@ import { messages } from '../messages.mjs';
 const { brokerMessages, silenceMessages } = messages;
 
 describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
-  it('Publisher_Killed_SubscriberReportsIt', async t => {
+  it('Subscriber_PublisherKilled_ReportsIt', async t => {
     const { near, far, sync, publisher, subscriber } = await halls(t);
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
@@ -41,7 +41,7 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     await joint('a', 'live');
   });
 
-  it('Joints_NotLiveAtThePlantsGateway_HaveTheSameStateAtTheOtherGateway', async t => {
+  it('JointsNotLive_AtThePlantsGateway_HaveTheSameStateAtTheOtherGateway', async t => {
     const { near, far, sync } = await halls(t), stamp = sync.now(), began = Date.now() / 1000;
 
     publish(near, '/nowpose/joint_status', jointStatus(stamp, {
@@ -69,7 +69,7 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     assert.equal(far.status.level, 2);
   });
 
-  it('Joints_NotLiveAtThePlantsGateway_AreRetainedForALaterBridge', async t => {
+  it('JointsNotLive_AtThePlantsGateway_AreRetainedForALaterBridge', async t => {
     const { near, far, broker, sync } = await halls(t), stamp = sync.now();
     publish(near, '/nowpose/joint_status', jointStatus(stamp, { gone: `missing ${secondsAgo(stamp, 1)} no such node` }));
     await until(() => far.joint('gone'), () => JSON.stringify(far.state));
@@ -80,7 +80,7 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => later.joint('gone')?.state === 'missing', () => JSON.stringify(later.state));
   });
 
-  it('PublishersGateway_DisconnectsAndReturns_SubscriberReportsIt', async t => {
+  it('Subscriber_GatewayOfThePublisherDisconnectsAndReturns_ReportsIt', async t => {
     const { near, far, sync, publisher, subscriber } = await halls(t);
     await until(() => {
       publish(near, '/joint_states', state(sync.now()));
@@ -115,7 +115,7 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     ['PlanWithoutPoint', 'joint_trajectory', '{"header":{},"joint_names":["a"],"points":[null]}', 'malformed'],
     ['BadPlan', 'joint_trajectory', '{"joint_names":["a"]}', 'malformed'],
   ])
-    it(`Subscriber_${name}_IsRefusedWithAReason`, async t => {
+    it(`Subscriber_${name}_RefusesTheMessageWithAReason`, async t => {
       const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
       const subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync));
       await subscriber.said(brokerMessages.noPublisher('nowpose/cell'));

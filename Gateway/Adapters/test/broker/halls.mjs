@@ -1,4 +1,4 @@
-// Bridges between two gateways over a broker, and the messages that pass them.
+// Connects two gateways by a broker and two bridges, and creates the messages that they forward.
 import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
@@ -21,14 +21,14 @@ ${more}`);
 
 export const clockOf = ({ port }, more = '') => `  clock: { host: 127.0.0.1, port: ${port}${more} }\n`;
 
-/** Two gateways, one with the plant and one without, connected by a broker and two bridges. */
+/** Starts two gateways, one with the plant (`near`) and one without (`far`), and connects them by a broker and two bridges. */
 export async function halls(t, { more = '', namespaces = [] } = {}) {
   const robots = namespaces.length === 0 ? '' : `  namespaces: [${namespaces.join(', ')}]\n`;
   const [near, far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RosbridgeDouble.start(t), Mosquitto.start(t), SyncServer.start(t)]);
   const publisher = bridge(t, 'publish', near, broker, robots), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + robots + more);
   await until(() => near.heard.filter(m => m.op === 'subscribe').length === 9 + 3 * namespaces.length, () => publisher.err);
   await until(() => far.state?.state === 'connected', () => subscriber.err);
-  // No message passes until the clock of its stamps is known.
+  // The subscribing bridge forwards no message before it knows the clock of the time stamps.
   await served(far);
   return { near, far, broker, sync, publisher, subscriber };
 }
@@ -38,12 +38,12 @@ export const state = (stamp, name = ['a'], position = [1]) => ({
   name, position, velocity: [], effort: [],
 });
 export const publish = (double, topic, msg) => double.send({ op: 'publish', topic, msg });
-/** The list of joints that are not live, as a gateway publishes it on its own topic. */
+/** Returns a list of joints that are not live, like the list that a gateway publishes on /nowpose/joint_status. */
 export const jointStatus = (stamp, values) => ({
   header: state(stamp).header,
   status: [{ level: 2, name: 'joints', message: '', hardware_id: 'gateway', values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
 export const secondsAgo = (stamp, seconds) => (Number(stamp) / 1e9 - seconds).toFixed(3);
-/** Waits until the clock of the plant's gateway is known. */
+/** Waits until a bridge serves the clock of the plant's gateway. */
 export const served = (double, service = '/nowpose/plant_time/hall') =>
   until(async () => (await double.call(service)).result, 'the clock');

@@ -1,4 +1,4 @@
-// Debian's mosquitto on a port of this machine, configured like the example.
+// Runs Debian's mosquitto on a port of this machine, configured like the example.
 import { spawn, spawnSync } from 'node:child_process';
 import { createServer, connect } from 'node:net';
 import { once } from 'node:events';
@@ -9,7 +9,7 @@ import { temporaryFolder } from '../temporary.mjs';
 
 const program = ['mosquitto', '/usr/sbin/mosquitto'].find(name => spawnSync(name, ['-h']).error === undefined);
 
-/** The reason why tests with mosquitto cannot run here; false if they can. */
+/** The reason why tests with mosquitto cannot run on this machine; false if they can. */
 export const missing = program === undefined && 'mosquitto is not installed (apt-get install mosquitto)';
 
 export async function freePort() {
@@ -26,7 +26,7 @@ export class Mosquitto {
     broker.port = await freePort();
     broker.url = `mqtt://127.0.0.1:${broker.port}`;
     broker.file = join(temporaryFolder(), 'mosquitto.conf');
-    // Started by root, mosquitto switches to another user, who cannot read the test's files.
+    // If root starts mosquitto, it switches to another user, who cannot read the files of the test.
     const user = process.getuid?.() === 0 ? ['user root'] : [];
     writeFileSync(broker.file, [...user, `listener ${broker.port} 127.0.0.1`, ...lines, 'persistence false', 'log_dest none', ''].join('\n'));
     test.after(() => broker.stop());
@@ -40,7 +40,7 @@ export class Mosquitto {
     await until(() => answers(this.port), 'mosquitto');
   }
 
-  /** Stops reading and writing without closing the connections. */
+  /** Pauses the broker: it neither reads nor writes, but its connections stay open. */
   stall() { this.child.kill('SIGSTOP'); }
   resume() { this.child.kill('SIGCONT'); }
 

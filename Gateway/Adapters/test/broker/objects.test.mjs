@@ -13,7 +13,7 @@ const transform = (stamp, child, x, parent = 'world') => ({
 const values = double => Object.fromEntries(double.published('/signals').flatMap(({ header, name, value }) => name.map((one, i) => [one, [value[i], nanoseconds(header.stamp)]])));
 
 describe('objects over a broker', { skip: missing, concurrency: 3 }, () => {
-  it('Bridges_ObjectsAndSignals_ArriveWithTheirStamps', async t => {
+  it('Bridges_ObjectsAndSignals_KeepTheirTimeStamps', async t => {
     const { near, far, sync, broker } = await halls(t);
     const at = sync.now(), { stamp } = state(at).header;
 
@@ -36,7 +36,7 @@ describe('objects over a broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(later.published('/tf'), []);
   });
 
-  it('Signal_NotCurrentAtThePlant_IsAFaultWithItsReason', async t => {
+  it('Signal_NotCurrentAtThePlantsGateway_IsAFaultWithItsReason', async t => {
     const { near, far, sync } = await halls(t);
     publish(near, '/signals', { header: state(sync.now()).header, name: ['closed'], value: [1] });
     await until(() => far.state?.['signal/closed']?.startsWith('live'), () => JSON.stringify(far.state));
@@ -50,7 +50,7 @@ describe('objects over a broker', { skip: missing, concurrency: 3 }, () => {
     await until(() => far.state?.['signal/closed']?.startsWith('live'), () => JSON.stringify(far.state));
   });
 
-  it('Bridges_RobotsInNamespaces_StayApart', async t => {
+  it('Bridges_RobotsInNamespaces_AreForwardedSeparately', async t => {
     const { near, far, sync } = await halls(t, { namespaces: ['arm1', 'arm2'] });
 
     for (const [robot, x] of [['/arm1', 1], ['/arm2', 2], ['', 3]]) publish(near, `${robot}/joint_states`, state(sync.now(), ['a'], [x]));

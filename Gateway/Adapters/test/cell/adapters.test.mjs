@@ -1,4 +1,4 @@
-// Frames, signals and robots of real servers, through whole adapters.
+// Tests complete adapters that read frames, signals and robots from real servers.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { configuration as adsConfiguration } from '../ads/cell.mjs';
@@ -24,14 +24,14 @@ const changes = bridge => bridge.published('/signals').map(({ header, value }) =
 const posesOf = (bridge, frame, count) => until(() => poses(bridge, frame).length >= count && poses(bridge, frame),
   () => `${count} poses of ${frame}; there are ${poses(bridge, frame).length}, ${JSON.stringify(bridge.state)}`);
 
-/** A message without a stamp gets the time of its arrival, which is known within half a round trip between the clocks. */
+/** Whether a time stamp can be the time of arrival of a message, with a tolerance for the round trip with which the clock was read. */
 function isArrival(stamp, sent, seen) {
   const tolerance = 100_000_000n;
   return stamp > sent - tolerance && stamp < seen + tolerance;
 }
 
-/** Asserts that a pose has the x and the angle about z of its source at its stamp. */
-function assertTrue({ header, transform: { translation, rotation } }, place, turn, tolerance) {
+/** Asserts that a pose has the x coordinate and the angle about z that its source had at the time stamp of the pose. */
+function assertPoseMatches({ header, transform: { translation, rotation } }, place, turn, tolerance) {
   const stamp = nanoseconds(header.stamp);
   assert.ok(Math.abs(translation.x - place(stamp)) < tolerance, `x is ${translation.x}, not ${place(stamp)}`);
   const expected = turn(stamp);
@@ -40,7 +40,7 @@ function assertTrue({ header, transform: { translation, rotation } }, place, tur
 }
 
 describe('frames, signals and robots', { concurrency: 4 }, () => {
-  it('OpcUa_PosesSignalsAndRobots_HaveTheTruthAtTheirStamps', async t => {
+  it('OpcUa_PosesSignalsAndRobots_HaveTheTrueValuesAtTheirTimeStamps', async t => {
     const server = await serverFor(t);
     const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
 plant:
@@ -65,7 +65,7 @@ signals:
 
     const seen = await posesOf(bridge, 'part', 60);
 
-    for (const pose of seen) assertTrue(pose, opening, stamp => angle(2, stamp), 1e-6);
+    for (const pose of seen) assertPoseMatches(pose, opening, stamp => angle(2, stamp), 1e-6);
     assert.equal(seen[0].header.frame_id, 'arm1/tool0');
     assert.equal(seen[0].transform.translation.y, 1);
     assert.deepEqual(bridge.published('/tf_static').map(({ transforms }) => transforms[0].child_frame_id), ['table']);
@@ -81,7 +81,7 @@ signals:
     await until(() => bridge.state?.['frame/part']?.startsWith('live') && bridge.state['signal/open']?.startsWith('live'), () => JSON.stringify(bridge.state));
   });
 
-  it('OpcUa_NodesDeleted_AreFaultsOfFrameAndSignal', async t => {
+  it('OpcUa_NodesDeleted_FrameAndSignalAreInFault', async t => {
     const server = await serverFor(t);
     const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
 plant:
@@ -108,7 +108,7 @@ signals:
     assert.equal(bridge.status.level, 2);
   });
 
-  it('Ads_PosesAndSignals_HaveTheTruthAtTheirStamps', async t => {
+  it('Ads_PosesAndSignals_HaveTheTrueValuesAtTheirTimeStamps', async t => {
     const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
     t.after(() => server.close());
     const { bridge } = await adapterFor(t, url => `${adsConfiguration({ port, url })}frames:
@@ -121,12 +121,12 @@ signals:
 
     const seen = await posesOf(bridge, 'part', 60);
 
-    for (const pose of seen) assertTrue(pose, opening, stamp => angle(0, stamp), 1e-6);
+    for (const pose of seen) assertPoseMatches(pose, opening, stamp => angle(0, stamp), 1e-6);
     await until(() => new Set(changes(bridge).map(([, value]) => value)).size === 2, 'two values');
     for (const [stamp, value] of changes(bridge)) assert.equal(value, opening(stamp) > 0.005 ? 1 : 0);
   });
 
-  it('Ads_BoolAsPosition_IsRefusedWithItsLine', async t => {
+  it('Ads_BoolAsPosition_IsRefusedWithItsLineInTheFile', async t => {
     const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
     t.after(() => server.close());
     const { bridge } = await adapterFor(t, url => `${adsConfiguration({ port, url })}frames:
@@ -134,7 +134,7 @@ signals:
     position: { unit: m, x: { symbol: MAIN.bOpen }, y: 0, z: 0 }
 `);
 
-    await until(() => bridge.state?.['frame/part']?.includes(`MAIN.bOpen is BOOL; ${symbolMessages.notNumber}`), () => JSON.stringify(bridge.state));
+    await until(() => bridge.state?.['frame/part']?.includes(`MAIN.bOpen has the type BOOL; ${symbolMessages.notNumber}`), () => JSON.stringify(bridge.state));
     assert.match(bridge.state['frame/part'], /line 22: /);
   });
 
@@ -176,7 +176,7 @@ signals:
     await until(() => bridge.joint('arm1/elbow')?.state === 'live', () => JSON.stringify(bridge.state));
   });
 
-  it('Ros_PosesAndJointsOfTheirOwnTopics_AreForwarded', async t => {
+  it('Ros_PosesAndJointsWithSeparateTopics_AreForwarded', async t => {
     const robot = await Robot.start(t);
     const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
 plant: { kind: ros, name: arm, endpoint: "${robot.url}", world: map }
@@ -218,7 +218,7 @@ signals:
     await until(() => bridge.published('/signals')[0]?.value[0] === 0.08, () => JSON.stringify(bridge.state));
   });
 
-  it('Ros_BoolWithoutAClock_HasTheArrivalOnTheGatewaysClock', async t => {
+  it('Ros_BoolWithoutRobotClock_IsStampedWithTheArrivalOnTheGatewaysClock', async t => {
     const robot = await Robot.start(t, { now: null }), now = () => BigInt(Date.now()) * 1_000_000n + 60_000_000_000n;
     const bridge = await RosbridgeDouble.start(t, { now }), before = now();
     start(t, [temporaryFile('plant.yaml', `gateway: { url: "${bridge.url}" }

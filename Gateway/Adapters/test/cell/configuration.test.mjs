@@ -75,7 +75,7 @@ const linesOf = (text, from, to) => {
 };
 
 describe('configuration of frames, signals and robots', () => {
-  it('Frames_OfOpcUa_HaveTheirValuesAfterTheJoints', () => {
+  it('Frames_OfOpcUa_FollowTheJointsInTheListOfValues', () => {
     const { joints, frames, signals, values, robots } = read(OPCUA);
 
     assert.deepEqual(values.map(({ label, address }) => [label, address.node, address.index]), [

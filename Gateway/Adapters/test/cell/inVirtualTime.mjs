@@ -1,11 +1,11 @@
-// The output of frames and signals in virtual time.
+// Runs the adapters' output of frames and signals in virtual time.
 import { parts } from '../parts.mjs';
 
 const { AdapterStatus, Log, PlantOutput } = await parts('gateway/status', 'log', 'samples/plantOutput');
 
 export const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
 
-/** An output whose clocks read `ms` after their start. `values` are the labels of all values. */
+/** Creates an output in virtual time. `values` are the labels of all values; `time.ms` is the time since the start on all clocks. */
 export function cell({ frames = [], signals = [], values }) {
   const sent = [], kept = [], time = { ms: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}, () => {}));
@@ -16,7 +16,7 @@ export function cell({ frames = [], signals = [], values }) {
   status.enter('connected');
   return {
     output, status, clock, sent, kept, time,
-    /** Publishes numbers with one stamp; a negative age is in the future. */
+    /** Publishes numbers, given by their indices, with the same time stamp. */
     take: (numbers, { stamp = clock.now, ...more } = {}) =>
       output.publish(Object.entries(numbers).map(([index, value]) => ({ index: Number(index), value, stamp, ...more }))),
     poses: () => sent.filter(([topic]) => topic === '/tf').flatMap(([, msg]) => msg.transforms).map(poseOf),

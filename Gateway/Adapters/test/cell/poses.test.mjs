@@ -6,7 +6,7 @@ import { messages } from '../messages.mjs';
 const { refusalMessages } = messages;
 
 const read = value => ({ value }), constant = number => ({ constant: number });
-/** A frame with its x and its angle about z read, in mm and degrees. */
+/** A frame whose x coordinate (mm) and angle about z (degrees) are read. */
 const part = {
   frame: 'part', parents: ['world'], selector: null, position: [read(0), constant(200), constant(0)], scale: 0.001, faultAfterMs: null,
   rotation: { kind: 'angles', parts: [constant(0), constant(0), read(1)], order: 'xyz', isFixed: true, scale: Math.PI / 180 },
@@ -17,7 +17,7 @@ const VALUES = ['part x', 'part angle z'];
 const one = () => cell({ frames: [part], values: VALUES });
 
 describe('poses', () => {
-  it('Pose_OfAllValues_HasMetresAndAUnitQuaternion', () => {
+  it('Pose_AllValuesReceived_IsInMetresWithAUnitQuaternion', () => {
     const { take, poses, stateOf } = one();
 
     take({ 0: 1500, 1: 90 });
@@ -28,7 +28,7 @@ describe('poses', () => {
     assert.equal(stateOf('frame/part'), 'live');
   });
 
-  it('Pose_OfChangesOnly_KeepsTheOtherValues', () => {
+  it('Pose_OneValueChanges_KeepsTheOtherValues', () => {
     const { take, poses, time } = one();
     take({ 0: 100, 1: 0 });
 
@@ -41,7 +41,7 @@ describe('poses', () => {
     assert.ok(Math.abs(poses()[2].rotation[2] - 1) < 1e-15);
   });
 
-  it('Pose_BeforeAllValues_IsNotPublished', () => {
+  it('Pose_SomeValuesMissing_IsNotPublished', () => {
     const { take, poses, stateOf } = one();
 
     take({ 0: 100 });
@@ -49,7 +49,7 @@ describe('poses', () => {
     assert.deepEqual([poses(), stateOf('frame/part')], [[], 'missing']);
   });
 
-  it('Publish_ValuesOfTwoCyclesAtOnce_ArePosesInOrder', () => {
+  it('Publish_ValuesOfTwoCyclesAtOnce_SendsTwoPosesInOrder', () => {
     const { output, poses, time } = one();
     time.ms = 20;
 
@@ -60,7 +60,7 @@ describe('poses', () => {
     assert.deepEqual(poses().map(({ ms, position }) => [ms, position[0]]), [[0, 0.001], [10, 0.002]]);
   });
 
-  it('Components_SampledOneAfterTheOther_AreInterpolatedToOneTime', () => {
+  it('Components_SampledAtDifferentTimes_AreInterpolatedToOneTime', () => {
     const place = ms => 100 + 0.5 * ms, turn = ms => -179 + 0.1 * ms;
     const { output, take, poses, time } = one();
     output.samplingS = 0.01;
@@ -70,7 +70,7 @@ describe('poses', () => {
       if (time.ms % 10 === 4) take({ 1: turn(time.ms) });
     }
 
-    // A component counts as moving from its second value on.
+    // A component is known to move only after its second value.
     const found = poses().filter(({ ms }) => ms >= 20);
     assert.ok(found.length > 25, `${found.length}`);
     for (const { ms, position, rotation } of found) {
@@ -80,7 +80,7 @@ describe('poses', () => {
     }
   });
 
-  it('Components_OneStops_TheOthersContinue', () => {
+  it('Components_OneStops_PosesFollowTheOthers', () => {
     const { output, take, poses, time } = one();
     output.samplingS = 0.01;
 
@@ -106,7 +106,7 @@ describe('poses', () => {
     assert.ok(turns.length > 3 && turns.every(turn => turn >= 170 - 1e-9 && turn <= 190), `${turns}`);
   });
 
-  it('Hold_UnchangedFrame_IsRepeatedAtTheConfirmedTime', () => {
+  it('Hold_UnchangedFrame_IsRepeatedWithTheConfirmedTime', () => {
     const { output, take, poses, time, stateOf } = one();
     take({ 0: 100, 1: 0 });
 
@@ -134,11 +134,11 @@ describe('poses', () => {
       else output.hold(T + BigInt(time.ms) * MS, 30n * MS, new Set());
     }
 
-    // The first interval is not known at its end.
+    // The sampling interval is known only after the first samples.
     assert.ok(poses().filter(({ ms }) => ms > 200).every(({ ms }) => ms % 100 === 0));
   });
 
-  it('FirstValue_Old_IsPublishedOnceItIsKnownToBeAtRest', () => {
+  it('FirstValue_WithOldTimeStamp_IsPublishedOnceConfirmedAtRest', () => {
     const { output, take, poses, time } = one();
     time.ms = 3_600_000;
     take({ 0: 100, 1: 0 }, { stamp: T, isFirst: true });
@@ -170,7 +170,7 @@ describe('poses', () => {
       assert.deepEqual([poses().length, stateOf('frame/part')], [2, 'live']);
     });
 
-  it('Value_Lost_IsAFaultOfItsFrame', () => {
+  it('Value_Lost_FrameIsInFault', () => {
     const { output, take, stateOf, status } = one();
     take({ 0: 100, 1: 0 });
 
@@ -181,7 +181,7 @@ describe('poses', () => {
     assert.equal(status.message, 'part fault: the server no longer has this node');
   });
 
-  it('Value_LostAfterAChangeOfTheSameBatch_IsAFault', () => {
+  it('Value_LostAfterAChangeInTheSameBatch_FrameIsInFault', () => {
     const { output, take, poses, stateOf } = one();
     take({ 0: 100, 1: 0 });
 
@@ -193,7 +193,7 @@ describe('poses', () => {
     assert.deepEqual([poses().length, stateOf('frame/part')], [2, 'fault']);
   });
 
-  it('Stamp_NotNewerOrInTheFuture_IsRefused', () => {
+  it('TimeStamp_NotNewerOrInTheFuture_IsRefused', () => {
     const { take, poses, status } = one();
     take({ 0: 100, 1: 0 });
 
@@ -215,7 +215,7 @@ describe('poses', () => {
     assert.deepEqual(poses().map(({ rotation }) => rotation), [[0, 0, 0, 1]]);
   });
 
-  it('Parent_SelectedByANumber_ChangesWithItsStamp', () => {
+  it('Parent_SelectedByANumber_ChangesAtTheTimeStampOfTheNumber', () => {
     const gripped = { ...part, parents: ['belt', 'arm1/tool0'], selector: read(2) };
     const { take, poses, time, status, stateOf, output } = cell({ frames: [gripped], values: [...VALUES, 'part parent'] });
     output.samplingS = 0.01;
@@ -243,7 +243,7 @@ describe('poses', () => {
     assert.equal(stateOf('frame/table'), undefined);
   });
 
-  it('Connection_New_NeedsAllValuesAgain', () => {
+  it('Pose_AfterANewConnection_NeedsAllValuesAgain', () => {
     const { output, take, poses, time } = one();
     take({ 0: 100, 1: 0 });
 

@@ -1,4 +1,4 @@
-// Rotations from three angles, compared with products of rotation matrices.
+// Compares rotations computed from three angles or from a rotation vector with products of rotation matrices.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
@@ -23,7 +23,7 @@ describe('rotation', () => {
   const random = seeded(22);
   const angles = () => [0, 1, 2].map(() => (2 * random() - 1) * Math.PI);
   for (const order of ['xyz', 'zyx', 'xzy', 'yxz', 'yzx', 'zxy', 'zyz', 'xyx'])
-    it(`OfAngles_${order}_IsTheProductOfItsMatrices`, () => {
+    it(`OfAngles_${order}_EqualsTheProductOfThreeMatrices`, () => {
       for (let i = 0; i < 50; i++) {
         const three = angles();
         const [first, second, third] = three.map((angle, k) => about[order[k]](angle));
@@ -33,10 +33,10 @@ describe('rotation', () => {
       }
     });
 
-  it('OfVector_AnyVector_TurnsAboutItByItsLength', () => {
+  it('OfVector_AnyVector_RotatesAboutTheVectorByItsLength', () => {
     for (let i = 0; i < 50; i++) {
       const [a, b, angle] = angles();
-      // The z axis turned onto a direction, the rotation about it, and back.
+      // Turns the z axis to a direction, rotates about this direction, and turns back.
       const onto = times(about.z(a), about.y(b)), back = times(about.y(-b), about.z(-a)), axis = onto.map(row => row[2]);
 
       isClose(matrixOf(ofVector(axis.map(part => part * angle))), times(onto, times(about.z(angle), back)));
@@ -45,7 +45,7 @@ describe('rotation', () => {
     isClose([ofVector([2e-10, 0, 0])], [[1e-10, 0, 0, 1]]);
   });
 
-  it('OfAngles_FixedAxes_AreMovingAxesInReverseOrder', () => {
+  it('OfAngles_FixedAxes_EqualMovingAxesInReverseOrder', () => {
     const [a, b, c] = angles();
 
     isClose([ofAngles([a, b, c], 'xyz', true)], [ofAngles([c, b, a], 'zyx', false)]);

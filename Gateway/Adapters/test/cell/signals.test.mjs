@@ -8,7 +8,7 @@ const { refusalMessages } = messages;
 const two = () => cell({ signals: [{ signal: 'closed' }, { signal: 'speed' }], values: ['closed', 'speed'] });
 
 describe('signals', () => {
-  it('Value_Changed_IsPublishedOnceWithItsStamp', () => {
+  it('Value_Changed_IsPublishedOnceWithItsTimeStamp', () => {
     const { take, changes, time, stateOf } = two();
 
     for (; time.ms < 50; time.ms += 10) take({ 0: time.ms >= 20, 1: 3.5 });
@@ -17,7 +17,7 @@ describe('signals', () => {
     assert.deepEqual(['closed', 'speed'].map(name => stateOf(`signal/${name}`)), ['live', 'live']);
   });
 
-  it('Changes_OfOneNotification_AreAllPublished', () => {
+  it('Changes_InOneNotification_AreAllPublished', () => {
     const { output, changes, time } = two();
     time.ms = 30;
 
@@ -26,7 +26,7 @@ describe('signals', () => {
     assert.deepEqual(changes(), [['closed', 0, 0n], ['closed', 1, 10n], ['closed', 0, 20n]]);
   });
 
-  it('FirstValue_Old_KeepsItsStamp', () => {
+  it('FirstValue_WithOldTimeStamp_KeepsIt', () => {
     const { take, changes, time } = two();
     time.ms = 7_200_000;
 
@@ -48,7 +48,7 @@ describe('signals', () => {
     assert.deepEqual(changes(), [['closed', 1, 0n]]);
   });
 
-  it('Gateway_ConnectedAgain_GetsTheValuesForThirtySeconds', () => {
+  it('Gateway_Reconnected_GetsTheValuesAgainForThirtySeconds', () => {
     const { take, changes, output, time } = two();
     take({ 0: 1, 1: 2 });
 
@@ -64,7 +64,7 @@ describe('signals', () => {
     assert.deepEqual(new Set(closed.map(([, value, stamp]) => `${value} ${stamp}`)), new Set(['1 0']));
   });
 
-  it('Signal_Unconfirmed_IsAFaultAndConfirmedIsNot', () => {
+  it('Signals_OneNotConfirmed_OnlyThatSignalIsInFault', () => {
     const { take, output, time, stateOf } = two();
     take({ 0: 1, 1: 2 });
 
@@ -76,7 +76,7 @@ describe('signals', () => {
     assert.deepEqual([stateOf('signal/closed'), stateOf('signal/speed')], ['live', 'fault']);
   });
 
-  it('Value_NotANumber_IsRefusedAndTheLastOneStays', () => {
+  it('Value_NotANumber_IsRefusedAndTheLastValueIsKept', () => {
     const { take, changes, stateOf, status, time } = two();
     take({ 0: 1 });
 
@@ -88,7 +88,7 @@ describe('signals', () => {
     assert.ok(status.values()['signal/closed'].includes(refusalMessages.notNumber('open')), status.values()['signal/closed']);
   });
 
-  it('Stamp_InTheFutureOrMissing_IsRefused', () => {
+  it('TimeStamp_InTheFutureOrMissing_IsRefused', () => {
     const { take, changes, status } = two();
 
     take({ 0: 1 }, { stamp: T + 5000n * MS });
@@ -98,7 +98,7 @@ describe('signals', () => {
     assert.deepEqual([status.refusals('stamp-future'), status.refusals('stamp-missing')], [1, 1]);
   });
 
-  it('Value_Lost_IsAFault', () => {
+  it('Value_Lost_SignalIsInFault', () => {
     const { take, output, stateOf, status } = two();
     take({ 0: 1 });
 

@@ -35,7 +35,7 @@ signals:
 const part = (more = {}) => ({ parent: 0, pose: { x: 100, y: 200, a: 90 }, ...more });
 
 describe('mqtt', { skip: missing, concurrency: 3 }, () => {
-  it('Fields_WithTheirTime_AreJointsFramesAndSignals', async t => {
+  it('Fields_WithTime_ArePublishedAsJointsFramesAndSignals', async t => {
     const { bridge, send, now } = await cell(t, { plant: TIME, rest: REST });
     const ms = now() / MS, stamp = ms * MS;
 
@@ -60,7 +60,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(bridge.heard.filter(({ op }) => op === 'advertise_service'), []);
   });
 
-  it('Numbers_WithoutTime_HaveTheArrivalOnTheGatewaysClock', async t => {
+  it('Numbers_WithoutTime_AreStampedWithTheArrivalOnTheGatewaysClock', async t => {
     const { bridge, send, now } = await cell(t, { plant: TIME, rest: REST });
     const before = now();
 
@@ -70,13 +70,13 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     const [{ header, name, position }] = await until(() => bridge.published('/arm1/joint_states').length > 0 && bridge.published('/arm1/joint_states'),
       () => JSON.stringify(bridge.state));
     await until(() => changes(bridge, 'closed').length === 1, () => JSON.stringify(bridge.state));
-    // The clock is known to within half of the round-trip time of a reading.
+    // The error of the clock is at most half of the round-trip time of a reading.
     const [[value, changed]] = changes(bridge, 'closed'), slack = 100n * MS, stamp = nanoseconds(header.stamp);
     assert.deepEqual([name, position, value], [['elbow_joint'], [0.5], 1]);
     for (const arrived of [stamp, changed]) assert.ok(arrived > before - slack && arrived < now() + slack, `${arrived - before} ns after the message`);
   });
 
-  it('Retained_OldValue_IsASignalButNoSampleOfAJointOrFrame', async t => {
+  it('RetainedMessage_WithoutTime_IsUsedForSignalsButNotForJointsAndFrames', async t => {
     const { bridge, send } = await cell(t, {
       rest: REST,
       prepare: async ({ send }) => {
@@ -92,7 +92,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     await until(() => bridge.published('/arm1/joint_states')[0]?.position[0] === 0.6, () => JSON.stringify(bridge.state));
   });
 
-  it('Retained_NewValueWithItsTime_IsASample', async t => {
+  it('RetainedMessage_WithRecentTime_IsUsedAsASample', async t => {
     const { bridge } = await cell(t, {
       plant: TIME, rest: REST,
       prepare: ({ send, now }) => send('cell/part', part({ t: Number(now() / MS) }), { retain: true }),
@@ -101,7 +101,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     await until(() => poses(bridge, 'part').length === 1, () => JSON.stringify(bridge.state));
   });
 
-  it('Adapter_UntilItsEnd_PublishesNothingToTheBroker', async t => {
+  it('Adapter_FromStartToEnd_PublishesNothingToTheBroker', async t => {
     const { bridge, client, send, adapter } = await cell(t, { rest: REST }), seen = [];
     client.on('message', topic => seen.push(topic));
     await client.subscribeAsync('#');
@@ -116,7 +116,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(seen, ['cell/elbow', 'cell/end']);
   });
 
-  it('Broker_Restarted_AdapterReconnectsAndSubscribes', async t => {
+  it('Adapter_BrokerRestarted_ReconnectsAndSubscribes', async t => {
     const { bridge, broker, adapter } = await cell(t, { rest: REST });
 
     await broker.stop();
@@ -136,7 +136,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     ['Rest', '', 'rest', [silenceMessages.unconfirmed, silenceMessages.allUnconfirmed]],
     ['Fault', '  silence: { fault_after_s: 0.5 }\n', 'fault', [silenceMessages.tooLong(500)]],
   ])
-    it(`Silence_${name}_IsReported`, async t => {
+    it(`Silence_${name}_IsReportedForTheJoint`, async t => {
       const { bridge, send } = await cell(t, { plant, rest: 'joints:\n  - { joint: a, topic: a }\n' });
 
       await send('a', '1');
@@ -146,8 +146,8 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
       assert.equal(bridge.status.level, state === 'rest' ? 1 : 2);
     });
 
-  it('Subscription_RefusedByTheBroker_IsTheFaultOfItsValues', async t => {
-    // Accepts the connection, and answers each subscription with "not authorised".
+  it('Subscription_RefusedByTheBroker_ItsValuesAreInFault', async t => {
+    // This broker accepts the connection and answers each subscription with "not authorised".
     const server = createServer(socket => socket.on('data', ([kind, , high, low]) => {
       if (kind === 0x10) socket.write(Buffer.from([0x20, 3, 0, 0, 0]));
       if (kind === 0x82) socket.write(Buffer.from([0x90, 4, high, low, 0, 0x87]));
@@ -163,7 +163,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual([bridge.joint('a').state, bridge.state.state], ['missing', 'connected']);
   });
 
-  it('Adapter_PasswordAndTls_AreUsedAndNotLogged', async t => {
+  it('Adapter_PasswordAndTlsConfigured_UsesThemWithoutLoggingThePassword', async t => {
     const folder = temporaryFolder(), key = join(folder, 'key.pem'), certificate = join(folder, 'certificate.pem'), passwords = join(folder, 'passwords');
     const made = spawnSync('openssl', ['req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:prime256v1', '-nodes', '-days', '2',
       '-subj', '/CN=127.0.0.1', '-addext', 'subjectAltName=IP:127.0.0.1', '-keyout', key, '-out', certificate]);

@@ -1,11 +1,11 @@
-// An adapter between mosquitto and the double of a gateway, and the messages that pass it.
+// Connects an adapter to mosquitto and to a test double of the gateway, and creates the messages that the adapter receives.
 import { connectAsync } from 'mqtt';
 import { start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { Mosquitto } from '../broker/mosquitto.mjs';
 
-/** A clock of this machine that is ahead of the system clock. */
+/** Returns a clock that is ahead of the system clock. */
 export function clockAhead(ms) {
   const zero = BigInt(Math.round((Date.now() + ms) * 1e6)) - process.hrtime.bigint();
   return () => zero + process.hrtime.bigint();
@@ -14,7 +14,7 @@ export function clockAhead(ms) {
 export const configuration = (url, endpoint, { plant = '', rest = '' }) =>
   `gateway: { url: "${url}" }\nplant:\n  kind: mqtt\n  name: twin\n  endpoint: ${endpoint}\n${plant}${rest}`;
 
-/** Starts a broker, a gateway with its own clock, and the adapter; resolves when it has subscribed. */
+/** Starts a broker, a gateway with its own clock, and the adapter. Resolves when the adapter has subscribed. */
 export async function cell(t, { plant, rest, lines, prepare = async () => {}, env } = {}) {
   const now = clockAhead(60_000);
   const [broker, bridge] = await Promise.all([Mosquitto.start(t, lines), RosbridgeDouble.start(t, { now })]);

@@ -1,4 +1,4 @@
-// Messages that are not numbers: each entry of the configuration has one line in the log and one state, and the process continues.
+// Tests messages that are not numbers: each entry of the configuration gets one line in the log and one state, and the process continues.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { missing } from '../broker/mosquitto.mjs';
@@ -32,7 +32,7 @@ describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
     ['TextsInFields', JSON.stringify({ joints: ['1'], x: '1', y: '2', qz: '0', qw: '1', closed: 'true' }), 'type'],
     ['ObjectsInFields', JSON.stringify({ joints: [{}], x: {}, y: [], qz: null, qw: {}, closed: {} }), 'type'],
   ])
-    it(`Payload_${name}_IsOneLineForEachEntry`, async t => {
+    it(`Payload_${name}_CausesOneLogLineForEachEntry`, async t => {
       const { bridge, adapter, send } = await cell(t, { rest: REST });
 
       for (let i = 0; i < 3; i++) await send('cell', payload);
@@ -45,7 +45,7 @@ describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
         assert.equal(adapter.err.split('\n').filter(line => line.includes(`${entry} refused (${reason})`)).length, 1, adapter.err);
     });
 
-  it('Quaternion_NotUnit_IsRefusedAndTheOthersAreRead', async t => {
+  it('Quaternion_NotOfUnitLength_IsRefusedAndOtherValuesAreRead', async t => {
     const { bridge, send } = await cell(t, { rest: REST });
 
     await send('cell', { ...good, qw: 0.5 });
@@ -94,18 +94,18 @@ describe('mqtt stamps', () => {
     [{}, 's', null],
     [undefined, 's', null],
   ])
-    it(`Stamp_${String(value)}_${unit}_IsItsTime`, () => assert.equal(stampIn(value, unit), expected));
+    it(`TimeStamp_${String(value)}In_${unit}_IsConverted`, () => assert.equal(stampIn(value, unit), expected));
 });
 
 describe('values of topics', () => {
   const values = new TopicValues([{ address: { topic: 'a', field: 'x.1' } }, { address: { node: 'i=1' } }, { address: { topic: 'a' } }, { address: { topic: 'b' } }]);
 
-  it('Values_OfATopic_HaveTheirIndices', () =>
+  it('Values_OfATopic_AreFoundWithTheirIndices', () =>
     assert.deepEqual([values.topics, values.indicesOf('a'), values.indicesOf('c')], [['a', 'b'], [0, 2], []]));
 
-  it('Values_InAMessage_AreAtTheirPaths', () =>
+  it('Values_InAMessage_AreFoundByTheirPaths', () =>
     assert.deepEqual(values.in('a', { x: [1, 2] }, 5n).map(({ index, value, stamp }) => [index, value, stamp]), [[0, 2, 5n], [2, { x: [1, 2] }, 5n]]));
 
   for (const message of [null, 5, 'text', [], { x: null }, { x: [1] }, { x: 'ab' }])
-    it(`Values_NotIn${JSON.stringify(message)}_AreRefused`, () => assert.equal(values.in('a', message, 5n)[0].refusal.reason, 'field'));
+    it(`Values_MissingIn${JSON.stringify(message)}_AreRefused`, () => assert.equal(values.in('a', message, 5n)[0].refusal.reason, 'field'));
 });

@@ -1,4 +1,4 @@
-// The clock that an adapter offers for a server over OPC UA.
+// Tests the clock that an adapter for OPC UA offers to the gateway.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { until } from '../program.mjs';
@@ -11,7 +11,7 @@ const JOINT = { joint: 'a', node: 'ns=1;s=arm_joint_2' };
 
 describe('clock alone', { concurrency: 2 }, () => {
   for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
-    it(`Clock_WithoutJoints${plant.length > 0 ? 'WithTimeVariable' : ''}_IsOfferedWithoutSamples`, async t => {
+    it(`Clock_PlantWithoutJoints${plant.length > 0 ? 'WithTimeVariable' : ''}_IsOffered`, async t => {
       const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
       const { bridge, state } = await adapterFor(t, server, [...OPEN, ...plant], []);
       await state(s => s.state === 'connected');
@@ -26,8 +26,8 @@ describe('clock alone', { concurrency: 2 }, () => {
     });
 });
 
-describe('clock of whole milliseconds', () => {
-  it('Resolution_WholeMilliseconds_IsMeasured', async t => {
+describe('clock with a resolution of milliseconds', () => {
+  it('Resolution_Milliseconds_IsMeasured', async t => {
     const server = await serverFor(t, { clockStepUs: 1000 });
     const { bridge, states } = await adapterFor(t, server, OPEN, [JOINT]);
     await states(1);
@@ -38,8 +38,8 @@ describe('clock of whole milliseconds', () => {
   });
 });
 
-describe('clock that is written once a second', () => {
-  it('Time_CurrentTimeStandsStill_IsThatOfTheAnswers', async t => {
+describe('clock that the server updates once a second', () => {
+  it('Time_CurrentTimeRarelyUpdated_IsReadFromTheAnswers', async t => {
     const server = await serverFor(t, { clockStepUs: 1_000_000 });
     const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINT]);
     await states(1);
@@ -51,7 +51,7 @@ describe('clock that is written once a second', () => {
     assert.match(run.err, /rarely updates CurrentTime/);
   });
 
-  it('Time_AnswersOfAnotherClock_IsNotUsed', async t => {
+  it('Time_AnswersHaveAnotherClock_IsReadFromCurrentTime', async t => {
     const server = await serverFor(t, { clockStepUs: 1_000_000, clock: new ControlClock({ offsetMs: HOUR_MS }) });
     const { run, bridge, states } = await adapterFor(t, server, OPEN, [JOINT]);
     await states(1);
@@ -59,6 +59,6 @@ describe('clock that is written once a second', () => {
     const { values } = await bridge.call('/nowpose/plant_time/cell');
 
     assert.equal(nanoseconds(values.sent) % 1_000_000_000n, 0n);
-    assert.doesNotMatch(run.err, /seldom/);
+    assert.doesNotMatch(run.err, /rarely updates CurrentTime/);
   });
 });

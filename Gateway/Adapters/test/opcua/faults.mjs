@@ -1,13 +1,13 @@
-// Faults of single variables of a YoubotServer, and their repair.
+// Causes faults of single variables of a YoubotServer, and repairs them.
 import { StatusCodes } from 'node-opcua-client';
 
-/** Minimum speed in rad/s at which a writer stops. No axis can brake from this speed between two samples. */
+/** Minimum speed in rad/s at which a variable freezes. No axis can stop from this speed between two samples. */
 const FAST = 0.4;
 
 const withValue = (sent, value) => ({ ...sent, value: Object.assign(sent.value.clone(), { value }) });
 
-/** A writer that freezes the value once the joint is fast, then calls `done`. */
-function stopped(done) {
+/** Returns a function that freezes the sent value as soon as the joint is faster than FAST, and then calls `done`. */
+function frozen(done) {
   let before = null, last = null;
   return sent => {
     if (last !== null) return last;
@@ -36,7 +36,7 @@ export class Faults {
   }
 
   stop(name) {
-    return new Promise(resolve => this.#writers.set(name, stopped(resolve)));
+    return new Promise(resolve => this.#writers.set(name, frozen(resolve)));
   }
 
   bad(name) {

@@ -17,7 +17,7 @@ describe('faults', () => {
   before(async () => { server = await new YoubotServer().start(); });
   after(() => server.stop());
 
-  it('Plant_KilledAndRestarted_IsReadAgain', async t => {
+  it('Adapter_PlantKilledAndRestarted_ReadsAgain', async t => {
     const first = await serverFor(t);
     const { bridge, state, states, run } = await adapterFor(t, first, OPEN, JOINTS);
     await states(5);
@@ -33,12 +33,12 @@ describe('faults', () => {
     assert.equal(values, clockMessages.notConnected);
     assert.match(reason, /\S/);
     assert.equal((await state(s => s.state === 'connected')).reconnects, '1');
-    // One line per change of state, not per attempt.
+    // The adapter writes one line for each change of state, not for each attempt.
     assert.equal(run.err.split('\n').filter(line => line.endsWith('] connected')).length, 2, run.err);
     assert.ok(run.err.split('\n').filter(line => line.includes('waiting')).length <= 3, run.err);
   });
 
-  it('Gateway_KilledAndRestarted_GetsTopicsClockAndSamplesAgain', async t => {
+  it('Adapter_GatewayKilledAndRestarted_SendsTopicsClockAndSamplesAgain', async t => {
     const port = await freePort(), old = await RosbridgeDouble.start(t, { port });
     const { states, state } = await adapterFor(t, server, OPEN, JOINTS, { bridge: old });
     await states(5);
@@ -49,14 +49,14 @@ describe('faults', () => {
     await until(() => fresh.jointStates.length >= 5, 'joint states at the new gateway');
 
     assert.equal((await fresh.call('/nowpose/plant_time/cell')).result, true);
-    // Old samples are dropped, oldest first: the new gateway does not receive the whole past.
+    // The adapter has dropped its oldest samples, so the new gateway does not receive all earlier samples.
     const [oldest] = fresh.jointStates;
     assert.ok(server.clock.now - nanoseconds(oldest.header.stamp) < 20_000_000_000n);
     const topics = fresh.heard.filter(m => m.op === 'advertise').map(m => m.topic);
     assert.ok(topics.includes('/joint_states') && topics.includes('/nowpose/diagnostics'));
   });
 
-  it('Plant_Frozen_IsDisconnectedAndReadAgain', { skip: process.platform === 'win32' }, async t => {
+  it('Adapter_PlantFrozen_DisconnectsAndReadsAgain', { skip: process.platform === 'win32' }, async t => {
     const port = await freePort();
     const child = spawn(process.execPath, [join(adapters, 'test', 'opcua', 'main.mjs'), '--port', String(port), '--security', 'none'],
       { stdio: ['ignore', 'pipe', 'inherit'] });
@@ -75,25 +75,25 @@ describe('faults', () => {
     await states(before + 5);
   });
 
-  it('Clock_StopsAndContinues_IsUnavailableDuringTheStopWithoutDisconnection', async t => {
+  it('Clock_StopsAndContinues_IsUnavailableMeanwhileWithoutDisconnection', async t => {
     const own = await serverFor(t, { clock: new ControlClock({ offsetMs: 3_600_000 }) }), { bridge, state, states } = await adapterFor(t, own, OPEN, JOINTS);
     await states(5);
-    const told = () => bridge.call('/nowpose/plant_time/cell');
+    const readClock = () => bridge.call('/nowpose/plant_time/cell');
 
     own.isStopped = true;
-    await until(async () => (await told()).values === clockMessages.stopped, 'the report of the stopped clock');
-    // The adapter reads the clock once a second.
+    await until(async () => (await readClock()).values === clockMessages.stopped, 'the report of the stopped clock');
+    // The adapter reads the clock and sends its diagnostics once a second.
     const looks = bridge.published('/nowpose/diagnostics').length + 4;
-    await until(() => bridge.published('/nowpose/diagnostics').length > looks, 'some looks');
+    await until(() => bridge.published('/nowpose/diagnostics').length > looks, 'further diagnostics');
     const { state: meanwhile, reconnects } = bridge.state;
     own.isStopped = false;
 
-    await until(async () => (await told()).result, 'the clock');
+    await until(async () => (await readClock()).result, 'the clock');
     assert.deepEqual([meanwhile, reconnects], ['connected', '0']);
     await state(s => s.reconnects === '0' && s.state === 'connected');
   });
 
-  it('Plant_AtRest_StaysConnectedAndItsClockAdvances', async t => {
+  it('Adapter_PlantAtRest_StaysConnectedAndItsClockAdvances', async t => {
     const { bridge, state, states } = await adapterFor(t, server, OPEN, JOINTS);
     await states(5);
     t.after(() => { server.isStopped = false; });

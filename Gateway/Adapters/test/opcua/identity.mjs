@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { crypto_utils as pki } from 'node-opcua-client';
 import { temporaryFolder } from '../temporary.mjs';
 
-/** Creates a key and its certificate in files of a temporary folder. */
+/** Creates files with a key and its certificate in a temporary folder. */
 export async function identity(uri, { notBefore = new Date(), validity = 365 } = {}) {
   const key = await pki.generatePrivateKey(2048);
   const { cert } = await pki.createSelfSignedCertificate({

@@ -3,14 +3,14 @@ import { StatusCodes } from 'node-opcua-client';
 
 const print = certificate => createHash('sha1').update(Array.isArray(certificate) ? certificate[0] : certificate).digest('hex');
 
-/** The trust list of a test server: trusts the given thumbprints, or every certificate. */
+/** Trust list of a test server. It trusts the given thumbprints; without any it trusts all certificates. */
 export class OpenStore {
   referenceCounter = 0;
   constructor(trusted) { this.trusted = trusted; }
   isTrusted(certificate) { return this.trusted === null || this.trusted.includes(print(certificate)); }
   async initialize() {}
   async dispose() {}
-  // The server uses a callback for users' certificates and a promise for clients' certificates.
+  // The server passes a callback for the certificates of users, and expects a promise for the certificates of clients.
   async checkCertificate(certificate, done) {
     const status = this.isTrusted(certificate) ? StatusCodes.Good : StatusCodes.BadCertificateUntrusted;
     done?.(null, status);

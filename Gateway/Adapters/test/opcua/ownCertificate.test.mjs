@@ -1,4 +1,4 @@
-// The certificate with which an adapter identifies itself.
+// Tests the certificate with which an adapter identifies itself.
 import assert from 'node:assert/strict';
 import { createPrivateKey, generateKeyPairSync, X509Certificate } from 'node:crypto';
 import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -28,7 +28,7 @@ describe('own certificate', () => {
     for (const own of all) assert.deepEqual(own.getCertificate(), stored);
   });
 
-  it('Folder_UsedAgain_KeepsItsCertificate', async () => {
+  it('Adapter_StartedAgainWithTheSameFolder_KeepsItsCertificate', async () => {
     const folder = temporaryFolder(), first = await ownCertificate(folder);
 
     assert.deepEqual((await ownCertificate(folder)).getCertificate(), first.getCertificate());
@@ -49,7 +49,7 @@ describe('own certificate', () => {
     ['Key_OfAnotherCertificate', ({ key }) => writeFileSync(key, generateKeyPairSync('rsa', { modulusLength: 2048 }).privateKey.export({ type: 'pkcs8', format: 'pem' }))],
     ['Certificate_Damaged', ({ certificate }) => writeFileSync(certificate, 'rubbish')],
   ])
-    it(`${name}_IsNamedAndNothingIsDeleted`, async () => {
+    it(`${name}_IsReportedAndNothingIsDeleted`, async () => {
       const folder = temporaryFolder(), { certificate, key } = files(folder);
       await ownCertificate(folder);
       harm(files(folder));

@@ -15,7 +15,7 @@ const READS = ['GetEndpointsRequest', 'CreateSessionRequest', 'ActivateSessionRe
   'CreateSubscriptionRequest', 'DeleteSubscriptionsRequest', 'CreateMonitoredItemsRequest', 'DeleteMonitoredItemsRequest', 'PublishRequest',
   'OpenSecureChannelRequest', 'CloseSecureChannelRequest'];
 
-/** Configured joint, index of the true value, and tolerance given by the type that carries the value. */
+/** Configured joint, index of the true value, and the tolerance of the data type in which the server sends the value. */
 const ALL = [
   [{ joint: 'a', node: 'ns=1;s=arm_joint_2' }, 1, 1e-12],
   [{ joint: 'b', node: 'ns=1;s=axis_1_deg', unit: 'deg' }, 0, 1e-12],
@@ -26,7 +26,7 @@ const ALL = [
 ];
 const JOINTS = ALL.map(([entries]) => entries);
 
-/** The largest distance between the published values and the robot's true position at their stamps. */
+/** Returns the largest difference between the published positions and the true positions of the robot at their time stamps. */
 function worst(states, place, name = 'a') {
   const distances = states.filter(s => s.name.includes(name)).map(s =>
     Math.abs(s.position[s.name.indexOf(name)] - YoubotServer.truth(place, nanoseconds(s.header.stamp))));
@@ -44,7 +44,7 @@ describe('reading over OPC UA', () => {
     test.after(() => { server.spoil = (_, sent) => sent; });
   };
 
-  it('Joints_OfEveryType_HaveTheRobotsPositionAtTheirStamp', async t => {
+  it('Joints_OfEveryDataType_HaveTheTruePositionAtTheirTimeStamp', async t => {
     const { states } = await adapterFor(t, server, OPEN, JOINTS);
 
     const seen = await states(50);
@@ -54,7 +54,7 @@ describe('reading over OPC UA', () => {
     assert.ok(whole > 0.25 * seen.length, `${whole} of ${seen.length} messages have all joints`);
   });
 
-  it('Values_BetweenTwoPublishings_AllArrive', async t => {
+  it('Values_SampledBetweenTwoPublishings_AllArrive', async t => {
     const { states } = await adapterFor(t, server, [...OPEN, 'publishing_ms: 200'], [JOINTS[0]]);
 
     const times = (await states(40)).map(s => nanoseconds(s.header.stamp));
@@ -73,13 +73,13 @@ describe('reading over OPC UA', () => {
 
     assert.equal(result, true, JSON.stringify(values));
     const [received, sent] = [values.received, values.sent].map(nanoseconds);
-    // Times on the wire have a resolution of 100 ns.
+    // OPC UA encodes times with a resolution of 100 ns.
     assert.ok(received >= earliest - 100n && sent >= received && sent <= clock.now, `${earliest} ${received} ${sent}`);
     assert.deepEqual([values.resolution_ns, values.synchronised], [100, true]);
   });
 
-  it('TimeVariable_OfTheControlSystem_StampsItsCycle', async t => {
-    // The server's own stamps are wrong by an hour, for the values and for the time variable.
+  it('TimeVariable_Configured_StampsTheValuesOfItsCycle', async t => {
+    // The server's own time stamps of the values and of the time variable are wrong by an hour.
     const wrong = date => new Date(date.getTime() - HOUR_MS);
     spoilt(t, (_, sent) => ({ ...sent, sourceTimestamp: wrong(sent.sourceTimestamp), serverTimestamp: wrong(sent.serverTimestamp) }));
     const { bridge, states } = await adapterFor(t, server, [...OPEN, 'time: {node: "ns=1;s=time_ns"}'], JOINTS);
@@ -91,8 +91,8 @@ describe('reading over OPC UA', () => {
     assert.ok(Math.abs(Number(nanoseconds(values.sent) - clock.now)) < 1e9);
   });
 
-  it('TimeVariable_StampedApartFromTheValues_IsReportedWithGroupMs', async t => {
-    // The server stamps each variable separately, 3 ms apart.
+  it('TimeVariable_StampedLaterThanTheValues_IsReportedWithGroupMs', async t => {
+    // The server stamps the time variable 3 ms later than the other variables.
     spoilt(t, (name, sent) => name === 'time_ns' ? { ...sent, sourceTimestamp: new Date(sent.sourceTimestamp.getTime() + 3) } : sent);
     const plant = [...OPEN, 'time: {node: "ns=1;s=time_ns"}'];
     const narrow = await adapterFor(t, server, plant, [JOINTS[0]]), wide = await adapterFor(t, server, [...plant, 'group_ms: 4'], [JOINTS[0]]);
@@ -103,7 +103,7 @@ describe('reading over OPC UA', () => {
     assert.deepEqual(narrow.bridge.jointStates, []);
   });
 
-  it('Values_InvalidInAllWays_AreRefusedWhileOthersStayLive', async t => {
+  it('Values_OfEachInvalidKind_AreRefusedWhileOthersStayLive', async t => {
     const later = (sent, ms) => ({ ...sent, sourceTimestamp: new Date(sent.sourceTimestamp.getTime() + ms) });
     const at = (sent, date) => ({ ...sent, sourceTimestamp: date, sourcePicoseconds: 0 });
     const cases = [
@@ -125,17 +125,17 @@ describe('reading over OPC UA', () => {
     const { bridge, state, states, run } = await adapterFor(t, server, OPEN, [...joints, { joint: 'good', node: 'ns=1;s=arm_joint_1' }]);
 
     const seen = await states(10);
-    const told = await state(s => cases.every(([reason]) => Number(s[`refused/${reason}`]) > 1));
+    const counts = await state(s => cases.every(([reason]) => Number(s[`refused/${reason}`]) > 1));
 
-    assert.equal(told.state, 'connected');
+    assert.equal(counts.state, 'connected');
     assert.ok(bridge.jointStates.every(s => s.name.join() === 'good'), JSON.stringify(seen[0]));
     cases.forEach(([reason], i) =>
       assert.equal(run.err.split('\n').filter(line => line.includes(`wrong_${i} refused (${reason})`)).length, 1, `${reason}\n${run.err}`));
-    const counted = Object.entries(told).filter(([key]) => key.startsWith('refused/')).reduce((sum, [, count]) => sum + Number(count), 0);
-    assert.equal(Number(told.refused), counted);
+    const counted = Object.entries(counts).filter(([key]) => key.startsWith('refused/')).reduce((sum, [, count]) => sum + Number(count), 0);
+    assert.equal(Number(counts.refused), counted);
   });
 
-  it('Node_Unknown_NamesItsLine', async t => {
+  it('Node_Unknown_IsReportedWithItsLine', async t => {
     const { state, path } = await adapterFor(t, server, OPEN, [{ joint: 'z', node: 'ns=1;s=nowhere' }]);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -168,7 +168,7 @@ describe('reading over OPC UA', () => {
     assert.ok(worst(seen, 1, 'a') < 1e-12 && worst(seen, 0, 'b') < 1e-12);
   });
 
-  it('Node_UnknownNamespaceUri_NamesItsLineAndTheServersNamespaces', async t => {
+  it('Node_UnknownNamespaceUri_IsReportedWithItsLineAndTheServersNamespaces', async t => {
     const { state, path } = await adapterFor(t, server, OPEN, [{ joint: 'z', node: 'nsu=urn:another:server;s=x' }]);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -183,7 +183,7 @@ describe('reading over OPC UA', () => {
     assert.ok(server.asked.get('PublishRequest') > 100);
   });
 
-  it('Clock_SetBackAnHour_IsFollowed', async t => {
+  it('Clock_SetBackByAnHour_IsFollowed', async t => {
     const { bridge, states } = await adapterFor(t, server, OPEN, [JOINTS[0]]);
     await states(10);
 
@@ -198,7 +198,7 @@ describe('reading over OPC UA', () => {
 });
 
 describe('robot at rest', { concurrency: 2 }, () => {
-  // Simulates a server that stamps only changes.
+  // Simulates a server that changes the time stamp of a value only when the value changes.
   const resting = names => {
     const kept = new Map();
     return (name, sent) => {
@@ -212,14 +212,14 @@ describe('robot at rest', { concurrency: 2 }, () => {
   const [moving, still] = [{ joint: 'a', node: 'ns=1;s=arm_joint_2' }, { joint: 'still', node: 'ns=1;s=arm_joint_3' }];
 
   for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
-    it(`Joint_AtRest${plant.length > 0 ? 'BesideATimeVariable' : ''}_IsRepeatedOftenEnoughForAHeadset`, async t => {
+    it(`Joint_AtRest${plant.length > 0 ? 'BesideATimeVariable' : ''}_IsPublishedOftenEnoughForAHeadset`, async t => {
       const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
       server.spoil = resting(name => name === 'arm_joint_3');
       const from = server.clock.now, { bridge, run } = await adapterFor(t, server, [...OPEN, ...plant], [moving, still]);
 
       const stamps = await until(() => {
-        const told = stampsOf(bridge.jointStates, 'still');
-        return told.length >= 20 && told;
+        const stamps = stampsOf(bridge.jointStates, 'still');
+        return stamps.length >= 20 && stamps;
       }, () => JSON.stringify(bridge.state));
 
       const to = server.clock.now, gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6).sort((a, b) => a - b);
@@ -230,7 +230,7 @@ describe('robot at rest', { concurrency: 2 }, () => {
       assert.doesNotMatch(run.err, /still refused/);
     });
 
-  it('Robot_AtRest_IsShown', async t => {
+  it('Robot_AtRest_IsPublishedAndReported', async t => {
     const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });
     server.spoil = resting(name => name.startsWith('arm_joint'));
     const from = server.clock.now, { bridge, states } = await adapterFor(t, server, OPEN, [moving, still]);
@@ -244,7 +244,7 @@ describe('robot at rest', { concurrency: 2 }, () => {
 });
 
 describe('check', () => {
-  it('Check_OpcUa_NamesEndpointSecurityAndTimes', async t => {
+  it('Check_OpcUa_ListsEndpointSecurityAndTimes', async t => {
     const path = temporaryFile('plant.yaml', configuration('ws://127.0.0.1:1', 'opc.tcp://plc:4840', ['sampling_ms: 4', 'publishing_ms: 8'], JOINTS));
     const run = start(t, [path, '--check']);
 

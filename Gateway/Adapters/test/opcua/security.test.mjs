@@ -40,7 +40,7 @@ describe('security of OPC UA', () => {
     assert.doesNotMatch(run.err, new RegExp(PASSWORD));
   });
 
-  it('OwnKey_CreatedAtTheFirstStart_IsReadableOnlyByItsOwner', { skip: process.platform === 'win32' }, async t => {
+  it('AdapterKey_CreatedAtTheFirstStart_IsReadableOnlyByItsOwner', { skip: process.platform === 'win32' }, async t => {
     const { path, state, run } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
     await state(s => s.state === 'connected');
 
@@ -68,7 +68,7 @@ describe('security of OPC UA', () => {
     await state(s => s.state === 'connected' && Number(s.samples) > 0);
   });
 
-  it('Password_Wrong_IsReportedWithoutShowingIt', async t => {
+  it('Password_Wrong_IsReportedWithoutThePassword', async t => {
     const wrong = { env: { NOWPOSE_PLANT_PASSWORD: 'wrong-horse' } };
     const { run, bridge, state } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, wrong);
 
@@ -86,7 +86,7 @@ describe('security of OPC UA', () => {
     assert.match(reason, /plant\.user/);
   });
 
-  it('NoSecurity_ServerOffersOnlySecureEndpoints_IsRefused', async t => {
+  it('SecurityNone_ServerOffersOnlySecureEndpoints_IsRefused', async t => {
     const { state, bridge } = await adapterFor(t, server, OPEN, JOINTS);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -97,7 +97,7 @@ describe('security of OPC UA', () => {
 });
 
 describe('other servers', () => {
-  it('Server_WithoutSecurity_IsNotConnected', async t => {
+  it('Adapter_ServerWithoutSecurity_DoesNotConnect', async t => {
     const server = await new YoubotServer({ security: ['none'] }).start();
     t.after(() => server.stop());
     const { state } = await adapterFor(t, server, [], JOINTS);
@@ -118,12 +118,12 @@ describe('other servers', () => {
     rmSync(blocked);
     await state(s => s.state === 'connected');
 
-    const told = `certificates cannot be stored in ${blocked}/certificates (ENOTDIR); give this user write access, or set plant.security.folder`;
-    assert.ok(reason.startsWith(told), reason);
+    const expected = `certificates cannot be stored in ${blocked}/certificates (ENOTDIR); give this user write access, or set plant.security.folder`;
+    assert.ok(reason.startsWith(expected), reason);
     assert.equal(run.child.exitCode, null);
   });
 
-  it('Server_DoesNotTrustTheAdapter_IsReportedWithItsThumbprint', async t => {
+  it('Adapter_NotTrustedByTheServer_ReportsItsThumbprint', async t => {
     const server = await new YoubotServer({ security: ['sign_and_encrypt'], trusted: [] }).start();
     t.after(() => server.stop());
     const { state, path } = await adapterFor(t, server, [`security: {thumbprint: ${server.own.thumbprint}}`], JOINTS);
@@ -191,7 +191,7 @@ describe('security in the configuration', () => {
       assert.ok(wrong(certificate, key).includes(expected), wrong(certificate, key));
   });
 
-  it('Check_CertificateFolderCannotBeCreated_NamesItsLineAndCreatesNothing', async t => {
+  it('Check_CertificateFolderCannotBeCreated_ReportsItsLineAndCreatesNothing', async t => {
     const blocked = file('security:', '  folder: plant.yaml'), good = file('security:', '  folder: a/b');
 
     const { status, lines } = await check(t, blocked);
@@ -202,7 +202,7 @@ describe('security in the configuration', () => {
     assert.deepEqual(readdirSync(dirname(good)), ['plant.yaml']);
   });
 
-  it('Check_PasswordFileReadableByAll_IsRefused', { skip: process.platform === 'win32' }, () => {
+  it('Check_PasswordFileReadableByAll_RefusesIt', { skip: process.platform === 'win32' }, () => {
     const path = file('user: {name: me, password_file: word}');
     writeFileSync(join(dirname(path), 'word'), 'hush-hush', { mode: 0o644 });
 

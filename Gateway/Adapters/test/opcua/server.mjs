@@ -1,5 +1,5 @@
-// A real OPC UA server (node-opcua) that moves a youBot. The robot's true position is a function of the control system's time, whose
-// clock has an offset and a skew.
+// Runs a real OPC UA server (node-opcua) that moves a youBot. The true position of the robot is a function of the time of the control
+// system, whose clock has an offset and a skew.
 import { createServer } from 'node:net';
 import { isDeepStrictEqual } from 'node:util';
 import {
@@ -12,11 +12,11 @@ import { identity } from './identity.mjs';
 import { OpenStore } from './openStore.mjs';
 
 const URI = 'urn:nowpose:youbot';
-// A PLC samples at any rate; node-opcua's default minimum is 50 ms.
+// A PLC can sample at any rate, but node-opcua's default minimum interval is 50 ms.
 MonitoredItem.minimumSamplingInterval = 1;
 Subscription.minimumPublishingInterval = 1;
 
-/** The control system's clock: this machine's monotonic clock with an offset and a skew. */
+/** Clock of the control system: this machine's monotonic clock with an offset and a skew. */
 export class ControlClock {
   #start = process.hrtime.bigint();
   #from = BigInt(Date.now()) * 1_000_000n;
@@ -26,7 +26,7 @@ export class ControlClock {
     this.ppm = ppm;
   }
 
-  /** The clock's time in nanoseconds since 1970. */
+  /** Time of the clock in nanoseconds since 1970. */
   get now() {
     const passed = Number(process.hrtime.bigint() - this.#start);
     return this.#from + BigInt(Math.round(passed * (1 + this.ppm * 1e-6)));
@@ -37,12 +37,12 @@ export class ControlClock {
   }
 }
 
-/** A date and the fraction below its millisecond: the library takes them separately. */
+/** Splits a time into a date of whole milliseconds and the remaining picoseconds, because the library takes them separately. */
 const dated = ns => ({ date: new Date(Number(ns / 1_000_000n)), picoseconds: Number(ns % 1_000_000n / 100n) * 100_000 });
 
 const halves = ns => [Number(BigInt.asUintN(64, ns) >> 32n), Number(ns & 0xffffffffn)];
 
-/** A DateTime with a resolution of 100 ns. */
+/** Returns a DateTime with a resolution of 100 ns. */
 function dateTime(ns) {
   const { date, picoseconds } = dated(ns);
   return Object.assign(date, { picoseconds });
@@ -50,7 +50,7 @@ function dateTime(ns) {
 
 const positions = t => [...arm.map((_, joint) => angle(joint, t)), opening(t), opening(t)];
 
-/** Name, type and value; the value is a function of the motion's time and of the control system's time. */
+/** Name, data type and value. The value is a function of the time of the motion and of the time of the control system. */
 const VARIABLES = [
   ...arm.map((name, joint) => [name, DataType.Double, t => angle(joint, t)]),
   ['gripper_mm', DataType.Float, t => opening(t) * 1000],
@@ -67,25 +67,25 @@ const VARIABLES = [
 ];
 
 export class YoubotServer {
-  /** Received requests by name. */
+  /** Number of received requests by their names. */
   asked = new Map();
-  /** Changes a value before it is sent: gets the value that would be sent and returns the one to send. */
+  /** Replaces a value before it is sent: gets the value that the server would send, and returns the value that it sends. */
   spoil = (name, sent) => sent;
   isStopped = false;
-  /** Converts a time of the control system to a time of the motion. A robot at rest stays at one time of its motion. */
+  /** Converts a time of the control system to the time of the motion, which does not advance while the robot is at rest. */
   motion = t => t;
-  /** Whether an unchanged value keeps its stamp, so that no notification is sent for it. */
+  /** Whether an unchanged value keeps its time stamp. The server then sends no notification of it. */
   keepsStamps = false;
   #server = null;
   #frozen = new Map();
   #device = null;
 
   /**
-   * @param security Offered security modes: none, sign_and_encrypt.
-   * @param users Names and passwords; without them every client may read.
-   * @param cycleUs Cycle time: values change only at whole cycles.
-   * @param clockStepUs Resolution of its CurrentTime.
-   * @param nodesPerRead Maximum number of nodes of a read request.
+   * @param security Security modes that the server offers: none, sign_and_encrypt.
+   * @param users Names and passwords; null allows any client to read.
+   * @param cycleUs Cycle time in µs; values change only at the start of a cycle.
+   * @param clockStepUs Resolution of CurrentTime in µs.
+   * @param nodesPerRead Maximum number of nodes in a read request.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
@@ -96,7 +96,7 @@ export class YoubotServer {
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
 
-  /** The true value of a joint at a time of the control system. */
+  /** Returns the true position of a joint at a time of the control system. */
   static truth(joint, t) { return positions(t)[joint]; }
 
   async start() {
@@ -131,16 +131,16 @@ export class YoubotServer {
     return this;
   }
 
-  /** The namespace URIs by index. */
+  /** Returns the namespace URIs, ordered by their indices. */
   namespaces() { return this.#server.engine.addressSpace.getNamespaceArray().map(namespace => namespace.namespaceUri); }
 
-  /** Deletes the node of a variable, like a server whose program was changed. */
+  /** Deletes the node of a variable, like a server with a new program. */
   remove(name) {
     this.#device.namespace.deleteNode(this.#device.namespace.addressSpace.findNode(`ns=1;s=${name}`));
     this.#frozen.delete(name);
   }
 
-  /** Creates the node of a variable again, with the same id. */
+  /** Creates the node of a variable again with the same id. */
   restore(name) {
     this.#add(VARIABLES.find(([known]) => known === name));
   }
@@ -154,7 +154,7 @@ export class YoubotServer {
     const namespace = space.getOwnNamespace();
     this.#device = namespace.addObject({ organizedBy: space.rootFolder.objects, browseName: 'youBot' });
     VARIABLES.forEach(variable => this.#add(variable));
-    // Uses its own clock instead of this machine's. The library does not allow binding a part of ServerStatus.
+    // CurrentTime shows the control system's clock. Its read function is replaced, because the library cannot bind a part of ServerStatus.
     const currentTime = space.findNode('i=2258'), read = currentTime.readAttribute;
     currentTime.readAttribute = (context, attribute, ...rest) => attribute === AttributeIds.Value
       ? this.#value('CurrentTime', DataType.DateTime, (_, t) => dateTime(t), VariantArrayType.Scalar, this.clockStep)

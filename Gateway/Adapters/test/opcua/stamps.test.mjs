@@ -9,7 +9,7 @@ const halves = value => [Number(BigInt.asUintN(64, value) >> 32n), Number(value 
 const variant = (dataType, value) => new Variant({ dataType, arrayType: VariantArrayType.Scalar, value });
 
 describe('stamps of OPC UA', () => {
-  it('SourceTimestamp_HundredNanoseconds_AreKept', () => {
+  it('SourceTimestamp_Any_KeepsTheResolutionOf100ns', () => {
     const sourceTimestamp = new Date(Number(T / 1_000_000n));
 
     assert.equal(sourceStamp(new DataValue({ sourceTimestamp, sourcePicoseconds: 125_900_000 })), T);
@@ -36,7 +36,7 @@ describe('stamps of OPC UA', () => {
     ['NaN', variant(DataType.Double, NaN), 's', null],
   ]) it(`TimeVariable_${name}_IsRead`, () => assert.equal(timeIn(value, unit), expected));
 
-  it('TimeVariable_LongRealSeconds_HasTheAccuracyOfADouble', () => {
+  it('TimeVariable_SecondsAsLReal_HasTheAccuracyOfADouble', () => {
     const time = timeIn(variant(DataType.Double, Number(T) / 1e9), null);
 
     assert.ok(Math.abs(Number(time - T)) <= 240, `${time - T} ns`);
@@ -46,12 +46,12 @@ describe('stamps of OPC UA', () => {
 describe('time variable', () => {
   const time = new TimeVariable(500n);
 
-  it('Label_OfItsCycle_HasItsTime', () => {
+  it('At_TimeStampNearACycle_ReturnsTheTimeOfTheCycle', () => {
     time.learn(1000n, 77n);
     time.learn(2000n, 88n);
 
     assert.deepEqual([time.at(1400n), time.at(1600n), time.at(2000n)], [77n, 88n, 88n]);
   });
 
-  it('Label_WithoutCycle_HasNoTime', () => assert.equal(time.at(2501n), null));
+  it('At_TimeStampFarFromAllCycles_ReturnsNull', () => assert.equal(time.at(2501n), null));
 });

@@ -35,7 +35,7 @@ describe('trust list', () => {
     assert.deepEqual(readdirSync(join(folder, 'trusted')), []);
   });
 
-  it('Certificates_TooManyRejected_DropTheOldest', async () => {
+  it('Certificates_TooManyRejected_DeletesTheOldest', async () => {
     const { trust, folder } = await list(), rejected = join(folder, 'rejected');
     for (let i = 0; i < 20; i++) {
       writeFileSync(join(rejected, `${i}.der`), '');
@@ -49,7 +49,7 @@ describe('trust list', () => {
   });
 
   for (const [name, content] of [['Der', s => s.der], ['Pem', s => s.cert]]) {
-    it(`Certificate_InTheFolderAs${name}_IsTrusted`, async () => {
+    it(`Certificate_StoredInTheFolderAs${name}_IsTrusted`, async () => {
       const { trust, folder } = await list();
       writeFileSync(join(folder, 'trusted', 'broken.der'), 'no certificate');
       writeFileSync(join(folder, 'trusted', 'server'), content(server));
@@ -57,12 +57,12 @@ describe('trust list', () => {
       assert.equal(await trust.checkCertificate(server.der), StatusCodes.Good);
       assert.equal(await trust.checkCertificate([server.der, other.der]), StatusCodes.Good);
       assert.equal(await trust.checkCertificate(other.der), StatusCodes.BadCertificateUntrusted);
-      // A trusted issuer in the chain is not enough.
+      // A certificate is not trusted only because the chain contains a trusted issuer.
       assert.equal(await trust.checkCertificate([other.der, server.der]), StatusCodes.BadCertificateUntrusted);
     });
   }
 
-  it('Certificate_OfTheConfiguration_IsTrusted', async () => {
+  it('Certificate_ThumbprintConfigured_IsTrusted', async () => {
     for (const settings of [{ thumbprint: server.thumbprint }, { thumbprint: sha256(server.der) }, { serverCertificate: server.certificateFile }]) {
       const { trust } = await list(settings);
 
@@ -79,7 +79,7 @@ describe('trust list', () => {
     }
   });
 
-  it('Library_RequestsTrust_HasNoEffect', async () => {
+  it('Trust_RequestedByTheLibrary_HasNoEffect', async () => {
     const { trust } = await list();
 
     await trust.trustCertificate(server.der);
@@ -87,7 +87,7 @@ describe('trust list', () => {
     assert.equal(await trust.checkCertificate(server.der), StatusCodes.BadCertificateUntrusted);
   });
 
-  it('Folder_NotWritable_RefusalStillNamesTheThumbprint', async () => {
+  it('Refusal_FolderNotWritable_StillContainsTheThumbprint', async () => {
     const { trust, folder } = await list();
     mkdirSync(join(folder, 'rejected', `${server.thumbprint}.der`));
 

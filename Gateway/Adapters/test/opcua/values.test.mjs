@@ -35,7 +35,7 @@ describe('values of nodes', () => {
     assert.equal(isOverflown(StatusCodes.BadNoCommunication), false);
   });
 
-  it('Value_OfEveryForm_IsFound', () => {
+  it('Value_ScalarOrArrayElement_IsFound', () => {
     const cases = [
       [data(DataType.Float, 0.5), undefined, 0.5],
       [data(DataType.UInt16, 7), undefined, 7],
@@ -47,6 +47,6 @@ describe('values of nodes', () => {
     for (const [value, index, expected] of cases) assert.equal(valueOf(joint(index), value).value, expected);
   });
 
-  it('Array_Empty_HasNoIndex', () =>
+  it('Value_IndexInEmptyArray_IsNotFound', () =>
     assert.equal(valueOf(joint(0), data(DataType.Double, new Float64Array(), VariantArrayType.Array)).reason, 'index'));
 });

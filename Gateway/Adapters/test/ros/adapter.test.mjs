@@ -9,13 +9,13 @@ import { messages } from '../messages.mjs';
 
 const { configurationMessages, rosMessages, silenceMessages } = messages;
 
-/** A robot, a gateway and an adapter between them that is already subscribed. */
+/** Starts a robot, a test double of the gateway, and an adapter that connects them. Waits until the adapter has subscribed. */
 async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
   const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
   const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
   const adapter = start(t, [path]);
   await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, () => adapter.err);
-  // No message passes until the clock of its stamps is known.
+  // The adapter forwards no message before it knows the clock of the time stamps.
   if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
   return { robot, bridge, adapter };
 }
@@ -27,7 +27,7 @@ const plan = (robot, points) => robot.publish('/plan', { header: { stamp: robot.
 
 describe('ros', { concurrency: 4 }, () => {
   for (const ros of [1, 2])
-    it(`Adapter_Ros${ros}_ForwardsStatesWithTheirStamps`, async t => {
+    it(`Adapter_Ros${ros}_ForwardsJointStatesWithTheirTimeStamps`, async t => {
       const { robot, bridge } = await cell(t, { ros, aheadMs: 60_000 });
       const stamp = robot.now();
 
@@ -38,7 +38,7 @@ describe('ros', { concurrency: 4 }, () => {
       assert.deepEqual([name, position, velocity], [['shoulder', 'elbow'], [0.25, -1.5], [0.5, null]]);
     });
 
-  it('Clock_GetTime_LiesBetweenRequestAndAnswer', async t => {
+  it('Clock_Read_IsBetweenRequestAndAnswer', async t => {
     const { robot, bridge } = await cell(t, { aheadMs: -5000 });
 
     for (let i = 0; i < 10; i++) {
@@ -51,8 +51,8 @@ describe('ros', { concurrency: 4 }, () => {
     }
   });
 
-  it('Clock_OfASimulation_HasTheResolutionOfItsSteps', async t => {
-    // The /clock of a simulation that publishes it 50 times a second.
+  it('Clock_OfASimulationAt50Hz_HasAResolutionOf20Ms', async t => {
+    // A simulation that publishes /clock 50 times a second.
     const { bridge } = await cell(t, { now: () => BigInt(Math.floor(performance.now() / 20)) * 20_000_000n });
 
     const { values } = await bridge.call('/nowpose/plant_time/arm');
@@ -60,7 +60,7 @@ describe('ros', { concurrency: 4 }, () => {
     assert.ok(values.resolution_ns >= 10_000_000 && values.resolution_ns <= 20_000_000, `${values.resolution_ns}`);
   });
 
-  it('Clock_WithoutRosapi_IsUnavailableAndStatesAreForwarded', async t => {
+  it('Clock_WithoutRosapi_IsUnavailableButJointStatesAreForwarded', async t => {
     const { robot, bridge, adapter } = await cell(t, { now: null });
 
     await adapter.said(rosMessages.noClock('/rosapi/get_time: Service /rosapi/get_time does not exist'));
@@ -114,7 +114,7 @@ describe('ros', { concurrency: 4 }, () => {
     ['PlanOfNoNumber', robot => plan(robot, [{ positions: [{ toString: 1, valueOf: 1 }] }]), 'malformed'],
     ['NoDescription', robot => robot.publish('/robot_description', { data: 'not yet' }), 'malformed'],
   ])
-    it(`Adapter_${name}_IsRefusedWithAReason`, async t => {
+    it(`Adapter_${name}_RefusesTheMessageWithAReason`, async t => {
       const { robot, bridge } = await cell(t, {}, { plant: '  topics: { joint_trajectory: /plan }\n' });
 
       send(robot);
@@ -123,7 +123,7 @@ describe('ros', { concurrency: 4 }, () => {
       assert.deepEqual([bridge.jointStates, bridge.published('/robot_description')], [[], []]);
     });
 
-  it('Adapter_EffortsOnly_AreIgnoredWithoutRefusal', async t => {
+  it('Adapter_MessageWithEffortsOnly_IgnoresItWithoutRefusal', async t => {
     const { robot, bridge } = await cell(t);
 
     robot.publish('/joint_states', { header: { stamp: robot.time(robot.now()) }, name: ['wheel'], position: [], effort: [3] });
@@ -134,7 +134,7 @@ describe('ros', { concurrency: 4 }, () => {
     assert.equal(bridge.state.refused, '0');
   });
 
-  it('Publisher_OfOneJointStops_IsFaultThenLive', async t => {
+  it('Joint_PublisherStopsAndContinues_IsInFaultThenLive', async t => {
     const { robot, bridge, adapter } = await cell(t), silent = new Set();
     const publishing = setInterval(() => ['a', 'b'].filter(name => !silent.has(name)).forEach(name => robot.jointState(robot.now(), [name], [1])), 50);
     t.after(() => clearInterval(publishing));
@@ -155,7 +155,7 @@ describe('ros', { concurrency: 4 }, () => {
     assert.ok(adapter.err.includes('a fault: '), adapter.err);
   });
 
-  it('Adapter_RobotDisconnectsAndReturns_IsReadAgain', async t => {
+  it('Adapter_RobotDisconnectsAndReturns_ReadsAgain', async t => {
     const { robot, bridge, adapter } = await cell(t);
 
     await robot.stop();

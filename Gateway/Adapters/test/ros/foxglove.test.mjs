@@ -1,4 +1,4 @@
-// Connects Foxglove's rosbridge client to the built gateway and makes the requests that it sends at its start.
+// Connects Foxglove's rosbridge client to the built gateway, and sends the requests that Foxglove sends at its start.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { WebSocket } from 'ws';
@@ -7,7 +7,7 @@ import { program, start } from './gateway.mjs';
 const skip = program ? false : 'the gateway is not built: dotnet build Gateway';
 const limit = { timeout: 60000, skip };
 
-// The client is written for browsers and uses the global WebSocket.
+// The client is written for browsers, so it uses the global WebSocket.
 globalThis.WebSocket ??= WebSocket;
 const { default: ROSLIB } = await import('@foxglove/roslibjs');
 
@@ -20,7 +20,7 @@ async function connect(t, args = ['--robot', 'youbot']) {
   return ros;
 }
 
-/** Calls a method of Ros that takes a callback for the answer and one for the failure. */
+/** Calls a method of Ros that takes two callbacks: for the answer and for a failure. */
 const ask = (ros, method, ...args) => new Promise((resolve, reject) => ros[method](...args, resolve, error => reject(new Error(`${method}: ${error}`))));
 
 test('topics are listed with their types and full definitions', limit, async t => {
@@ -72,7 +72,7 @@ test('the robot description is a parameter, and unknown parameters are null', li
   assert.deepEqual(await ask(ros, 'getParams'), ['/robot_description']);
 });
 
-test('a client that names a type of ROS 2 gets all answers in ROS 2 spelling', limit, async t => {
+test('a client that uses a type name of ROS 2 gets all answers in the format of ROS 2', limit, async t => {
   const ros = await connect(t);
   new ROSLIB.Topic({ ros, name: '/joint_states', messageType: 'sensor_msgs/msg/JointState' }).subscribe(() => {});
 
@@ -91,12 +91,12 @@ test('a client that names a type of ROS 2 gets all answers in ROS 2 spelling', l
 test('a request for compression is answered by a status, and samples are sent as JSON', limit, async t => {
   const ros = await connect(t, ['--robot', 'youbot']);
   const emit = ros.emit.bind(ros);
-  // The client emits a status under the id of the request that it refers to.
-  const told = new Promise(resolve => { ros.emit = (name, ...rest) => { if (String(name).startsWith('status')) resolve(rest[0]); return emit(name, ...rest); }; });
+  // The client emits a status as an event with the id of the request to which the status belongs.
+  const statusReceived = new Promise(resolve => { ros.emit = (name, ...rest) => { if (String(name).startsWith('status')) resolve(rest[0]); return emit(name, ...rest); }; });
   const description = new Promise(resolve =>
     new ROSLIB.Topic({ ros, name: '/robot_description', messageType: 'std_msgs/String', compression: 'cbor' }).subscribe(resolve));
 
-  const status = await told;
+  const status = await statusReceived;
 
   assert.equal(status.level, 'warning');
   assert.match(status.msg, /compression cbor is not supported/);

@@ -1,4 +1,4 @@
-// The built gateway on free ports of this machine.
+// Runs the built gateway on free ports of this machine.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,7 +10,7 @@ const builds = ['Debug', 'Release'].map(kind => join(adapters, '..', 'bin', kind
 /** Path of the built program; undefined if it has not been built yet. */
 export const program = builds.find(existsSync);
 
-/** Starts the gateway and resolves with its WebSocket address. It is stopped after the test at the latest. */
+/** Starts the gateway and returns its WebSocket address. The end of the test stops the gateway. */
 export async function start(test, args = []) {
   const child = spawn('dotnet', [program, 'serve', '--sync-port', '0', '--ws-port', '0', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = new Promise(resolve => child.on('close', resolve));
@@ -21,14 +21,14 @@ export async function start(test, args = []) {
     clearTimeout(late);
   });
   const lines = createInterface({ input: child.stdout });
-  let said = '';
+  let output = '';
   for await (const line of lines) {
-    said += line + '\n';
+    output += line + '\n';
     const address = /wss?:\/\/[^\s/]+:\d+/.exec(line);
     if (!address) continue;
     lines.on('line', () => {});
     child.stdout.resume();
     return address[0];
   }
-  throw new Error(`the gateway said no address:\n${said}`);
+  throw new Error(`the gateway wrote no address:\n${output}`);
 }

@@ -1,18 +1,21 @@
-// A robot's rosbridge in ROS 1 or ROS 2: their different spellings, and the requests that each of them refuses.
+// Simulates the rosbridge of a robot with ROS 1 or ROS 2, which differ in their formats and in the requests that they refuse.
 import { once } from 'node:events';
 import { WebSocketServer } from 'ws';
 
 const pair = (nanoseconds, names) => ({ [names[0]]: Number(nanoseconds / 1_000_000_000n), [names[1]]: Number(nanoseconds % 1_000_000_000n) });
 
 export class Robot {
-  /** Every message received. */
+  /** All received messages. */
   heard = [];
-  /** Topics whose last message is sent to a new subscriber. */
+  /** Last message of each latched topic. A new subscriber receives it. */
   latched = new Map();
   #sockets = new Set();
   #started = performance.now();
 
-  /** `ros` is 1 or 2; `aheadMs` is its clock minus this machine's; `now` replaces its clock; null simulates a robot without rosapi. */
+  /**
+  * `ros` is the ROS version, 1 or 2. `aheadMs` is the time of the robot's clock minus that of this machine's clock. `now` replaces the
+  * robot's clock; null simulates a robot without rosapi.
+  */
   constructor({ ros = 2, aheadMs = 0, now } = {}) {
     this.ros = ros;
     const start = BigInt(Math.round((Date.now() + aheadMs) * 1e6));
@@ -51,7 +54,7 @@ export class Robot {
     this.heard.push(message);
     const send = answer => client.socket.send(JSON.stringify(answer));
     if (message.op === 'subscribe') {
-      // ros_loader.py: ROS 1 accepts only package/Name, ROS 2 also accepts package/msg/Name.
+      // As in ros_loader.py, ROS 1 accepts only package/Name, and ROS 2 also accepts package/msg/Name.
       const parts = message.type?.split('/').length;
       if (parts !== undefined && parts !== 2 && (this.ros === 1 || parts !== 3))
         return send({ op: 'status', level: 'error', msg: `subscribe: Unable to import ${message.type}`, id: message.id });

@@ -1,4 +1,4 @@
-// Connects roslib, the client of most ROS web pages, to the built gateway, which must understand its messages.
+// Connects roslib, the client library of most ROS web pages, to the built gateway, and tests that the gateway accepts its messages.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import * as ROSLIB from 'roslib';
@@ -24,14 +24,14 @@ const call = (ros, name, request = {}) => within(
 
 const topic = (ros, name, messageType, options = {}) => new ROSLIB.Topic({ ros, name, messageType, ...options });
 
-/** Waits for the answer to a request: every earlier message has been read by then. */
+/** Waits for the answer to a request. The gateway has then read all earlier messages. */
 const settled = ros => call(ros, '/rosapi/get_time');
 
 const now = () => { const ms = Date.now() - 100; return { sec: Math.floor(ms / 1000), nanosec: (ms % 1000) * 1000000 }; };
 
 const state = (stamp, name = ['a'], position = [0.5]) => ({ header: { stamp, frame_id: '' }, name, position, velocity: [], effort: [] });
 
-test('published messages reach subscribers in the spelling of the type they named', limit, async t => {
+test('published messages reach subscribers in the format of the type that they requested', limit, async t => {
   const address = await start(t);
   const source = await connect(t, address);
   for (const [type, field] of [['sensor_msgs/JointState', 'secs'], ['sensor_msgs/msg/JointState', 'sec']]) {
@@ -76,11 +76,11 @@ test('the available topics are listed', limit, async t => {
   assert.equal(types[topics.indexOf('/robot_description')], 'std_msgs/String');
 });
 
-test('an unsupported option causes a status, and the request is served without it or refused', limit, async t => {
+test('an unsupported option causes a status, and the request is served without the option or refused', limit, async t => {
   const ros = await connect(t, await start(t, ['--robot', 'youbot']));
-  const told = new Map();
+  const statuses = new Map();
   const emit = ros.emit.bind(ros);
-  ros.emit = (name, ...rest) => { const id = /^status:(.*)/.exec(name)?.[1]; if (id) told.set(id, rest[0]); return emit(name, ...rest); };
+  ros.emit = (name, ...rest) => { const id = /^status:(.*)/.exec(name)?.[1]; if (id) statuses.set(id, rest[0]); return emit(name, ...rest); };
   const description = new Promise(resolve => topic(ros, '/robot_description', 'std_msgs/String').subscribe(resolve));
   const requests = {
     cbor: { op: 'subscribe', topic: '/joint_states', compression: 'cbor' },
@@ -93,19 +93,19 @@ test('an unsupported option causes a status, and the request is served without i
   for (const [id, request] of Object.entries(requests)) ros.callOnConnection({ id, ...request });
   await settled(ros);
 
-  assert.deepEqual([...told].map(([id, { level }]) => [id, level]), [
+  assert.deepEqual([...statuses].map(([id, { level }]) => [id, level]), [
     ['cbor', 'warning'], ['fragment', 'warning'], ['type', 'error'], ['slash', 'error'], ['call', 'warning']]);
-  assert.match(told.get('cbor').msg, /compression cbor is not supported/);
-  assert.match(told.get('fragment').msg, /fragment_size 500 is not supported/);
-  assert.match(told.get('type').msg, /has the type sensor_msgs\/JointState, not std_msgs\/String/);
-  assert.match(told.get('slash').msg, /begins with a slash: \/joint_states/);
+  assert.match(statuses.get('cbor').msg, /compression cbor is not supported/);
+  assert.match(statuses.get('fragment').msg, /fragment_size 500 is not supported/);
+  assert.match(statuses.get('type').msg, /has the type sensor_msgs\/JointState, not std_msgs\/String/);
+  assert.match(statuses.get('slash').msg, /begins with a slash: \/joint_states/);
   assert.match((await within(description, 'the description')).data, /<robot/);
 });
 
 test('an invalid request causes a status with the id of the request', limit, async t => {
   const ros = await connect(t, await start(t));
-  const told = [];
-  ros.on('status', message => told.push(message));
+  const statuses = [];
+  ros.on('status', message => statuses.push(message));
   const joints = topic(ros, '/joint_states', 'sensor_msgs/JointState');
   joints.advertise();
   const wrong = state(now(), ['a', 'a'], [1, 2]);
@@ -117,10 +117,10 @@ test('an invalid request causes a status with the id of the request', limit, asy
   const status = await within(byId, 'the status');
   assert.equal(status.level, 'error');
   assert.match(status.msg, /DuplicateName/);
-  assert.deepEqual(told, [], 'nothing else was refused');
+  assert.deepEqual(statuses, [], 'nothing else was refused');
 });
 
-test('none of its own messages is refused: ids, latch, queue sizes, compression, levels, unsubscribe and unadvertise', limit, async t => {
+test('the gateway refuses no message of roslib: ids, latch, queue sizes, compression, levels, unsubscribe and unadvertise', limit, async t => {
   const address = await start(t, ['--robot', 'youbot']);
   const ros = await connect(t, address);
   const refused = [];

@@ -1,4 +1,4 @@
-// Runs the adapter as a process between doubles of a controller and a gateway.
+// Runs the adapter as a process that connects test doubles of a controller and of a gateway.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:net';
 import { describe, it } from 'node:test';
@@ -19,7 +19,7 @@ const JOINTS = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wri
 const configuration = ({ url, port, host = '127.0.0.1', more = '', rest = '' }) =>
   temporaryFile('rtde.yaml', `gateway: { url: "${url}" }\nplant: { kind: rtde, name: arm, host: "${host}", port: ${port}${more} }\n${rest}`);
 
-/** A controller, a gateway and an adapter between them. */
+/** Starts a controller, a gateway, and an adapter that connects them. */
 async function cell(t, robot = new RtdeRobot(), { more, rest } = {}) {
   await robot.listen(t);
   const bridge = await RosbridgeDouble.start(t);
@@ -30,11 +30,11 @@ const statesOf = (bridge, count = 1) => until(() => bridge.jointStates.length >=
 
 const seconds = stamp => Number(nanoseconds(stamp)) / 1e9;
 
-/** Lines of the adapter about its plant. */
-const told = adapter => adapter.err.split('\n').filter(line => /\[plant\/arm\] (waiting|refused|connected)/.test(line));
+/** Returns the log lines of the adapter about the state of its plant. */
+const plantLines = adapter => adapter.err.split('\n').filter(line => /\[plant\/arm\] (waiting|refused|connected)/.test(line));
 
 describe('rtde adapter', { concurrency: 4 }, () => {
-  it('Adapter_DataPackages_BecomePositionsAndVelocitiesWithTheirTimestamp', async t => {
+  it('Adapter_DataPackages_ArePublishedWithTheirTimestamp', async t => {
     const { bridge, robot } = await cell(t);
 
     const states = await statesOf(bridge, 100);
@@ -50,7 +50,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(bridge.state.controller, '5.11.1.108318');
   });
 
-  it('Adapter_JointsNamed_AreForwardedAsConfigured', async t => {
+  it('Adapter_JointsConfigured_PublishesTheirConfiguredNames', async t => {
     const rest = 'joints: [{ joint: wrist, index: 5 }, { joint: base, index: 0 }]\n';
     const { bridge } = await cell(t, undefined, { rest, more: ', positions: target' });
 
@@ -75,7 +75,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await until(() => bridge.state?.['signal/closed']?.startsWith('live'), 'a live signal');
   });
 
-  it('Signals_AfterARestart_AreSentAgainWithTheNewTime', async t => {
+  it('Signals_ControllerRestarted_AreSentAgainWithTheNewTime', async t => {
     const { bridge, robot } = await cell(t, undefined, { rest: 'signals: [{ signal: closed, field: actual_digital_output_bits, bit: 0 }]\n' });
     robot.outputBits = 1;
     const newest = () => bridge.published('/signals').filter(({ value }) => value[0] === 1).at(-1);
@@ -86,7 +86,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await until(() => seconds(newest().header.stamp) < 50, 'the signal on the new time');
   });
 
-  it('Signal_TheControllerDoesNotHave_IsNamedAndOthersAreRead', async t => {
+  it('Signal_UnknownToTheController_IsReportedAndOthersAreRead', async t => {
     const rest = 'signals:\n  - { signal: none, field: no_such_field }\n  - { signal: wrong, field: actual_q }\n  - { signal: closed, field: actual_digital_output_bits, bit: 1 }\n';
     const { bridge, adapter } = await cell(t, undefined, { rest });
     await statesOf(bridge, 10);
@@ -101,9 +101,9 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.equal(adapter.err.match(/none missing/g).length, 1, adapter.err);
   });
 
-  it('Frame_OfTheToolPose_IsPublishedWithItsTime', async t => {
+  it('Frame_ReadFromTheToolPose_IsPublishedWithItsTimestamp', async t => {
     const robot = new RtdeRobot();
-    // A half turn about the axis (0, 0.6, 0.8).
+    // The last three numbers are a rotation by π about the axis (0, 0.6, 0.8).
     robot.toolPose = [0.4, -0.1, 0.3, 0, 0.6 * Math.PI, 0.8 * Math.PI];
     const { bridge } = await cell(t, robot, { rest: 'frames: [{ frame: tcp, field: actual_TCP_pose }]\n' });
 
@@ -122,7 +122,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.ok(Math.abs(Number(bridge.state.following_ms) - 1000 * LAG_S) <= 0.1, bridge.state.following_ms);
   });
 
-  it('Adapter_FasterController_IsSampledAtTheChosenInterval', async t => {
+  it('Adapter_ControllerFasterThanConfigured_ReadsAtTheConfiguredInterval', async t => {
     const { bridge, robot } = await cell(t, new RtdeRobot({ rateHz: 500 }), { more: ', rate_hz: 50' });
 
     const stamps = (await statesOf(bridge, 20)).map(state => seconds(state.header.stamp));
@@ -139,7 +139,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.deepEqual(robot.frequencies, [125]);
   });
 
-  it('Clock_OfTheController_IsWithinItsBound', async t => {
+  it('Clock_Offered_ErrorIsWithinItsBound', async t => {
     const { bridge, robot } = await cell(t);
     await statesOf(bridge, 20);
 
@@ -153,7 +153,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     }
   });
 
-  it('Clock_WithoutAnswersInTheStream_IsStillOffered', async t => {
+  it('Clock_ControllerDoesNotAnswerWhileStreaming_IsStillOffered', async t => {
     const { bridge, robot } = await cell(t, new RtdeRobot({ isAnsweringWhileStreaming: false, version: null }));
     await statesOf(bridge, 400);
 
@@ -186,11 +186,11 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     const { header, position } = bridge.jointStates.at(-1);
     assert.ok(Math.abs(position[2] - angle(2, seconds(header.stamp))) < 1e-9);
     assert.ok(seconds((await bridge.call('/nowpose/plant_time/arm')).values.sent) < 50);
-    assert.equal(told(adapter).length, 3, adapter.err);
+    assert.equal(plantLines(adapter).length, 3, adapter.err);
     assert.doesNotMatch(adapter.err, /refused \(/);
   });
 
-  it('Robot_InProtectiveStop_IsReportedAndItsPositionsContinue', async t => {
+  it('Robot_InProtectiveStop_IsReportedAndPositionsContinue', async t => {
     const { bridge, robot, adapter } = await cell(t);
     await statesOf(bridge);
 
@@ -208,7 +208,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ]);
   });
 
-  it('Robot_WithoutPower_HasNoPositionsUntilPowerOn', async t => {
+  it('Robot_WithoutPower_SendsNoPositionsUntilPowerOn', async t => {
     const robot = new RtdeRobot({ stands: true });
     Object.assign(robot.state, { mode: 3, runtime: 1 });
     const { bridge, adapter } = await cell(t, robot);
@@ -220,7 +220,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     robot.state.mode = 7;
 
     await statesOf(bridge);
-    assert.equal(told(adapter).length, 2, adapter.err);
+    assert.equal(plantLines(adapter).length, 2, adapter.err);
     assert.equal(adapter.err.split(robotStateMessages.programStopped('stopped')).length, 2, adapter.err);
   });
 
@@ -236,7 +236,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
       await statesOf(bridge);
     });
 
-  it('Robot_MovesInAModeWithoutPower_IsRead', async t => {
+  it('Robot_MovesInAModeWithoutPower_PositionsAreRead', async t => {
     const robot = new RtdeRobot();
     robot.state.mode = 0;
 
@@ -245,7 +245,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await statesOf(bridge);
   });
 
-  it('Controller_LosesPackages_IsLoggedOnce', async t => {
+  it('Packages_Lost_AreLoggedOnce', async t => {
     const { bridge, adapter } = await cell(t, new RtdeRobot({ losesEach: 5 }));
 
     await until(() => Number(bridge.state?.['refused/package-lost']) > 5, 'lost packages');
@@ -258,14 +258,14 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     ['WithBytesThatAreNone', Buffer.alloc(64), rtdeMessages.damaged(ANY)],
     ['WithAPackageOfAnotherSize', packageOf('U', byte(1), 'short'), rtdeMessages.invalidData(ANY, fieldMessages.packageSize(6, ANY))],
   ])
-    it(`Stream_${what}_IsReadAgain`, async t => {
+    it(`Stream_${what}_AdapterReadsAgain`, async t => {
       const { bridge, robot, adapter } = await cell(t);
       await statesOf(bridge, 10);
 
       robot.send(bytes);
 
-      await until(() => told(adapter).length === 3, () => `three lines; ${adapter.err}`);
-      assert.match(told(adapter)[1], like(`waiting: ${text}`));
+      await until(() => plantLines(adapter).length === 3, () => `three lines; ${adapter.err}`);
+      assert.match(plantLines(adapter)[1], like(`waiting: ${text}`));
       await statesOf(bridge, bridge.jointStates.length + 10);
     });
 
@@ -295,9 +295,9 @@ describe('rtde adapter', { concurrency: 4 }, () => {
         robot.onConnection?.(socket);
       };
 
-      await until(() => connections >= 3 && told(adapter).length > 0, () => `three attempts; ${adapter.err}`);
+      await until(() => connections >= 3 && plantLines(adapter).length > 0, () => `three attempts; ${adapter.err}`);
 
-      const lines = told(adapter);
+      const lines = plantLines(adapter);
       assert.equal(lines.length, 1, adapter.err);
       assert.match(lines[0], like(`] ${state}: ${text}`));
       await until(() => bridge.status?.level === 2, 'an error in the diagnostics');
@@ -309,7 +309,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
 
     await adapter.said(rtdeMessages.unknownHost('no-such-robot.invalid'));
 
-    assert.equal(told(adapter).length, 1);
+    assert.equal(plantLines(adapter).length, 1);
   });
 
   it('Port_Closed_IsLoggedInOneLineAndConnectedWhenItOpens', async t => {
@@ -323,7 +323,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await new RtdeRobot().listen(t, port);
 
     await statesOf(bridge);
-    assert.equal(told(adapter).length, 2, adapter.err);
+    assert.equal(plantLines(adapter).length, 2, adapter.err);
   });
 
   it('Connection_Lost_IsReopened', async t => {
@@ -335,10 +335,10 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     await adapter.said('waiting: 127.0.0.1');
     const before = bridge.jointStates.length;
     await statesOf(bridge, before + 10);
-    assert.equal(told(adapter).length, 3, adapter.err);
+    assert.equal(plantLines(adapter).length, 3, adapter.err);
   });
 
-  it('Check_ValidFile_ListsTheDataThatAreRead', async t => {
+  it('Check_ValidFile_ListsTheDataThatTheAdapterReads', async t => {
     const { status, out } = await check(t, configuration({ url: 'ws://127.0.0.1:1', port: 30004, rest: 'robot: ur5e\n' }));
 
     assert.equal(status, 0);
@@ -370,7 +370,7 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     });
 });
 
-/** Sends random bytes without end. */
+/** Sends random bytes until the connection is closed. */
 function pour(socket) {
   const random = seeded(7), timer = setInterval(() => socket.write(Buffer.from(Array.from({ length: 1024 }, () => Math.floor(256 * random())))), 1);
   socket.on('error', () => {}).on('close', () => clearInterval(timer));

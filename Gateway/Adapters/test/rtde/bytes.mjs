@@ -1,4 +1,4 @@
-// Creates RTDE packages as described in UR's guide, independently of the adapter's code: size, type and payload, big-endian.
+// Creates RTDE packages as described in UR's guide (size, type and payload, big-endian) without the code of the adapter.
 
 export function packageOf(type, ...parts) {
   const payload = Buffer.concat(parts.map(part => typeof part === 'string' ? Buffer.from(part, 'ascii') : part));

@@ -1,4 +1,5 @@
-// The kinematics of a controller, compared with products of Denavit-Hartenberg matrices, and read from bytes written by hand from UR's guide.
+// Compares the calibrated robot description with products of Denavit-Hartenberg matrices, and reads the kinematics of a controller from
+// bytes that were written by hand from UR's guide.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:net';
@@ -17,7 +18,7 @@ const { calibrationMessages } = messages;
 
 const { calibrated } = await parts('rtde/calibration/urdf');
 
-/** Published parameters: a, d and alpha of the joints; theta is zero. */
+/** Published parameters a (m), d (m) and alpha (rad) of the joints. Theta is zero. */
 const A = [0, -0.425, -0.3922, 0, 0, 0], D = [0.1625, 0, 0, 0.1333, 0.0997, 0.0996], ALPHA = [Math.PI / 2, 0, 0, Math.PI / 2, -Math.PI / 2, 0];
 
 const UR5E = readFileSync(join(adapters, '../../Packages/com.nowpose.mril/Runtime/Robots/ur5e.urdf'), 'utf8');
@@ -25,10 +26,9 @@ const UR5E = readFileSync(join(adapters, '../../Packages/com.nowpose.mril/Runtim
 const published = A.map((a, i) => ({ theta: 0, a, d: D[i], alpha: ALPHA[i] }));
 
 /**
- * An arm whose parameters deviate like those of a calibrated one.
- * @param exchanged Length in m that is added to d of joint 2 and subtracted from d of joint 3. Their axes are nearly parallel, so a calibration can
- * contain such a pair of large lengths.
- */
+* Returns the parameters of an arm that deviate from the published ones like those of a calibrated arm. `exchanged` (m) is added to d of
+* the second axis and subtracted from d of the third, which is nearly parallel to the second.
+*/
 function arm(seed, exchanged = 0) {
   const random = seeded(seed), by = size => size * (2 * random() - 1);
   const own = published.map(({ a, d, alpha }) => ({ theta: by(1e-4), a: a + by(5e-4), d: d + by(5e-4), alpha: alpha + by(1e-3) }));
@@ -63,7 +63,7 @@ const dhFlangeOf = (own, angles) => own.map((joint, i) => dhMatrix(joint, angles
 
 const apart = (m, n) => Math.max(...m.flat().map((value, i) => Math.abs(value - n.flat()[i])));
 
-/** A robot state message with two packages, the second with the kinematics. */
+/** Returns a robot state message with two packages; the second contains the kinematics. */
 function stateWith(own) {
   const lists = ['theta', 'a', 'd', 'alpha'].map(name => doubles(...own.map(joint => joint[name])));
   const part = (type, ...payload) => {
@@ -73,7 +73,7 @@ function stateWith(own) {
   return Buffer.concat([part(20, Buffer.alloc(30, 7)), part(16, part(0, Buffer.alloc(42)), part(5, ...[1, 2, 3, 4, 5, 6].map(int), ...lists, int(0)))]);
 }
 
-/** A controller with both interfaces, a gateway and an adapter. */
+/** Starts a controller with RTDE and the primary interface, a gateway, and an adapter. */
 async function cell(t, talk) {
   const robot = await new RtdeRobot().listen(t), bridge = await RosbridgeDouble.start(t);
   const primary = createServer(talk);
@@ -86,10 +86,10 @@ async function cell(t, talk) {
 
 describe('rtde calibration', () => {
   for (const exchanged of [0, -120])
-    it(`Calibrated_AxesMovedBy${exchanged}M_HasTheFlangeOfTheController`, () => {
+    it(`Calibrated_LengthOf${exchanged}MExchangedBetweenAxes_FlangeIsThatOfTheController`, () => {
       for (let seed = 1; seed <= 20; seed++) {
         const own = arm(seed, exchanged), random = seeded(100 + seed);
-        // A metre-long exchange along axes that are not quite parallel moves the arm, so the second axis stays parallel to the third.
+        // With axes that are not exactly parallel, the exchanged length would move the arm, so the second axis is made parallel to the third.
         if (exchanged !== 0) own[1].alpha = 0;
 
         const { urdf, difference } = calibrated(UR5E, own);
@@ -111,15 +111,15 @@ describe('rtde calibration', () => {
     assert.equal(urdf.replace(/<origin xyz="[^"]*" rpy="[^"]*"/g, ''), UR5E.replace(/<origin xyz="[^"]*" rpy="[^"]*"/g, ''));
   });
 
-  it('Calibrated_AnotherRobot_IsRefused', () =>
+  it('Calibrated_ParametersOfAnotherRobot_ThrowsAnError', () =>
     assert.throws(() => calibrated(UR5E, published.map((joint, i) => (i === 1 ? { ...joint, a: -0.6127 } : joint))), like(calibrationMessages.otherRobot(ANY))));
 
-  it('Calibrated_ParameterIsNotANumber_IsRefused', () =>
+  it('Calibrated_ParameterIsNotANumber_ThrowsAnError', () =>
     assert.throws(() => calibrated(UR5E, published.map((joint, i) => (i === 3 ? { ...joint, d: NaN } : joint))), like(calibrationMessages.otherRobot(ANY))));
 
   it('Adapter_WithCalibration_PublishesTheDescriptionOfThisArm', async t => {
     const own = arm(7), state = stateWith(own);
-    // In two pieces, and after a message of another type.
+    // The message arrives in two pieces and after a message of another type.
     const { bridge, adapter } = await cell(t, socket => {
       socket.on('error', () => {}).write(state.subarray(0, 61));
       setTimeout(() => socket.write(state.subarray(61)), 50);
@@ -140,7 +140,7 @@ describe('rtde calibration', () => {
     ['AnotherRobot', socket => socket.on('error', () => {}).write(stateWith(arm(1).map(joint => ({ ...joint, a: 1.5 * joint.a })))), calibrationMessages.otherRobot(ANY)],
     ['Silence', socket => socket.on('error', () => {}), calibrationMessages.late(ANY, 5)],
   ])
-    it(`Adapter_CalibrationIs${what}_IsLoggedInOneLineAndPositionsArrive`, async t => {
+    it(`Adapter_CalibrationIs${what}_LogsOneLineAndSendsPositions`, async t => {
       const { bridge, adapter } = await cell(t, talk);
 
       await adapter.said('no calibration: ');

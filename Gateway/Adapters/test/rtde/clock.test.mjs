@@ -1,4 +1,4 @@
-// Estimates of the controller's clock from its packages and the answers between them, in seeded virtual time.
+// Tests in virtual time the estimate of the controller's clock, which uses the controller's packages and the answers between them.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
@@ -9,8 +9,8 @@ const { RobotClock } = await parts('rtde/robotClock');
 const MS = 1_000_000n, ns = ms => BigInt(Math.round(ms * 1e6));
 
 /**
- * A controller with its own clock behind a network with a minimum delay of `minDelayMs`. It sends each package within `sendMs` of its
- * timestamp, except for a share of late ones. `at` is a time of this machine's counter in ms.
+ * Simulates a controller with its own clock, and a network with a minimum delay of `minDelayMs`. The controller sends each package within
+ * `sendMs` after its timestamp, except for a fraction of late packages. `at` is a time of this machine's counter in ms.
  */
 class Link {
   packages = [];
@@ -25,12 +25,12 @@ class Link {
     this.arrived = 0;
   }
 
-  /** Time of the controller's clock, ms. */
+  /** Returns the time of the controller's clock in ms. */
   truth(at) { return at * (1 + this.ppm / 1e6) + this.aheadMs; }
 
   #delay() { return this.minDelayMs + this.jitterMs * this.random() ** 4; }
 
-  /** Simulates until a time, with about 16 requests per second. */
+  /** Continues the simulation until a time, with about 16 requests per second. */
   play(untilMs) {
     for (;;) {
       const begun = this.cycle * this.periodMs;
@@ -51,8 +51,8 @@ class Link {
     }
   }
 
-  /** Gets the error of the current reading in ms, and its stated bound. */
-  told() {
+  /** Returns the error of the clock's current reading and its error bound, both in ms. */
+  reading() {
     const at = this.arrived + 1, { sent, errorBound } = this.clock.at(ns(at));
     return { error: Number(sent - ns(this.truth(at))) / 1e6, bound: Number(errorBound) / 1e6 };
   }
@@ -69,7 +69,7 @@ describe('rtde clock', () => {
         const link = new Link({ seed, ...options });
         for (let second = 2; second <= 30; second++) {
           link.play(1000 * second);
-          const { error, bound } = link.told();
+          const { error, bound } = link.reading();
           assert.ok(Math.abs(error) <= bound, `seed ${seed}: error ${error} ms, bound ${bound} ms`);
           assert.ok(Math.abs(error) < mostError, `seed ${seed}: wrong by ${error} ms`);
           assert.ok(bound < mostBound, `seed ${seed}: bound ${bound} ms`);
@@ -78,25 +78,25 @@ describe('rtde clock', () => {
       }
     });
 
-  it('Clock_BusyControllerSendsSomePackagesLate_IsNotMeasuredAgain', () => {
+  it('Clock_SomePackagesSentLate_IsNotMeasuredAgain', () => {
     for (let seed = 1; seed <= 20; seed++) {
       const link = new Link({ seed, lateShare: 0.1 });
       for (let ms = 2000; ms <= 30_000; ms += 100) {
         link.play(ms);
-        const { error } = link.told();
+        const { error } = link.reading();
         assert.ok(Math.abs(error) < 2.5, `seed ${seed}: wrong by ${error} ms`);
       }
       assert.deepEqual(link.stepped, [], `seed ${seed}`);
     }
   });
 
-  it('Clock_AssumedDelayTooSmall_BoundDoesNotHold', () => {
+  it('Clock_AssumedSendDelayTooSmall_ErrorExceedsTheBound', () => {
     const wrong = Array.from({ length: 20 }, (_, i) => {
       const link = new Link({ seed: i + 1, sendMs: 0, minDelayMs: 0.01, jitterMs: 0.02, assumedMs: 0 });
-      // All packages leave 5 ms late, which cannot be observed.
+      // The controller sends all packages 5 ms late, which the adapter cannot observe.
       link.truth = at => at * (1 + link.ppm / 1e6) + link.aheadMs + 5 * (at % link.periodMs > 1e-9 ? 1 : 0);
       link.play(5000);
-      const { error, bound } = link.told();
+      const { error, bound } = link.reading();
       return Math.abs(error) > bound;
     });
 
@@ -111,37 +111,37 @@ describe('rtde clock', () => {
         link.aheadMs += by;
         link.play(7000);
 
-        const { error, bound } = link.told();
+        const { error, bound } = link.reading();
         assert.ok(Math.abs(error) <= bound && bound < 5, `seed ${seed}: error ${error} ms, bound ${bound} ms`);
         assert.ok(Math.abs(link.stepped.reduce((sum, step) => sum + step, 0) - by) < 5, `seed ${seed}: ${link.stepped}`);
       }
     });
 
-  it('Clock_WithoutAnswers_KeepsItsBoundAndFollows', () => {
+  it('Clock_WithoutAnswers_ErrorStaysWithinItsBound', () => {
     for (let seed = 1; seed <= 10; seed++) {
       const link = new Link({ seed, answers: false, ppm: 300 });
       link.play(2000);
       link.clock.expectNoAnswers(ns(0.6));
       link.play(600_000);
 
-      const { error, bound } = link.told();
-      // Send delay, round-trip time, and the time by which the fastest package of some seconds may be late.
+      const { error, bound } = link.reading();
+      // The bound consists of the send delay, the round-trip time, and the delay of the fastest package of some seconds.
       assert.ok(Math.abs(error) <= bound && bound < 3.6, `seed ${seed}: error ${error} ms, bound ${bound} ms`);
     }
   });
 
-  it('Clock_WithoutAnswersAndLateForSeconds_WidensItsBound', () => {
+  it('Clock_WithoutAnswersAndPackagesLateForSeconds_HasALargerBound', () => {
     let held = 0, count = 0;
     for (let seed = 1; seed <= 10; seed++) {
       const link = new Link({ seed, answers: false });
       link.play(2000);
       link.clock.expectNoAnswers(ns(0.6));
-      // Every 10 s, all packages of 8 s are late by 12 ms, so the lower bound decreases.
+      // In each period of 10 s, the packages of the first 8 s are late by 12 ms, so the lower bound decreases.
       for (let ms = 2000; ms <= 62_000; ms += 100) {
         link.minDelayMs = ms % 10_000 < 8000 ? 12 : 0.2;
         link.play(ms);
-        const { error, bound } = link.told();
-        // The first time shows it.
+        const { error, bound } = link.reading();
+        // The first period is not checked: only its end shows that the packages were late.
         if (ms < 10_000) continue;
         count++;
         if (Math.abs(error) <= bound) held++;
@@ -150,7 +150,7 @@ describe('rtde clock', () => {
       assert.deepEqual(link.stepped, [], `seed ${seed}`);
       link.minDelayMs = 0.2;
       link.play(400_000);
-      assert.ok(link.told().bound < 3.6, `seed ${seed}: bound ${link.told().bound} ms`);
+      assert.ok(link.reading().bound < 3.6, `seed ${seed}: bound ${link.reading().bound} ms`);
     }
     assert.ok(held > 0.99 * count, `${held} of ${count}`);
   });
@@ -164,12 +164,12 @@ describe('rtde clock', () => {
       link.aheadMs += by;
       link.play(6000);
 
-      const { error } = link.told();
+      const { error } = link.reading();
       assert.ok(Math.abs(error) < 3, `wrong by ${error} ms`);
       assert.equal(link.stepped.length, 1);
     });
 
-  it('Clock_SilentRobot_HasNoTime', () => {
+  it('Clock_RobotSilent_HasNoTime', () => {
     const link = new Link({ seed: 1 });
     assert.throws(() => link.clock.at(0n), /sends no data/);
     link.play(3000);

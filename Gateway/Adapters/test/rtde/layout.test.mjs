@@ -1,4 +1,4 @@
-// Compares the sent bytes with bytes written by hand from UR's RTDE guide, and tests streams that are not RTDE.
+// Compares the sent bytes with bytes that were written by hand from UR's RTDE guide, and tests streams that are not RTDE.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
@@ -25,15 +25,15 @@ const PAYLOAD = Buffer.concat([
 ]);
 
 describe('rtde layout', () => {
-  it('Request_EachType_HasTheBytesOfTheGuide', () => {
+  it('Request_OfEachType_HasTheBytesOfTheGuide', () => {
     assert.equal(hex(packages.protocolVersion(2)), '0005' + '56' + '0002');
     assert.equal(hex(packages.controllerVersion()), '0003' + '76');
-    // 125 Hz is 405f400000000000, the names are ASCII without an end.
+    // 125 Hz is 405f400000000000 as a double. The names are in ASCII without a terminator.
     assert.equal(hex(packages.setUpOutputs(125, ['timestamp', 'actual_q'])), '001d' + '4f' + '405f400000000000' + '74696d657374616d70' + '2c' + '61637475616c5f71');
     assert.equal(hex(packages.start()), '0003' + '53');
   });
 
-  it('Reader_PackagesInAnyPieces_ReturnsThemComplete', () => {
+  it('Reader_PackagesInPieces_ReturnsCompletePackages', () => {
     const stream = Buffer.concat([packageOf('V', byte(1)), packageOf('S', byte(1)), packageOf('U', PAYLOAD), packageOf('v', ...[5, 11, 1, 7].map(int))]);
 
     for (let size = 1; size <= stream.length; size++) {
@@ -51,7 +51,7 @@ describe('rtde layout', () => {
     ['Zeros', Buffer.alloc(64)], ['SshBanner', Buffer.from('SSH-2.0-OpenSSH_9.2\r\n')], ['Http', Buffer.from('HTTP/1.1 400 Bad Request\r\n')],
     ['SizeBelowItsHeader', Buffer.from([0, 2, 85])], ['UnknownType', Buffer.from([0, 9, 66])],
   ])
-    it(`Reader_${what}_IsNotRtde`, () => assert.throws(() => new PackageReader().add(bytes), NotRtdeError));
+    it(`Reader_${what}_ThrowsNotRtdeError`, () => assert.throws(() => new PackageReader().add(bytes), NotRtdeError));
 
   it('Reader_RandomBytes_ReturnsPackagesOrThrowsWithLimitedMemory', () => {
     let rejected = 0;
@@ -92,7 +92,7 @@ describe('rtde layout', () => {
   ])
     it(`Recipe_Package${what}_IsRefusedWithAReason`, () => assert.equal(recipe().decode(payload), text));
 
-  it('Recipe_OptionalFieldsMissing_NamesThem', () =>
+  it('Recipe_OptionalFieldsMissing_ListsTheirNames', () =>
     assert.throws(() => new Recipe(fieldsOf('actual'), answer(TYPES.replace('UINT32,INT32', 'NOT_FOUND,INT32').replace(/UINT32$/, 'NOT_FOUND'))),
       error => error instanceof MissingFieldsError && error.names.join() === 'runtime_state,safety_status_bits'));
 
@@ -101,10 +101,10 @@ describe('rtde layout', () => {
     ['OfAnotherType', TYPES.replace('VECTOR6D', 'VECTOR6INT32'), fieldMessages.otherType('actual_q', 'VECTOR6INT32', 'VECTOR6D')],
     ['InAnotherNumber', 'DOUBLE', fieldMessages.recipe(9, 1)],
   ])
-    it(`Recipe_RequiredField${what}_IsAnError`, () =>
+    it(`Recipe_RequiredField${what}_ThrowsAnError`, () =>
       assert.throws(() => new Recipe(fieldsOf('actual'), answer(types)), error => error instanceof RecipeError && error.message === text));
 
-  it('Recipe_FieldsOfTheConfiguration_AreReadInEachType', () => {
+  it('Recipe_ConfiguredFieldsOfEachType_AreRead', () => {
     const fields = [{ name: 'timestamp', type: 'DOUBLE' }, { name: 'actual_q', type: 'VECTOR6D' },
       ...['flag', 'byte', 'bits', 'voltage', 'load', 'force', 'modes', 'counts', 'elbow', 'wide'].map(name => ({ name, isOptional: true }))];
     const types = 'DOUBLE,VECTOR6D,BOOL,UINT8,UINT32,INT32,DOUBLE,VECTOR6D,VECTOR6INT32,VECTOR6UINT32,VECTOR3D,UINT64';
@@ -130,12 +130,12 @@ describe('rtde layout', () => {
       assert.equal(read(address), text);
   });
 
-  it('Recipe_FieldOfTheConfigurationHasAnUnknownType_IsAnError', () =>
+  it('Recipe_ConfiguredFieldOfUnknownType_ThrowsAnError', () =>
     assert.throws(() => new Recipe(fieldsOf('actual', [{ field: 'payload' }]), answer(`${TYPES},VECTOR7D`)), {
       message: fieldMessages.otherType('payload', 'VECTOR7D', fieldMessages.notType),
     }));
 
-  it('Fields_OfSeveralSignals_AreRequestedOnce', () => {
+  it('Fields_UsedBySeveralSignals_AreRequestedOnce', () => {
     const bits = [0, 1].map(bit => ({ field: 'actual_digital_output_bits', bit }));
 
     const names = fieldsOf('target', [...bits, { field: 'robot_mode' }]).map(({ name }) => name);
@@ -151,7 +151,7 @@ describe('rtde layout', () => {
     assert.deepEqual([cycle.timestamp, cycle.positions, cycle.velocities, cycle.robotMode], [2, [1, 2, 3, 4, 5, 6], null, null]);
   });
 
-  it('Text_OfEitherVersion_IsRead', () => {
+  it('TextMessage_OfEitherProtocolVersion_IsRead', () => {
     assert.equal(packages.textOf(Buffer.concat([byte(5), Buffer.from('hello'), byte(3), Buffer.from('ur5'), byte(3)])), 'ur5: hello');
     assert.equal(packages.textOf(Buffer.concat([byte(2), Buffer.from('robot is tired')])), 'robot is tired');
     assert.equal(packages.textOf(Buffer.from([200, 1, 2])), null);

@@ -1,4 +1,4 @@
-// A controller's RTDE server with selectable faults. It answers like a controller and does not use the adapter's code.
+// Simulates the RTDE server of a controller with selectable faults, without the code of the adapter.
 import { createServer } from 'node:net';
 import { byte, doubles, int, packageOf } from './bytes.mjs';
 
@@ -10,28 +10,28 @@ const TYPES = {
 
 const RUNNING = 7, PLAYING = 2, NORMAL = 1;
 
-/** Time by which the arm is behind the commanded positions. */
+/** Time in s by which the arm lags behind the commanded positions. */
 export const LAG_S = 0.006;
 
-/** Angle of a joint at a time of the controller's clock. */
+/** Returns the angle of a joint in rad at a time of the controller's clock in s. */
 export const angle = (joint, seconds) => 0.3 * joint + 0.4 * Math.sin((0.9 + 0.1 * joint) * seconds);
 
 export class RtdeRobot {
-  /** Type characters of the received requests. */
+  /** Types of the received requests, as characters. */
   requests = [];
   frequencies = [];
   recipes = [];
   state = { runtime: PLAYING, mode: RUNNING, safety: NORMAL, bits: 1 };
   outputBits = 0;
   toolPose = [0, 0, 0, 0, 0, 0];
-  /** Fields that this controller does not have; `types` has those with other types. */
+  /** Fields that this controller does not have. `types` contains fields whose type differs from the guide. */
   missing = [];
   types = {};
-  /** Version of the controller; null for no answer. */
+  /** Version of the controller; null if the controller does not answer the request for the version. */
   version = [5, 11, 1, 108318];
   accepts = 2;
   isAnsweringWhileStreaming = true;
-  /** Every n-th package is dropped. */
+  /** The controller loses each package whose number is a multiple of this. */
   losesEach = Infinity;
   sendsHalf = false;
   stands = false;
@@ -106,7 +106,7 @@ export class RtdeRobot {
       if (cycle === last) return;
       last = cycle;
       if (++count % this.losesEach === 0) return;
-      // Time of the current control cycle. An e-Series has 500 cycles a second and sends within one.
+      // Time of the current control cycle. An e-Series has 500 cycles a second and sends the package within the cycle.
       const time = Math.floor(this.now * 500) / 500, bytes = packageOf('U', byte(1), ...fields.map(field => this.#value(field, time)));
       socket.write(this.sendsHalf ? bytes.subarray(0, bytes.length >> 1) : bytes);
       if (this.sendsHalf) clearInterval(timer);

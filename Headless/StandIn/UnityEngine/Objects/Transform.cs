@@ -53,12 +53,12 @@ public partial class Transform : Component, IEnumerable
 
     public void SetParent(Transform parent, bool worldPositionStays)
     {
-        Hang(parent, worldPositionStays);
+        Attach(parent, worldPositionStays);
         Lifecycle.Refresh(Owner);
     }
 
     /// <summary>Sets the parent. Does not activate or deactivate objects.</summary>
-    internal void Hang(Transform parent, bool worldPositionStays)
+    internal void Attach(Transform parent, bool worldPositionStays)
     {
         ThrowIfDestroyed();
         // A destroyed parent counts as null.

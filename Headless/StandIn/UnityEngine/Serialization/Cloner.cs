@@ -17,7 +17,7 @@ sealed class Cloner
     {
         Check(original);
         return HierarchyOf(original) is { } source
-            ? Finish(original, source, copy => copy.transform.Hang(parent, worldPositionStays))
+            ? Finish(original, source, copy => copy.transform.Attach(parent, worldPositionStays))
             : CopyAlone(original);
     }
 
@@ -27,7 +27,7 @@ sealed class Cloner
         return HierarchyOf(original) is { } source
             ? Finish(original, source, copy =>
             {
-                copy.transform.Hang(parent, false);
+                copy.transform.Attach(parent, false);
                 copy.transform.SetPositionAndRotation(position, rotation);
             })
             : CopyAlone(original);
@@ -77,7 +77,7 @@ sealed class Cloner
         copy.SetActiveSelf(source.activeSelf);
         _copies.Add(source, copy);
         foreach (var component in source.Components) _copies.Add(component, copy.Add(component.GetType()));
-        copy.transform.Hang(parent, false);
+        copy.transform.Attach(parent, false);
         for (var i = 0; i < source.transform.childCount; i++) CopyObjects(source.transform.GetChild(i).gameObject, copy.transform);
         return copy;
     }

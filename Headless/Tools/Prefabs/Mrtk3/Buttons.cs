@@ -11,13 +11,13 @@ sealed class Buttons
     /// <summary>Distance of the original slider's handle from the canvas, mm.</summary>
     const float SliderDepth = -6.1f;
 
-    readonly Workshop _workshop;
+    readonly PackageAssets _assets;
     readonly Transform _canvas;
 
     /// <param name="canvas">The canvas. Its unit is 1 mm.</param>
-    public Buttons(Workshop workshop, Transform canvas)
+    public Buttons(PackageAssets assets, Transform canvas)
     {
-        _workshop = workshop;
+        _assets = assets;
         _canvas = canvas;
     }
 
@@ -54,7 +54,7 @@ sealed class Buttons
 
     GameObject Instance(string path, string name, Vector2 place)
     {
-        var made = _workshop.Instantiate(path, _canvas);
+        var made = _assets.Instantiate(path, _canvas);
         made.name = name;
         ((RectTransform)made.transform)._anchoredPosition = place;
         return made;

@@ -28,19 +28,19 @@ static class Canvases
     }
 
     /// <summary>Adds a background behind the buttons.</summary>
-    public static void AddGround(Workshop workshop, Transform canvas, Vector3 place, Vector2 size)
+    public static void AddGround(PackageAssets assets, Transform canvas, Vector3 place, Vector2 size)
     {
         var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
         ground.name = "Ground";
         ground.transform.SetParent(canvas, worldPositionStays: false);
         ground.transform.localPosition = place;
         ground.transform.localScale = new Vector3(size.x, size.y, 1);
-        ground.GetComponent<MeshRenderer>().sharedMaterial = workshop.Load<Material>(PackagePaths.Panel);
+        ground.GetComponent<MeshRenderer>().sharedMaterial = assets.Load<Material>(PackagePaths.Panel);
     }
 
-    public static TextMesh AddText(Workshop workshop, string name, Transform canvas, Vector3 place)
+    public static TextMesh AddText(PackageAssets assets, string name, Transform canvas, Vector3 place)
     {
-        var text = Texts.Add(workshop, name, canvas, TextAnchor.MiddleCenter, TextAlignment.Center);
+        var text = Texts.Add(assets, name, canvas, TextAnchor.MiddleCenter, TextAlignment.Center);
         text.transform.localPosition = place;
         text.transform.localScale = new Vector3(TextScale, TextScale, TextScale);
         return text;

@@ -15,20 +15,20 @@ static class ForeignPrefabs
     /// </summary>
     const long CheckboxInstance = 2843419059293016730;
 
-    public static string Button(Workshop workshop) => Button(workshop, "Action Button", id => id, hasLabel: false);
+    public static string Button(PackageAssets assets) => Button(assets, "Action Button", id => id, hasLabel: false);
 
-    public static string Toggle(Workshop workshop) =>
-        Button(workshop, "Action Button Checkbox", id => (id ^ CheckboxInstance) & long.MaxValue, hasLabel: true);
+    public static string Toggle(PackageAssets assets) =>
+        Button(assets, "Action Button Checkbox", id => (id ^ CheckboxInstance) & long.MaxValue, hasLabel: true);
 
-    public static string Slider(Workshop workshop)
+    public static string Slider(PackageAssets assets)
     {
         var root = ForeignObject.Root<RectTransform>("CanvasSlider", 5677198132984834579, 5677198132984834578);
         root.Add<Slider>(5677198132984834573);
         Place(root, new Vector2(30.019f, -11.0733f), new Vector2(100, 20));
-        return workshop.Foreign(root);
+        return assets.Foreign(root);
     }
 
-    public static string HandMenu(Workshop workshop)
+    public static string HandMenu(PackageAssets assets)
     {
         var root = ForeignObject.Root<Transform>("HandMenuBase", 1947121577341454423, 1947121577341454504);
         root.Add<SolverHandler>(6529426809915133304);
@@ -39,10 +39,10 @@ static class ForeignPrefabs
         Place(canvas.Child<RectTransform>("Buttons-GridLayout", 8337109874524864710, 7083505145275335002), Vector2.zero, new Vector2(40, 0));
         Calls.Add(solver, "onFirstHandDetected", canvas.GameObject, nameof(GameObject.SetActive), true);
         Calls.Add(solver, "onLastHandLost", canvas.GameObject, nameof(GameObject.SetActive), false);
-        return workshop.Foreign(root);
+        return assets.Foreign(root);
     }
 
-    public static string Rig(Workshop workshop)
+    public static string Rig(PackageAssets assets)
     {
         var root = ForeignObject.Root<Transform>("MRTK XR Rig", 2351505567455720334, 2351505567455720332);
         var offset = root.Child<Transform>("Camera Offset", 2351505566903569413, 2351505566903569412);
@@ -57,13 +57,13 @@ static class ForeignPrefabs
         Fields.Set(origin, "m_Camera", camera);
         Fields.Set(origin, "m_OriginBaseGameObject", root.GameObject);
         Fields.Set(origin, "m_CameraFloorOffsetObject", offset.GameObject);
-        return workshop.Foreign(root);
+        return assets.Foreign(root);
     }
 
-    public static string Simulator(Workshop workshop) =>
-        workshop.Foreign(ForeignObject.Root<Transform>("MRTKInputSimulator", 7585035320575375756, 3493013819197874656));
+    public static string Simulator(PackageAssets assets) =>
+        assets.Foreign(ForeignObject.Root<Transform>("MRTKInputSimulator", 7585035320575375756, 3493013819197874656));
 
-    static string Button(Workshop workshop, string name, Func<long, long> id, bool hasLabel)
+    static string Button(PackageAssets assets, string name, Func<long, long> id, bool hasLabel)
     {
         var root = ForeignObject.Root<RectTransform>(name, id(8376646494505211202), id(8376646494505211229));
         root.Add<PressableButton>(id(8376646494505211226));
@@ -75,7 +75,7 @@ static class ForeignPrefabs
         var text = root.Child<RectTransform>("Text", id(2142167140070017856), id(5319578128471115350));
         Write(text.Add<TextMeshProUGUI>(id(1922220768106560367)), "Button", 8, 6);
         text.GameObject.SetActive(false);
-        return workshop.Foreign(root);
+        return assets.Foreign(root);
     }
 
     static void Place(ForeignObject placed, Vector2 position, Vector2 size)

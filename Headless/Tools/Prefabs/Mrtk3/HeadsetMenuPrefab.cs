@@ -12,36 +12,36 @@ sealed class HeadsetMenuPrefab
 {
     const float NudgeMs = 20, NudgeStepMs = 1, OpacityStep = 0.2f;
 
-    readonly Workshop _workshop;
+    readonly PackageAssets _assets;
     readonly GameObject _root;
     readonly CellActions _actions;
     readonly HeadsetMenu _menu;
     readonly Transform _canvas;
     readonly Buttons _buttons;
 
-    HeadsetMenuPrefab(Workshop workshop)
+    HeadsetMenuPrefab(PackageAssets assets)
     {
-        _workshop = workshop;
+        _assets = assets;
         _root = new GameObject("Headset Menu");
         _actions = _root.AddComponent<CellActions>();
         _menu = _root.AddComponent<HeadsetMenu>();
         Fields.Set(_menu, "_actions", _actions);
-        var hand = workshop.Instantiate(ForeignPaths.HandMenu, _root.transform);
+        var hand = assets.Instantiate(ForeignPaths.HandMenu, _root.transform);
         _canvas = hand.transform.Find("MenuContent-Canvas");
         // The menu is shown only while a hand is held with the palm up.
         _canvas.gameObject.SetActive(false);
         _canvas.Find("Buttons-GridLayout").gameObject.SetActive(false);
-        Canvases.AddGround(workshop, _canvas, new Vector3(0, -17, 4), new Vector2(112, 174));
-        _buttons = new Buttons(workshop, _canvas);
+        Canvases.AddGround(assets, _canvas, new Vector3(0, -17, 4), new Vector2(112, 174));
+        _buttons = new Buttons(assets, _canvas);
     }
 
-    public static string Make(Workshop workshop)
+    public static string Make(PackageAssets assets)
     {
-        var prefab = new HeadsetMenuPrefab(workshop);
+        var prefab = new HeadsetMenuPrefab(assets);
         prefab.AddButtons();
         prefab.AddSliders();
         prefab.AddVoice();
-        return workshop.Prefab(prefab._root);
+        return assets.Prefab(prefab._root);
     }
 
     void AddButtons()
@@ -59,23 +59,23 @@ sealed class HeadsetMenuPrefab
     void AddSliders()
     {
         Slide("_nudge", _buttons.Slider("L_visu Nudge", -NudgeMs, NudgeMs, 0, new Vector2(0, -22)), nameof(HeadsetMenu.SlideNudge));
-        Fields.Set(_menu, "_nudgeWords", Canvases.AddText(_workshop, "L_visu Nudge Words", _canvas, new Vector3(0, -10, 0)));
+        Fields.Set(_menu, "_nudgeWords", Canvases.AddText(_assets, "L_visu Nudge Words", _canvas, new Vector3(0, -10, 0)));
         Slide("_opacity", _buttons.Slider("Opacity", 0, 1, 1, new Vector2(0, -54)), nameof(HeadsetMenu.SlideOpacity));
-        Fields.Set(_menu, "_opacityWords", Canvases.AddText(_workshop, "Opacity Words", _canvas, new Vector3(0, -42, 0)));
+        Fields.Set(_menu, "_opacityWords", Canvases.AddText(_assets, "Opacity Words", _canvas, new Vector3(0, -42, 0)));
     }
 
     void AddVoice()
     {
         var commands = new List<VoiceCommand>();
-        Say(commands, "overlay connect", nameof(CellActions.ToggleConnected));
-        Say(commands, "overlay lock base", nameof(CellActions.LockBase));
-        Say(commands, "overlay panel", nameof(CellActions.TogglePanel));
-        Say(commands, "overlay ghost", nameof(CellActions.ToggleGhost));
-        Say(commands, "overlay occlusion", nameof(CellActions.ToggleOcclusion));
-        Say(commands, "overlay ahead", nameof(CellActions.ChangeNudgeMs), NudgeStepMs);
-        Say(commands, "overlay behind", nameof(CellActions.ChangeNudgeMs), -NudgeStepMs);
-        Say(commands, "overlay stronger", nameof(CellActions.ChangeOpacity), OpacityStep);
-        Say(commands, "overlay fainter", nameof(CellActions.ChangeOpacity), -OpacityStep);
+        AddCommand(commands, "overlay connect", nameof(CellActions.ToggleConnected));
+        AddCommand(commands, "overlay lock base", nameof(CellActions.LockBase));
+        AddCommand(commands, "overlay panel", nameof(CellActions.TogglePanel));
+        AddCommand(commands, "overlay ghost", nameof(CellActions.ToggleGhost));
+        AddCommand(commands, "overlay occlusion", nameof(CellActions.ToggleOcclusion));
+        AddCommand(commands, "overlay ahead", nameof(CellActions.ChangeNudgeMs), NudgeStepMs);
+        AddCommand(commands, "overlay behind", nameof(CellActions.ChangeNudgeMs), -NudgeStepMs);
+        AddCommand(commands, "overlay stronger", nameof(CellActions.ChangeOpacity), OpacityStep);
+        AddCommand(commands, "overlay fainter", nameof(CellActions.ChangeOpacity), -OpacityStep);
         Fields.Set(_root.AddComponent<VoiceCommands>(), "_commands", commands);
     }
 
@@ -96,7 +96,7 @@ sealed class HeadsetMenuPrefab
         Calls.AddDynamic(slider, "onValueUpdated", _menu, method);
     }
 
-    void Say(List<VoiceCommand> commands, string keyword, string method, float? argument = null)
+    void AddCommand(List<VoiceCommand> commands, string keyword, string method, float? argument = null)
     {
         var command = new VoiceCommand();
         Fields.Set(command, "_keyword", keyword);

@@ -20,30 +20,30 @@ static class HoloLensPrefabs
     static readonly float BarSize = LetterSize.At(1.3f * 1.1f);
 
     /// <summary>Creates the marker. Its transform is the robot's base frame.</summary>
-    public static string Marker(Workshop workshop)
+    public static string Marker(PackageAssets assets)
     {
         var marker = new GameObject("Hand-Placed Marker");
-        AnyHeadsetScene.AddShape(workshop, marker.transform);
+        AnyHeadsetScene.AddShape(assets, marker.transform);
         var placed = marker.AddComponent<HandPlacedMarker>();
         var manipulator = Graspable.Make(marker, null, new Vector3(0.1f, 0.1f, 0.1f));
         var graspable = marker.AddComponent<GraspableMarker>();
         Fields.Set(graspable, "_marker", placed);
         Fields.Set(graspable, "_manipulator", manipulator);
-        return workshop.Prefab(marker);
+        return assets.Prefab(marker);
     }
 
     /// <summary>Creates the package's panel with a bar to grasp, pin and close it.</summary>
-    public static string Panel(Workshop workshop)
+    public static string Panel(PackageAssets assets)
     {
         var panel = new GameObject("Status Panel (MRTK3)");
         var follow = panel.AddComponent<BodyFollow>();
-        var cell = Texts.Add(workshop, "Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
+        var cell = Texts.Add(assets, "Cell", panel.transform, TextAnchor.UpperLeft, TextAlignment.Left);
         cell.gameObject.SetActive(false);
         var status = panel.AddComponent<StatusPanel>();
         Fields.Set(status, "_cell", cell);
-        Fields.Set(status, "_ground", workshop.Load<Material>(PackagePaths.Panel));
+        Fields.Set(status, "_ground", assets.Load<Material>(PackagePaths.Panel));
 
-        var bar = AddBar(workshop, panel.transform, out var handle, out var pin, out var close);
+        var bar = AddBar(assets, panel.transform, out var handle, out var pin, out var close);
         Fields.Set(status, "_bar", bar);
         var graspable = panel.AddComponent<GraspablePanel>();
         Fields.Set(graspable, "_follow", follow);
@@ -51,50 +51,50 @@ static class HoloLensPrefabs
         Fields.Set(graspable, "_pin", pin);
         Calls.Add(pin, "<OnClicked>k__BackingField", graspable, nameof(GraspablePanel.TogglePinned));
         Calls.Add(close, "<OnClicked>k__BackingField", panel, nameof(GameObject.SetActive), false);
-        return workshop.Prefab(panel);
+        return assets.Prefab(panel);
     }
 
     /// <summary>Adds the bar below the panel. Its unit is the panel's font size.</summary>
     /// <returns>The object that the panel places and scales, so that the bar looks the same in the editor and on a following panel.</returns>
     static Transform AddBar(
-        Workshop workshop, Transform panel, out ObjectManipulator handle, out PressableButton pin, out PressableButton close)
+        PackageAssets assets, Transform panel, out ObjectManipulator handle, out PressableButton pin, out PressableButton close)
     {
         var bar = Child("Bar Place", panel, new Vector3(0, PanelCells.LowerEdge * BarSize, 0)).transform;
         bar.localScale = Vector3.one * BarSize;
         var content = Child("Bar", bar, new Vector3(0, -BarHeight / 2 - 0.15f, -0.3f));
         var canvas = Canvases.Add(content.transform, Vector3.zero);
         canvas.localScale = Vector3.one * BarUnit;
-        Canvases.AddGround(workshop, canvas, new Vector3(0, 0, 4), new Vector2(BarWidth / BarUnit, BarHeight / BarUnit));
-        var buttons = new Buttons(workshop, canvas);
+        Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(BarWidth / BarUnit, BarHeight / BarUnit));
+        var buttons = new Buttons(assets, canvas);
         pin = buttons.Toggle("Pin", "", new Vector2(-170, 0));
-        AddWord(workshop, "Stay", canvas, new Vector3(-120, 0, 0));
+        AddWord(assets, "Stay", canvas, new Vector3(-120, 0, 0));
         close = buttons.Button("Close", "×", new Vector2(170, 0));
-        AddWord(workshop, "Close", canvas, new Vector3(115, 0, 0));
+        AddWord(assets, "Close", canvas, new Vector3(115, 0, 0));
         // Between the two texts, so that pressing a button does not move the panel.
         handle = Graspable.Make(content, panel, new Vector3(12, BarHeight, 0.6f));
         return bar;
     }
 
     /// <summary>Adds a text next to a button, because the letters on the button are too small at the distance of a panel.</summary>
-    static void AddWord(Workshop workshop, string word, Transform canvas, Vector3 place)
+    static void AddWord(PackageAssets assets, string word, Transform canvas, Vector3 place)
     {
-        var text = Canvases.AddText(workshop, word + " Word", canvas, place);
+        var text = Canvases.AddText(assets, word + " Word", canvas, place);
         text.text = word;
         text.transform.localScale = Vector3.one / (LetterSize.Of(text) * BarUnit);
     }
 
     /// <summary>Creates the question. It follows the user in front of the panel and within reach, so that it cannot be overlooked.</summary>
-    public static string Consent(Workshop workshop)
+    public static string Consent(PackageAssets assets)
     {
         var root = new GameObject("Consent Prompt");
         Fields.Set(root.AddComponent<BodyFollow>(), "_distanceMetres", 0.6f);
         var prompt = root.AddComponent<ConsentPrompt>();
         var content = Child("Content", root.transform, Vector3.zero);
         var canvas = Canvases.Add(content.transform, Vector3.zero);
-        Canvases.AddGround(workshop, canvas, new Vector3(0, 0, 4), new Vector2(400, 180));
-        var question = Canvases.AddText(workshop, "Question", canvas, new Vector3(0, 40, 0));
+        Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(400, 180));
+        var question = Canvases.AddText(assets, "Question", canvas, new Vector3(0, 40, 0));
         question.transform.localScale *= 1.5f;
-        var buttons = new Buttons(workshop, canvas);
+        var buttons = new Buttons(assets, canvas);
         var accept = buttons.Button("Accept", "Accept", new Vector2(-40, -60));
         var refuse = buttons.Button("Refuse", "Refuse", new Vector2(40, -60));
         Fields.Set(prompt, "_content", content);
@@ -104,7 +104,7 @@ static class HoloLensPrefabs
         Calls.Add(accept, "<OnClicked>k__BackingField", prompt, nameof(ConsentPrompt.Accept));
         Calls.Add(refuse, "<OnClicked>k__BackingField", prompt, nameof(ConsentPrompt.Refuse));
         content.SetActive(false);
-        return workshop.Prefab(root);
+        return assets.Prefab(root);
     }
 
     static GameObject Child(string name, Transform parent, Vector3 place)

@@ -11,25 +11,25 @@ namespace Nowpose.Prefabs.Mrtk3;
 /// <summary>Creates the scene of a robot cell for a HoloLens 2 with MRTK3: pairing, hand menu, movable panel and movable marker.</summary>
 static class HoloLensScene
 {
-    public static string Make(Workshop workshop)
+    public static string Make(PackageAssets assets)
     {
-        var rig = workshop.Instantiate(ForeignPaths.Rig, null);
+        var rig = assets.Instantiate(ForeignPaths.Rig, null);
         Props.SetNearClip(rig.GetComponentInChildren<Camera>(includeInactive: true));
-        var simulator = workshop.Instantiate(ForeignPaths.Simulator, null);
+        var simulator = assets.Instantiate(ForeignPaths.Simulator, null);
         var ar = new GameObject("AR Session");
         ar.AddComponent<ARSession>();
-        var cell = Cell(workshop, rig.GetComponentInChildren<XROrigin>(includeInactive: true));
+        var cell = Cell(assets, rig.GetComponentInChildren<XROrigin>(includeInactive: true));
         var session = cell.GetComponent<MrilSession>();
-        var panel = Panel(workshop, session);
-        var menu = Menu(workshop, session, panel);
-        var consent = workshop.Instantiate(PackagePaths.HoloLensConsent, null);
+        var panel = Panel(assets, session);
+        var menu = Menu(assets, session, panel);
+        var consent = assets.Instantiate(PackagePaths.HoloLensConsent, null);
         Fields.Set(consent.GetComponent<ConsentPrompt>(), "_pairing", cell.GetComponent<CellPairing>());
-        return workshop.Scene(rig, simulator, ar, Props.Light(hasShadows: false), cell, panel.gameObject, menu, consent);
+        return assets.Scene(rig, simulator, ar, Props.Light(hasShadows: false), cell, panel.gameObject, menu, consent);
     }
 
-    static GameObject Cell(Workshop workshop, XROrigin origin)
+    static GameObject Cell(PackageAssets assets, XROrigin origin)
     {
-        var cell = Scenes.Cell(workshop, PackagePaths.Cell, PackagePaths.HoloLensSettings);
+        var cell = Scenes.Cell(assets, PackagePaths.Cell, PackagePaths.HoloLensSettings);
         var session = cell.GetComponent<MrilSession>();
         // Does not connect at the start. The hand menu connects, or the pairing when it has received the address.
         Fields.Set(session, "_connectOnEnable", false);
@@ -45,22 +45,22 @@ static class HoloLensScene
         var pairing = cell.AddComponent<CellPairing>();
         Fields.Set(pairing, "_session", session);
         Fields.Set(pairing, "_anchor", cell.GetComponentInChildren<BaseAnchor>(includeInactive: true));
-        var marker = workshop.Instantiate(PackagePaths.HoloLensMarker, cell.transform);
+        var marker = assets.Instantiate(PackagePaths.HoloLensMarker, cell.transform);
         marker.transform.localPosition = AnyHeadsetScene.BasePlace;
         return cell;
     }
 
-    static StatusPanel Panel(Workshop workshop, MrilSession session)
+    static StatusPanel Panel(PackageAssets assets, MrilSession session)
     {
-        var panel = workshop.Instantiate(PackagePaths.HoloLensPanel, null).GetComponent<StatusPanel>();
+        var panel = assets.Instantiate(PackagePaths.HoloLensPanel, null).GetComponent<StatusPanel>();
         Fields.Set(panel, "_session", session);
         return panel;
     }
 
-    static GameObject Menu(Workshop workshop, MrilSession session, StatusPanel panel)
+    static GameObject Menu(PackageAssets assets, MrilSession session, StatusPanel panel)
     {
-        var menu = workshop.Instantiate(PackagePaths.HoloLensMenu, null);
-        CellObjects.Assign(workshop, menu.GetComponent<CellActions>(), session, panel);
+        var menu = assets.Instantiate(PackagePaths.HoloLensMenu, null);
+        CellObjects.Assign(assets, menu.GetComponent<CellActions>(), session, panel);
         return menu;
     }
 }

@@ -23,19 +23,19 @@ static class CellPicture
     {
         cell.Run(12);
         while (Vector3.Cross(Lag(cell), (Middle - Camera).normalized).magnitude < MinGapMetres || !Carried(cell).Any()) cell.Run(1 / 60.0);
-        var eye = new Eye(new Pose(Camera, Quaternion.LookRotation(Middle - Camera, Vector3.up)), Field, Width, Height);
+        var camera = new PictureCamera(new Pose(Camera, Quaternion.LookRotation(Middle - Camera, Vector3.up)), Field, Width, Height);
         var stationary = cell.Objects<StationaryObject>().Select(shown => shown.gameObject).ToList();
         var displayed = cell.Objects<TrackedObject>().Where(shown => shown.Shows == RigPose.Displayed).ToList();
-        var compensated = new SceneDrawing(eye).Draw(
+        var compensated = new SceneDrawing(camera).Draw(
             [cell.Real, .. stationary, .. displayed.Select(shown => shown.gameObject), GripperOf(cell.Displayed)]);
-        PutLikeHeld(cell, displayed);
-        var uncompensated = new SceneDrawing(eye).Draw(
+        MoveToHeldPoses(cell, displayed);
+        var uncompensated = new SceneDrawing(camera).Draw(
             [cell.Real, .. stationary, .. displayed.Select(shown => shown.gameObject), GripperOf(cell.Displayed)]);
         return (uncompensated, compensated, Lag(cell).magnitude);
     }
 
     // Moves the virtual parts to the positions at which a display without compensation shows them.
-    static void PutLikeHeld(PlayedCell cell, IEnumerable<TrackedObject> displayed)
+    static void MoveToHeldPoses(PlayedCell cell, IEnumerable<TrackedObject> displayed)
     {
         var held = cell.Objects<TrackedObject>().Where(shown => shown.Shows == RigPose.Held).ToDictionary(shown => shown.Frame);
         foreach (var shown in displayed)

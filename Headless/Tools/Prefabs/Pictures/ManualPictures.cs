@@ -47,23 +47,23 @@ static class ManualPictures
         using var cell = new PlayedCell(root);
         cell.Run(12);
         while (Vector3.Distance(cell.Displayed.Tool.position, cell.Ghost.GetComponent<RobotRig>().Tool.position) < GapMetres) cell.Run(1 / 60.0);
-        var eye = Before(cell);
-        var current = new SceneDrawing(eye).Draw([cell.Real, cell.Displayed.gameObject]);
-        var compared = new SceneDrawing(eye).Draw([cell.Real, cell.Ghost, cell.Displayed.gameObject]);
+        var camera = Before(cell);
+        var current = new SceneDrawing(camera).Draw([cell.Real, cell.Displayed.gameObject]);
+        var compared = new SceneDrawing(camera).Draw([cell.Real, cell.Ghost, cell.Displayed.gameObject]);
         cell.CutOff();
         cell.Run(2);
-        eye = Before(cell);
+        camera = Before(cell);
         // The text faces the camera, and its size depends on the distance to the camera.
-        cell.Head.SetPositionAndRotation(eye.Place.position, eye.Place.rotation);
+        cell.Head.SetPositionAndRotation(camera.Place.position, camera.Place.rotation);
         cell.Run(0.1);
-        var held = new SceneDrawing(eye).Draw([cell.Real, cell.Displayed.gameObject]);
+        var held = new SceneDrawing(camera).Draw([cell.Real, cell.Displayed.gameObject]);
         return Parts(
             "The virtual gripper at the arm's end: current; current beside the ghost; held, with stripes and words", PartWidth, PartHeight,
             ("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
     }
 
     /// <summary>Gets a camera in front of the gripper, from where no part of the arm hides it and the text is on the left.</summary>
-    static Eye Before(PlayedCell cell)
+    static PictureCamera Before(PlayedCell cell)
     {
         var gripper = cell.Displayed.GetComponentInChildren<VirtualGripper>().transform;
         var left = GripperPrefab.WordsOf(gripper.gameObject).transform.position - gripper.position;
@@ -71,7 +71,7 @@ static class ManualPictures
         var ahead = Vector3.Cross(Vector3.up, left.normalized);
         var middle = (gripper.position + cell.Displayed.Tool.position) / 2 + left / 3;
         var place = middle - 0.6f * ahead + 0.15f * Vector3.up;
-        return new Eye(new Pose(place, Quaternion.LookRotation(middle - place, Vector3.up)), 24, PartWidth, PartHeight);
+        return new PictureCamera(new Pose(place, Quaternion.LookRotation(middle - place, Vector3.up)), 24, PartWidth, PartHeight);
     }
 
     /// <summary>Draws the view of a HoloLens 2 with a level head: the panel without and with a message.</summary>
@@ -81,13 +81,13 @@ static class ManualPictures
         cell.Head.SetPositionAndRotation(new Vector3(0, 1.6f, -2), Quaternion.identity);
         cell.Run(12);
         var height = (int)Math.Round(PanelWidth * Math.Tan(FieldHeight / 2 * Math.PI / 180) / Math.Tan(FieldWidth / 2 * Math.PI / 180));
-        var eye = new Eye(new Pose(cell.Head.position, cell.Head.rotation), FieldWidth, PanelWidth, height);
+        var camera = new PictureCamera(new Pose(cell.Head.position, cell.Head.rotation), FieldWidth, PanelWidth, height);
         var texts = new StatusTexts();
         texts.Update(cell.Session.Statistics, cell.Session.Settings, cell.Session.Robot.Name,
             "joint positions: no connection to 192.168.0.20:47011 (connection refused); start the gateway there, or correct Host in the session "
             + "settings; trying again in 4 s");
         cell.Panel.Cells.Show(texts);
-        var drawing = new SceneDrawing(eye).Draw([cell.Panel.gameObject]) + Buttons(cell.Panel, eye);
+        var drawing = new SceneDrawing(camera).Draw([cell.Panel.gameObject]) + Buttons(cell.Panel, camera);
         return Svg(PanelWidth, height,
             $"""<line x1="0" x2="{PanelWidth}" y1="{height / 2}" y2="{height / 2}" stroke="#55616f" stroke-dasharray="2 6"/>""" + "\n"
             + $"""<text x="8" y="{height / 2 - 6}" font-size="13" fill="#8b98a7">level</text>""" + "\n" + drawing,
@@ -95,10 +95,10 @@ static class ManualPictures
     }
 
     /// <summary>Draws the outlines of MRTK3's buttons, whose meshes are not available here.</summary>
-    static string Buttons(StatusPanel panel, Eye eye) => string.Concat(panel.GetComponentsInChildren<PressableButton>().Select(button =>
+    static string Buttons(StatusPanel panel, PictureCamera camera) => string.Concat(panel.GetComponentsInChildren<PressableButton>().Select(button =>
     {
         var rect = (RectTransform)button.transform;
-        var corners = new[] { (-1, -1), (1, -1), (1, 1), (-1, 1) }.Select(c => eye.Project(rect.parent.TransformPoint(
+        var corners = new[] { (-1, -1), (1, -1), (1, 1), (-1, 1) }.Select(c => camera.Project(rect.parent.TransformPoint(
             new Vector3(rect._anchoredPosition.x + c.Item1 * rect._sizeDelta.x / 2, rect._anchoredPosition.y + c.Item2 * rect._sizeDelta.y / 2, 0))));
         var points = string.Join(" ", corners.Select(c => string.Create(CultureInfo.InvariantCulture, $"{c.X:0.0},{c.Y:0.0}")));
         return $"""<polygon points="{points}" fill="#2a3a52" stroke="#8b98a7"/>""" + "\n";

@@ -8,7 +8,7 @@ using UnityEngine;
 namespace Nowpose.Prefabs.Pictures;
 
 /// <summary>Draws a played scene as SVG: built-in meshes with the package's materials, farthest face first, with texts on top.</summary>
-sealed class SceneDrawing(Eye eye)
+sealed class SceneDrawing(PictureCamera camera)
 {
     /// <summary>Ascent and height of a line of the built-in font, in font sizes.</summary>
     const double Ascent = 0.905, Line = 1.149;
@@ -23,7 +23,7 @@ sealed class SceneDrawing(Eye eye)
     {
         var drawn = roots.Where(root => root.activeInHierarchy).ToList();
         var faces = drawn.SelectMany(root => root.GetComponentsInChildren<MeshRenderer>()).Where(r => r.isVisible).SelectMany(Faces);
-        foreach (var face in faces.OrderByDescending(face => Vector3.Distance(face.Centre, eye.Place.position))) Add(face);
+        foreach (var face in faces.OrderByDescending(face => Vector3.Distance(face.Centre, camera.Place.position))) Add(face);
         foreach (var text in drawn.SelectMany(root => root.GetComponentsInChildren<TextMesh>()).Where(text => text.text.Length > 0)) Add(text);
         return _svg.ToString();
     }
@@ -44,8 +44,8 @@ sealed class SceneDrawing(Eye eye)
             var middle = points.Aggregate(Vector3.zero, (sum, p) => sum + p.Point) / points.Length;
             var isFlat = filter.sharedMesh.name == "Quad";
             if (!isFlat && Vector3.Dot(normal, middle - centre) < 0) normal = -normal;
-            if (!isFlat && Vector3.Dot(normal, eye.Place.position - middle) <= 0) continue;
-            yield return new Face(points, HologramLook.Shade(colour, normal, eye.Place.position - middle), opacity, isStriped);
+            if (!isFlat && Vector3.Dot(normal, camera.Place.position - middle) <= 0) continue;
+            yield return new Face(points, HologramLook.Shade(colour, normal, camera.Place.position - middle), opacity, isStriped);
         }
     }
 
@@ -76,15 +76,15 @@ sealed class SceneDrawing(Eye eye)
 
     string Point(Vector3 point)
     {
-        var (x, y) = eye.Project(point);
+        var (x, y) = camera.Project(point);
         return string.Create(CultureInfo.InvariantCulture, $"{x:0.0} {y:0.0}");
     }
 
     void Add(TextMesh text)
     {
         var place = text.transform;
-        var size = eye.Size(LetterHeight(text), place.position);
-        var (x, y) = eye.Project(place.position);
+        var size = camera.Size(LetterHeight(text), place.position);
+        var (x, y) = camera.Project(place.position);
         var lines = text.text.Split('\n');
         y += Ascent * size - ((int)text.anchor / 3) * lines.Length * Line * size / 2;
         var anchor = ((int)text.anchor % 3) switch { 0 => "start", 1 => "middle", _ => "end" };

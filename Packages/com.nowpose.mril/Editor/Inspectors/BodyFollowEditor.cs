@@ -1,5 +1,4 @@
 using Nowpose.Editor.Messages;
-using Nowpose.Editor.Setup;
 using Nowpose.Unity;
 using Nowpose.Unity.Status;
 using UnityEditor;

@@ -1,7 +1,6 @@
 using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
-using Nowpose.Unity.Status;
 using UnityEditor;
 using UnityEngine;
 

@@ -1,6 +1,5 @@
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
-using Nowpose.Unity.Rendering;
 using UnityEditor;
 
 namespace Nowpose.Editor.Inspectors

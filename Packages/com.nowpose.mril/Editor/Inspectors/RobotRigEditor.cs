@@ -1,5 +1,4 @@
 using Nowpose.Editor.Messages;
-using Nowpose.Kinematics;
 using Nowpose.Unity;
 using UnityEditor;
 using UnityEngine;

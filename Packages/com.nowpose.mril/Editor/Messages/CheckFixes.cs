@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Instructions for settings that the set-up window cannot correct.</summary>
+    /// <summary>Instructions to the user about settings that the set-up window cannot change.</summary>
     static class CheckFixes
     {
         public static string BuildSupport(string player) =>

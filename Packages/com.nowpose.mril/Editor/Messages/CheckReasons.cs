@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Reasons for the checks in the set-up window.</summary>
+    /// <summary>Texts in the set-up window that give the purpose of each check.</summary>
     static class CheckReasons
     {
         public const string ApiLevel = "The package is built and tested with it, and the app is smaller.";
@@ -56,7 +56,7 @@ namespace Nowpose.Editor.Messages
         public const string PrivateNetwork = "Needed to connect to a gateway in the same private network, which is the usual case.";
         public const string WebCam = "Needed to find the robot's base by a marker with the headset's camera.";
         public const string SpatialPerception = "Needed to keep the robot's base at its place in the room.";
-        public const string Microphone = "Needed for the voice commands.";
+        public const string VoiceCapability = "Needed for the voice commands.";
         public const string InputSystem = "OpenXR provides the poses of head and controllers through it.";
         public const string OpenXr = "Unity's interface to the headset.";
         public const string RenderMode = "The package's shaders support it, and it draws both eyes in one pass.";

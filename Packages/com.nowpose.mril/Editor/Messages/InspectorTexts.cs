@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Labels and values in inspectors.</summary>
+    /// <summary>Labels and values that inspectors show.</summary>
     static class InspectorTexts
     {
         public const string StrokeShare = "Share of the stroke";

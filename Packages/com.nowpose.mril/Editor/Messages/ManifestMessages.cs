@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Errors of Packages/manifest.json, with remedies.</summary>
+    /// <summary>Error messages about Packages/manifest.json, with a remedy.</summary>
     static class ManifestMessages
     {
         public const string AfterObject = "nothing is expected after the object";
@@ -32,8 +32,8 @@ namespace Nowpose.Editor.Messages
             ? $"{file}:{line}: not a JSON object: {reason} (JSON has no comments)"
             : $"{file}:{line}: not a JSON object: {reason}";
 
-        /// <param name="url">Address of the registry in use; null for none.</param>
-        /// <param name="isShared">Whether the registry in use has other scopes too.</param>
+        /// <param name="url">Address of the registry in use; null if the registry has none.</param>
+        /// <param name="isShared">Whether the registry in use also has other scopes.</param>
         public static string OtherRegistry(string place, string package, string url, string needed, bool isShared)
         {
             if (url == null) return $"{place}: {package} comes from a registry without url; {needed} is needed";

@@ -9,15 +9,15 @@ namespace Nowpose.Editor.Setup
     sealed class NearClipCheck : ProjectCheck
     {
         /// <summary>Recommended distance of the plane in metres.</summary>
-        const float Wanted = 0.1f;
+        const float RecommendedMetres = 0.1f;
 
         /// <summary>Maximum distance of the plane in metres. A larger distance cuts off a gripper that the wearer looks at closely.</summary>
-        const float Furthest = 0.3f;
+        const float MaxMetres = 0.3f;
 
-        const float Tolerance = 0.001f;
+        const float ToleranceMetres = 0.001f;
 
         /// <summary>Usual distance of the robot from the wearer in metres.</summary>
-        const double Distance = 1.5;
+        const double RobotMetres = 1.5;
 
         public NearClipCheck()
             : base(CheckTitles.NearClip,
@@ -28,9 +28,9 @@ namespace Nowpose.Editor.Setup
         {
             if (!(project.NearClipMetres is float near)) return new CheckResult(CheckState.Unknown, CameraBackgroundCheck.NoCamera);
             var found = FormattableString.Invariant($"{near:0.###} m");
-            if (near < Wanted - Tolerance)
-                return Missing(CheckResults.NearClip(found, StepMillimetres(near), Distance));
-            return near > Furthest + Tolerance
+            if (near < RecommendedMetres - ToleranceMetres)
+                return Missing(CheckResults.NearClip(found, StepMillimetres(near), RobotMetres));
+            return near > MaxMetres + ToleranceMetres
                 ? new CheckResult(CheckState.Advice, CheckResults.FarNearClip(found))
                 : Good(found);
         }
@@ -38,11 +38,11 @@ namespace Nowpose.Editor.Setup
         public override string Fix(IProjectSettings project)
         {
             if (project.NearClipMetres == null) return CheckFixes.OpenScene;
-            project.NearClipMetres = Wanted;
+            project.NearClipMetres = RecommendedMetres;
             return null;
         }
 
         // A depth buffer of 16 bits stores n/z (n: near clip plane), so one step at the distance z is z² / (n · 2^16).
-        static double StepMillimetres(float near) => 1000 * Distance * Distance / (near * 65536);
+        static double StepMillimetres(float near) => 1000 * RobotMetres * RobotMetres / (near * 65536);
     }
 }

@@ -52,7 +52,7 @@ namespace Nowpose.Editor.Setup
             new CapabilityCheck(PlayerSettings.WSACapability.WebCam, CheckReasons.WebCam),
             new CapabilityCheck(PlayerSettings.WSACapability.SpatialPerception, CheckReasons.SpatialPerception),
             new CapabilityCheck(PlayerSettings.WSACapability.GazeInput, CheckReasons.EyeGaze, CheckState.Advice),
-            new CapabilityCheck(PlayerSettings.WSACapability.Microphone, CheckReasons.Microphone, CheckState.Advice),
+            new CapabilityCheck(PlayerSettings.WSACapability.Microphone, CheckReasons.VoiceCapability, CheckState.Advice),
             FrameTiming,
             RunInBackground,
             new CameraBackgroundCheck(),

@@ -1,3 +1,4 @@
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using UnityEngine.XR.ARSubsystems;
 
@@ -35,7 +36,7 @@ namespace Nowpose.ArFoundation
             if (Problem != null) return;
             if (_owner.Store == null)
             {
-                Problem = "anchors are lost at a restart, because the object of the spatial anchors has no anchor store; add one";
+                Problem = DeviceMessages.NoStoreComponent;
                 return;
             }
             _wanted = name == KeptAs ? null : name;
@@ -43,7 +44,7 @@ namespace Nowpose.ArFoundation
             _next = 0;
         }
 
-        public void Renounce(string name)
+        public void RemoveName(string name)
         {
             if (KeptAs == name) KeptAs = null;
             if (_wanted == name) _wanted = null;
@@ -61,7 +62,7 @@ namespace Nowpose.ArFoundation
             }
             _next = Time.unscaledTime + TryEverySeconds;
             if (store.TryKeep(id, _wanted)) Kept();
-            else if (++_tries < MaxAttempts) Problem = "the device has not stored it yet";
+            else if (++_tries < MaxAttempts) Problem = DeviceMessages.NotStoredYet;
             else GiveUp(store);
         }
 
@@ -69,14 +70,13 @@ namespace Nowpose.ArFoundation
         {
             Problem = null;
             KeptAs = _wanted;
-            _owner.Renounce(_wanted, _anchor);
+            _owner.RemoveName(_wanted, _anchor);
             _wanted = null;
         }
 
         void GiveUp(IAnchorStore store)
         {
-            Problem = "the device could not store it as '" + _wanted + "'" + (store.Problem == null ? "" : ": " + store.Problem)
-                + "; it is lost at the next start";
+            Problem = DeviceMessages.NotStored(_wanted, store.Problem);
             _wanted = null;
         }
     }

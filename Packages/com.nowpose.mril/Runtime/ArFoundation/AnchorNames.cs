@@ -1,3 +1,5 @@
+using Nowpose.Unity.Messages;
+
 namespace Nowpose.ArFoundation
 {
     /// <summary>Checks the names of saved anchors. An anchor has the name of its cell.</summary>
@@ -9,10 +11,10 @@ namespace Nowpose.ArFoundation
         /// <summary>Returns the reason why a name is invalid; null if the name is valid.</summary>
         public static string FaultOf(string name)
         {
-            if (string.IsNullOrWhiteSpace(name)) return "an anchor without a name cannot be stored; enter a name for the cell";
+            if (string.IsNullOrWhiteSpace(name)) return DeviceMessages.AnchorWithoutName;
             return name.Length <= MaxLength
                 ? null
-                : "the name of an anchor has " + name.Length + " characters; the maximum is " + MaxLength + "; shorten the name of the cell";
+                : DeviceMessages.AnchorNameTooLong(name.Length, MaxLength);
         }
     }
 }

@@ -1,6 +1,7 @@
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using UnityEngine;
 using UnityEngine.XR.ARFoundation;
 using UnityEngine.XR.ARSubsystems;
@@ -11,7 +12,7 @@ namespace Nowpose.ArFoundation
     sealed class ArSpatialAnchor : ISpatialAnchor
     {
         /// <summary>Timeout for the creation of an anchor. The device takes some seconds to scan a new room.</summary>
-        const float PatienceSeconds = 10;
+        const float CreationTimeoutSeconds = 10;
 
         /// <summary>
         /// Maximum distance from the last pose at which a pose at the session's origin counts as measured, and not as the default of the device.
@@ -75,7 +76,7 @@ namespace Nowpose.ArFoundation
 
         public bool IsOf(ArSpatialAnchor other) => _anchor != null && ReferenceEquals(_anchor, other._anchor);
 
-        public void Renounce(string name) => _keeping.Renounce(name);
+        public void RemoveName(string name) => _keeping.RemoveName(name);
 
         /// <summary>Updates state and pose from the device. Call once per frame.</summary>
         public void Follow()
@@ -84,21 +85,21 @@ namespace Nowpose.ArFoundation
             if (_anchor == null && !_wasThere) Begin();
             if (_anchor == null)
             {
-                if (_wasThere) End("the device has removed it");
-                else if (!_isLoaded && IsLate) End(_owner.Problem ?? "the device has no anchors");
+                if (_wasThere) End(DeviceMessages.AnchorRemoved);
+                else if (!_isLoaded && IsLate) End(_owner.Problem ?? DeviceMessages.NoAnchors);
                 return;
             }
             _wasThere = true;
             if (_anchor.trackableId == TrackableId.invalidId)
             {
                 // Newer versions of AR Foundation disable an anchor that the device refused.
-                if (!_anchor.enabled || IsLate) End("the device cannot create an anchor here");
+                if (!_anchor.enabled || IsLate) End(DeviceMessages.AnchorNotCreated);
                 return;
             }
             Track();
         }
 
-        bool IsLate => Time.unscaledTime - _since > PatienceSeconds;
+        bool IsLate => Time.unscaledTime - _since > CreationTimeoutSeconds;
 
         void Begin()
         {

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Unity.XR.CoreUtils;
 using UnityEngine;
@@ -20,7 +21,7 @@ namespace Nowpose.ArFoundation
         XROrigin _origin = null;
 
         readonly OriginManager<ARAnchorManager> _manager = new OriginManager<ARAnchorManager>(
-            manager => manager.subsystem, isAdded: true, "it needs a device that holds anchors");
+            manager => manager.subsystem, isAdded: true, DeviceMessages.AnchorNeeds);
 
         readonly List<ArSpatialAnchor> _anchors = new List<ArSpatialAnchor>();
         readonly List<string> _unwanted = new List<string>();
@@ -52,7 +53,7 @@ namespace Nowpose.ArFoundation
         public void Forget(string name)
         {
             if (AnchorNames.FaultOf(name) != null) return;
-            Renounce(name, null);
+            RemoveName(name, null);
             if (IsReady) Store.Forget(name);
             else _unwanted.Add(name);
         }
@@ -60,12 +61,12 @@ namespace Nowpose.ArFoundation
         /// <summary>
         /// Removes a name from all anchors except <paramref name="keeper"/>. The store now uses the name for that anchor, or for none.
         /// </summary>
-        internal void Renounce(string name, ArSpatialAnchor keeper)
+        internal void RemoveName(string name, ArSpatialAnchor keeper)
         {
             // Cancels a pending deletion of this name: the name is in use again.
             _unwanted.Remove(name);
             foreach (var anchor in _anchors)
-                if (anchor != keeper) anchor.Renounce(name);
+                if (anchor != keeper) anchor.RemoveName(name);
         }
 
         /// <returns>True if no other object uses the same anchor of the device.</returns>

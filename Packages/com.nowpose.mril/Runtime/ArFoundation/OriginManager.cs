@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Nowpose.Unity.Messages;
 using Unity.XR.CoreUtils;
 using UnityEngine;
 using UnityEngine.XR;
@@ -12,7 +13,7 @@ namespace Nowpose.ArFoundation
     sealed class OriginManager<T> where T : MonoBehaviour
     {
         /// <summary>Delay before a problem is reported. The scene and the runtime take some time to start.</summary>
-        const float PatienceSeconds = 3;
+        const float ReportDelaySeconds = 3;
 
         static readonly List<XRDisplaySubsystem> Displays = new List<XRDisplaySubsystem>();
 
@@ -61,14 +62,16 @@ namespace Nowpose.ArFoundation
             if (Manager != null && subsystem == null) TryAgainWhenXrStarts();
             var fault = FaultOf(assigned, subsystem);
             if (fault == OriginFault.None) _since = null;
-            else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < PatienceSeconds) return false;
+            else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < ReportDelaySeconds) return false;
             if (fault == _fault) return false;
             _fault = fault;
             Problem = WordsOf(fault);
             return true;
         }
 
-        /// <summary>Returns whether a position is the origin of the device's session. Devices report this position for objects of unknown pose.</summary>
+        /// <summary>
+        /// Returns whether a position is the origin of the device's session. Devices report this position for objects of unknown pose.
+        /// </summary>
         /// <remarks>The origin of the session is not always the origin of the scene, because the XR Origin may be moved.</remarks>
         /// <param name="world">Position in the scene, in metres.</param>
         public bool IsSessionOrigin(Vector3 world)
@@ -130,11 +133,11 @@ namespace Nowpose.ArFoundation
         {
             switch (fault)
             {
-                case OriginFault.NoOrigin: return "there is no XR Origin above the main camera; add one, or assign it";
-                case OriginFault.NoManager: return "the XR Origin has no " + typeof(T).Name + "; add one to it: " + _need;
-                case OriginFault.SwitchedOff: return "the " + typeof(T).Name + " on the XR Origin is switched off";
-                case OriginFault.NotOffered: return "the device's XR runtime does not offer it or does not run: " + _need;
-                case OriginFault.NoSession: return "there is no AR Session in the scene; add one (XR > AR Session)";
+                case OriginFault.NoOrigin: return DeviceMessages.NoOrigin;
+                case OriginFault.NoManager: return DeviceMessages.NoManager(typeof(T).Name, _need);
+                case OriginFault.SwitchedOff: return DeviceMessages.ManagerOff(typeof(T).Name);
+                case OriginFault.NotOffered: return DeviceMessages.NotOffered(_need);
+                case OriginFault.NoSession: return DeviceMessages.NoArSession;
                 default: return null;
             }
         }

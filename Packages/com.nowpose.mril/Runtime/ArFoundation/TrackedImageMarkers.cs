@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Unity.XR.CoreUtils;
 using UnityEngine;
@@ -33,7 +34,7 @@ namespace Nowpose.ArFoundation
         XROrigin _origin = null;
 
         readonly OriginManager<ARTrackedImageManager> _images = new OriginManager<ARTrackedImageManager>(
-            manager => manager.subsystem, isAdded: false, "it needs a library with the images, and a device that tracks images");
+            manager => manager.subsystem, isAdded: false, DeviceMessages.ImageNeeds);
 
         readonly MarkerRecords _records = new MarkerRecords();
         MrilSession _source;

@@ -1,5 +1,6 @@
 using MixedReality.Toolkit;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
 using UnityEngine;
@@ -40,13 +41,13 @@ namespace Nowpose.Mrtk3
         string _shown = "";
         float _shownAt;
 
-        /// <summary>Accepts the gateway. Does nothing in the first half second after the question appears. The accept button calls it.</summary>
+        /// <summary>Accepts the gateway, for the accept button. Does nothing in the first half second after the question appears.</summary>
         public void Accept()
         {
             if (IsRead) _pairing.Accept();
         }
 
-        /// <summary>Declines the gateway. Does nothing in the first half second after the question appears. The decline button calls it.</summary>
+        /// <summary>Declines the gateway, for the decline button. Does nothing in the first half second after the question appears.</summary>
         public void Refuse()
         {
             if (IsRead) _pairing.Refuse();
@@ -57,7 +58,7 @@ namespace Nowpose.Mrtk3
         void OnEnable()
         {
             if (_pairing == null) _pairing = GetComponentInParent<CellPairing>();
-            if (_pairing == null) ConsoleLog.Warn(this, "consent prompt '" + name + "' has no cell pairing on its object or a parent; assign one");
+            if (_pairing == null) ConsoleLog.Warn(this, Mrtk3Messages.PromptWithoutPairing(name));
             if (_accept != null) _accept.AllowSelectByVoice = false;
             if (_refuse != null) _refuse.AllowSelectByVoice = false;
             Show(null);

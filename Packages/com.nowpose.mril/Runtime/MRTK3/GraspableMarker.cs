@@ -1,5 +1,6 @@
 using MixedReality.Toolkit.SpatialManipulation;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR.Interaction.Toolkit;
@@ -30,8 +31,8 @@ namespace Nowpose.Mrtk3
             if (_marker == null) _marker = GetComponent<HandPlacedMarker>();
             if (_manipulator == null) _manipulator = GetComponent<ObjectManipulator>();
             if (_bounds == null) _bounds = GetComponent<BoundsControl>();
-            if (_marker == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no hand placed marker; assign one");
-            if (_manipulator == null) ConsoleLog.Fail(this, "graspable marker '" + name + "' has no object manipulator; assign one");
+            if (_marker == null) ConsoleLog.Fail(this, Mrtk3Messages.MarkerWithoutMarker(name));
+            if (_manipulator == null) ConsoleLog.Fail(this, Mrtk3Messages.MarkerWithoutManipulator(name));
             if (_manipulator != null)
             {
                 _manipulator.firstSelectEntered.AddListener(Grasp);

@@ -1,6 +1,7 @@
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.SpatialManipulation;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR.Interaction.Toolkit;
@@ -35,8 +36,8 @@ namespace Nowpose.Mrtk3
         {
             if (_follow == null) _follow = GetComponent<BodyFollow>();
             if (_manipulator == null) _manipulator = GetComponent<ObjectManipulator>();
-            if (_follow == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no body follow; assign one");
-            if (_manipulator == null) ConsoleLog.Warn(this, "graspable panel '" + name + "' has no object manipulator; assign one");
+            if (_follow == null) ConsoleLog.Warn(this, Mrtk3Messages.PanelWithoutFollow(name));
+            if (_manipulator == null) ConsoleLog.Warn(this, Mrtk3Messages.PanelWithoutManipulator(name));
             else _manipulator.firstSelectEntered.AddListener(Grasp);
         }
 

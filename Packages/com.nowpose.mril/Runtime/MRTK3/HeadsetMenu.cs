@@ -3,6 +3,7 @@ using System.Globalization;
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.UX;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -47,13 +48,13 @@ namespace Nowpose.Mrtk3
         int _shownOpacity = int.MinValue, _shownNudge = int.MinValue;
         bool _isShowing;
 
-        /// <summary>Sets the gripper's opacity. The event of the opacity slider calls it.</summary>
+        /// <summary>Sets the gripper's opacity. The event of the opacity slider must call this method.</summary>
         public void SlideOpacity(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetOpacity(data.NewValue);
         }
 
-        /// <summary>Sets the correction of L_visu. The event of the nudge slider calls it.</summary>
+        /// <summary>Sets the correction of L_visu. The event of the nudge slider must call this method.</summary>
         public void SlideNudge(SliderEventData data)
         {
             if (IsUsers(data)) _actions.SetNudgeMs(data.NewValue);
@@ -65,7 +66,7 @@ namespace Nowpose.Mrtk3
         void OnEnable()
         {
             if (_actions == null) _actions = GetComponentInParent<CellActions>();
-            if (_actions == null) ConsoleLog.Warn(this, "headset menu '" + name + "' has no cell actions on its object or a parent; assign them");
+            if (_actions == null) ConsoleLog.Warn(this, Mrtk3Messages.MenuWithoutActions(name));
         }
 
         void LateUpdate()

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.Subsystems;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.Events;
@@ -25,7 +26,7 @@ namespace Nowpose.Mrtk3
         /// Delay before a problem is reported. Speech recognition starts some seconds after the scene; without microphone or package it never
         /// starts.
         /// </summary>
-        const float PatienceSeconds = 10;
+        const float ReportDelaySeconds = 10;
 
         // _registered holds the event of each registered keyword; _own holds the keywords that only this component registered.
         readonly Dictionary<string, UnityEvent> _registered = new Dictionary<string, UnityEvent>();
@@ -59,9 +60,9 @@ namespace Nowpose.Mrtk3
         {
             Unregister();
             _recognition = XRSubsystemHelpers.KeywordRecognitionSubsystem;
-            if (_recognition != null || _isReported || Time.unscaledTime - _since <= PatienceSeconds) return;
+            if (_recognition != null || _isReported || Time.unscaledTime - _since <= ReportDelaySeconds) return;
             _isReported = true;
-            ConsoleLog.Info(this, "voice commands '" + name + "': keyword recognition does not run; use the menu instead");
+            ConsoleLog.Info(this, Mrtk3Messages.VoiceNotRunning(name));
         }
 
         // Runs in each frame, because another component that unregisters the same keyword removes all listeners of the keyword.
@@ -71,7 +72,7 @@ namespace Nowpose.Mrtk3
             if (known == null)
             {
                 // MRTK3's recognition for Windows returns null on other platforms and logs an error for each call, so stop calling it.
-                ConsoleLog.Warn(this, "voice commands '" + name + "': keyword recognition is not supported on this platform; use the menu instead");
+                ConsoleLog.Warn(this, Mrtk3Messages.VoiceNotSupported(name));
                 _recognition = null;
                 _isUnsupported = true;
                 return;

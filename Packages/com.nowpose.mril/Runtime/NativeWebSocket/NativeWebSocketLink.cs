@@ -4,6 +4,7 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using NativeWebSocket;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
@@ -27,14 +28,14 @@ namespace Nowpose.Network
         readonly ArrivedMessages _arrived = new ArrivedMessages();
         readonly TaskCompletionSource<bool> _opening = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
         volatile WebSocket _socket;
-        volatile string _error = "the connection was lost";
+        volatile string _error = ConnectionMessages.Lost;
         volatile int _isDisposed;
 
         /// <exception cref="ArgumentException">The settings contain a pin.</exception>
         public NativeWebSocketLink(ConnectionSettings settings, IHeadsetClock clock)
         {
             if (settings.Security == TransportSecurity.Pinned)
-                throw new ArgumentException("NativeWebSocket cannot check a pin; use " + nameof(PinnedWebSocketLink), nameof(settings));
+                throw new ArgumentException(ConnectionMessages.NoPinCheck(nameof(PinnedWebSocketLink)), nameof(settings));
             _settings = settings;
             _clock = clock;
         }

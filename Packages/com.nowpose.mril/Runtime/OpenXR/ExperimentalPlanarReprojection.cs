@@ -3,6 +3,7 @@ using Microsoft.MixedReality.OpenXR;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using PluginMode = Microsoft.MixedReality.OpenXR.ReprojectionMode;
@@ -23,7 +24,7 @@ namespace Nowpose.OpenXR
     [RequireComponent(typeof(ReprojectionCheck))]
     public sealed class ExperimentalPlanarReprojection : MonoBehaviour
     {
-        const string Paused = "planar reprojection is paused because the rig does not move; enable the rig and its session";
+        const string Paused = DeviceMessages.PlanarPaused;
 
         [SerializeField, Tooltip("Experiment. The rig whose tool lies in the plane. Empty: the rig on this object or a child.")]
         RobotRig _rig = null;
@@ -55,7 +56,7 @@ namespace Nowpose.OpenXR
             _source = _rig != null ? _rig : GetComponentInChildren<RobotRig>();
             if (_source == null)
             {
-                Refuse("has no rig on its object or a child; assign one");
+                Refuse(DeviceMessages.PlanarWithoutRig);
                 return;
             }
             _source.Posed += Ask;
@@ -79,7 +80,8 @@ namespace Nowpose.OpenXR
             Problem = Paused;
         }
 
-        // The rig calls this after each computed pose: once in Update and, if the session does so, again right before rendering.
+        // The rig calls this method after each computed pose: once per frame or, if the session computes the pose again right before rendering,
+        // twice.
         void Ask()
         {
             if (_isMissing) return;
@@ -90,7 +92,7 @@ namespace Nowpose.OpenXR
                 var view = ViewConfiguration.Primary;
                 if (view == null || !view.IsActive || _source.Tool == null) _check.Imposed = null;
                 else if (!ReprojectionCheck.Supports(PluginMode.PlanarManual))
-                    Refuse("is refused: the runtime does not support PlanarManual; its own mode stays in use");
+                    Refuse(DeviceMessages.PlanarNotSupported);
                 else Impose(view);
             }
             catch (TypeLoadException fault)

@@ -1,9 +1,9 @@
 using System;
-using System.Globalization;
 using Microsoft.MixedReality.OpenXR;
 using Nowpose.Counter;
 using Nowpose.Latency;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 
@@ -69,9 +69,7 @@ namespace Nowpose.OpenXR
         {
             if (_pairing != null) return true;
             if (CounterPairing.TryMeasure(OpenCounter, Stopwatch, out _pairing, out var fault))
-                ConsoleLog.Info(this, string.Format(
-                    CultureInfo.InvariantCulture,
-                    "display time '{0}': performance counter {1} Hz, stopwatch {2} Hz, paired within {3:0.0} µs",
+                ConsoleLog.Info(this, DeviceMessages.CountersPaired(
                     name, _pairing.Frequency, Stopwatch.Frequency, _pairing.Uncertainty.TotalMilliseconds * 1000));
             else GiveUp(fault);
             return _pairing != null;
@@ -80,7 +78,7 @@ namespace Nowpose.OpenXR
         void GiveUp(string fault)
         {
             _isMissing = true;
-            ConsoleLog.Warn(this, "display time '" + name + "': " + fault + "; the calibrated L_visu is used");
+            ConsoleLog.Warn(this, DeviceMessages.NoDisplayTime(name, fault));
         }
 
         void OnEnable()
@@ -102,7 +100,7 @@ namespace Nowpose.OpenXR
             if (_target == null) return;
             var isUnusable = !(_target.HeadsetClock is IPerformanceCounterClock);
             if (isUnusable && !_isUnusable)
-                ConsoleLog.Warn(this, "display time '" + name + "': the session's clock is not the performance counter; the calibrated L_visu is used");
+                ConsoleLog.Warn(this, DeviceMessages.NoDisplayTime(name, DeviceMessages.OtherClock));
             _isUnusable = isUnusable;
         }
     }

@@ -4,6 +4,7 @@ using Microsoft.MixedReality.OpenXR;
 using Nowpose.Latency;
 using Nowpose.Messages;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR;
@@ -85,7 +86,7 @@ namespace Nowpose.OpenXR
                 _isMissing = true;
                 _watch.Reset();
                 Report();
-                ConsoleLog.Warn(this, "reprojection check '" + name + "': " + fault.Message + "; it is unknown whether depth is submitted");
+                ConsoleLog.Warn(this, DeviceMessages.DepthUnknown(name, fault.Message));
             }
         }
 
@@ -153,7 +154,7 @@ namespace Nowpose.OpenXR
         {
             var problem = DepthSubmissionMessages.ProblemOf(Depth);
             if (problem != null) ConsoleLog.Warn(this, problem);
-            else if (Depth == DepthSubmission.Active) ConsoleLog.Info(this, _isLacking ? "depth is submitted again" : "depth is submitted");
+            else if (Depth == DepthSubmission.Active) ConsoleLog.Info(this, _isLacking ? DeviceMessages.DepthAgain : "depth is submitted");
             _isLacking = problem != null;
         }
     }

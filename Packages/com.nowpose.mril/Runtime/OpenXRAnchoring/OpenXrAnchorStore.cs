@@ -5,6 +5,7 @@ using Microsoft.MixedReality.OpenXR;
 using Microsoft.MixedReality.OpenXR.ARFoundation;
 using Nowpose.ArFoundation;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.XR.ARSubsystems;
@@ -24,7 +25,7 @@ namespace Nowpose.OpenXR
 
         const int AttemptsBeforeReport = 5;
 
-        const string LoadingAll = "load the stored anchors";
+        const string LoadingAll = DeviceMessages.LoadAnchors;
 
         ArSpatialAnchors _anchors;
         Task<XRAnchorStore> _loading;
@@ -114,7 +115,7 @@ namespace Nowpose.OpenXR
                 Problem = null;
             }
             else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
-            else if (_asked == AttemptsBeforeReport) Report("the runtime has no anchor store; anchors are lost at the next start");
+            else if (_asked == AttemptsBeforeReport) Report(DeviceMessages.NoAnchorStore);
         }
 
         // Catches all exceptions: the plugin calls native code of the operating system, and does not document what it throws.

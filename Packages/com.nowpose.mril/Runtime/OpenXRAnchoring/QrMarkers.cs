@@ -4,6 +4,7 @@ using Nowpose.Anchoring;
 using Nowpose.ArFoundation;
 using Nowpose.Kinematics;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using Unity.XR.CoreUtils;
 using UnityEngine;
@@ -39,8 +40,7 @@ namespace Nowpose.OpenXR
 
         readonly OriginManager<ARMarkerManager> _codes = new OriginManager<ARMarkerManager>(
             manager => manager.subsystem, isAdded: true,
-            "QR codes need a HoloLens 2, the capability WebCam, the user's consent to the camera, and OpenXR for Windows Mixed Reality 113.2403 "
-                + "or newer");
+            DeviceMessages.QrCodeNeeds);
 
         readonly MarkerRecords _records = new MarkerRecords();
         MrilSession _source;
@@ -82,8 +82,7 @@ namespace Nowpose.OpenXR
         {
             _setUp = manager;
             if (manager.defaultTransformMode != TransformMode.MostStable)
-                ConsoleLog.Warn(this, "QR markers '" + name + "': the marker manager's mode was " + manager.defaultTransformMode
-                    + ", which shifts codes along the room's axes; it was changed to " + TransformMode.MostStable);
+                ConsoleLog.Warn(this, DeviceMessages.MarkerMode(name, manager.defaultTransformMode.ToString(), TransformMode.MostStable.ToString()));
             manager.defaultTransformMode = TransformMode.MostStable;
             if (Array.IndexOf(manager.enabledMarkerTypes, ARMarkerType.QRCode) >= 0) return;
             var types = manager.enabledMarkerTypes;

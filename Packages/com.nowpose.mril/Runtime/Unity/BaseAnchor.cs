@@ -192,8 +192,8 @@ namespace Nowpose.Unity
         {
             var (state, words) = (State, Words);
             if (state == _loggedState && ReferenceEquals(words, _loggedWords)) return;
-            var isNews = HasNewProblem();
-            if (state != _loggedState || isNews) AnchorLog.Log(this, state, words, isNews);
+            var isNew = HasNewProblem();
+            if (state != _loggedState || isNew) AnchorLog.Log(this, state, words, isNew);
             (_loggedState, _loggedWords) = (state, words);
             StateChanged?.Invoke();
         }
@@ -203,10 +203,10 @@ namespace Nowpose.Unity
         {
             if (Tracker == null) return false;
             var (problem, conflict, isCorrected) = (Tracker.Problem, Tracker.Conflict, Tracker.IsCorrected);
-            var isNews = (problem != null && problem != _loggedProblem) || (conflict != null && !conflict.IsOf(_loggedConflict))
+            var isNew = (problem != null && problem != _loggedProblem) || (conflict != null && !conflict.IsOf(_loggedConflict))
                 || (isCorrected && !_loggedCorrected);
             (_loggedProblem, _loggedConflict, _loggedCorrected) = (problem, conflict, isCorrected);
-            return isNews;
+            return isNew;
         }
 
         BaseTracker NewTracker()

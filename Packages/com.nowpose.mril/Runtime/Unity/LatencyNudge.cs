@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
@@ -47,7 +46,7 @@ namespace Nowpose.Unity
         Vector3 _home;
         float _offsetMm;
 
-        /// <summary>Shift of the displayed robot along the axis in mm, −500 to 500. A slider can set it.</summary>
+        /// <summary>Shift of the displayed robot along the axis in mm, −500 to 500, for a slider.</summary>
         public float OffsetMm
         {
             get => _offsetMm;
@@ -86,7 +85,7 @@ namespace Nowpose.Unity
         /// <summary>Describes the last result in one line; null before the first result.</summary>
         public string Report { get; private set; }
 
-        /// <summary>Changes the shift by a difference in mm. A button can call it.</summary>
+        /// <summary>Changes the shift by a difference in mm, for a button.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
         /// <summary>Records the current shift as a mark: the displayed and the real robot coincide now.</summary>

@@ -5,7 +5,6 @@ using Nowpose.Unity.Calibration;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
-using Nowpose.Unity.Status;
 using UnityEngine;
 
 namespace Nowpose.Unity

@@ -1,4 +1,3 @@
-using Nowpose.Latency;
 using Nowpose.Latency.Load;
 using Nowpose.Unity.Calibration;
 using Nowpose.Unity.Messages;

@@ -1,7 +1,6 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
-using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;

@@ -124,7 +124,7 @@ namespace Nowpose.Unity
                 if (!_parts.TryGetValue(each, out var part)) _parts.Add(each, part = new PosePart(each, _block, _materials));
                 part.Take();
                 Follow(part.Carrier);
-                if (part.IsHelpless) Report(part.Helpless, each);
+                if (part.HasUnsuitableMaterial) Report(part.UnsuitableMaterial, each);
             }
             Draw();
         }
@@ -158,7 +158,7 @@ namespace Nowpose.Unity
             _isOn = false;
             _pose = PoseState.Current;
             _carriers.Clear();
-            foreach (var part in _parts.Values) part.GiveBack();
+            foreach (var part in _parts.Values) part.Restore();
             SetWords("");
         }
 
@@ -171,12 +171,12 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            var isNews = StateIn(frame) != _pose;
-            foreach (var carrier in _carriers) isNews |= carrier.HasTurned();
+            var hasChanged = StateIn(frame) != _pose;
+            foreach (var carrier in _carriers) hasChanged |= carrier.HasChanged();
             var known = BaseLook.Of(_anchor);
-            isNews |= !known.IsSameAs(_base);
+            hasChanged |= !known.IsSameAs(_base);
             _base = known;
-            if (!isNews) return;
+            if (!hasChanged) return;
             Take(frame);
             Draw();
         }
@@ -252,7 +252,7 @@ namespace Nowpose.Unity
             foreach (var known in new List<Renderer>(_parts.Keys))
             {
                 if (_found.Contains(known)) continue;
-                _parts[known].GiveBack();
+                _parts[known].Restore();
                 _parts.Remove(known);
             }
         }

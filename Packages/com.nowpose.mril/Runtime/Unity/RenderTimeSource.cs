@@ -88,16 +88,16 @@ namespace Nowpose.Unity
 
         void Begin(Camera camera)
         {
-            if (IsOfTheGame(camera)) _cameras.Begin(_clock.Now);
+            if (IsGameCamera(camera)) _cameras.Begin(_clock.Now);
         }
 
         void End(Camera camera)
         {
-            if (IsOfTheGame(camera)) _cameras.End(_clock.Now);
+            if (IsGameCamera(camera)) _cameras.End(_clock.Now);
         }
 
         // Excludes the cameras of the editor's scene views and previews, which render in the same frames.
-        static bool IsOfTheGame(Camera camera) => (camera.hideFlags & HideFlags.DontSave) == 0;
+        static bool IsGameCamera(Camera camera) => (camera.hideFlags & HideFlags.DontSave) == 0;
 
         IEnumerator WatchSubmissions()
         {

@@ -62,7 +62,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Source of the render times from which the limit was determined. The limit is not valid for another source.")]
         RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
 
-        [SerializeField, Tooltip("What is shown while the render time is outside the constant-latency range. Fade: the predicted pose, fainter. "
+        [SerializeField, Tooltip("Response while the render time is outside the constant-latency range. Fade: shows the predicted pose, fainter. "
             + "Go On: the predicted pose, as bright as usual. Hold: the newest samples. A striped surface and a text mark the robot in each "
             + "case. Default Fade, because a late prediction is more accurate than the newest samples.")]
         OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;

@@ -39,7 +39,7 @@ namespace Nowpose.Unity
         /// <summary>Name of the frame.</summary>
         public string Frame => string.IsNullOrEmpty(_frame) ? name : _frame;
 
-        /// <summary>State of the object's pose: current if the object is shown at its real place, otherwise the reason.</summary>
+        /// <summary>State of the object's pose. If the object is not shown at its real place, the state gives the reason.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
         /// <summary>Whether a move by hand is in progress.</summary>
@@ -48,7 +48,7 @@ namespace Nowpose.Unity
         /// <summary>Path of the file with the places of all objects that were placed by hand.</summary>
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
-        /// <summary>Reason why the object is not shown at its real place, in one line; null if it is.</summary>
+        /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault => _followed == null ? "no session" : _followed.Fault;
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;

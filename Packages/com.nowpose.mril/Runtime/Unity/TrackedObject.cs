@@ -36,7 +36,7 @@ namespace Nowpose.Unity
         /// <summary>Name of the frame in which the displayed pose is given, such as a robot's link; null while no pose is known.</summary>
         public string Parent => _followed?.Parent;
 
-        /// <summary>State of the object's pose: current if the object is shown where it is at the display time, otherwise the reason.</summary>
+        /// <summary>State of the object's pose. If the object is not shown where it is at the display time, the state gives the reason.</summary>
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>

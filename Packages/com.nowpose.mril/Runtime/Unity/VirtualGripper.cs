@@ -37,7 +37,7 @@ namespace Nowpose.Unity
 
         internal IReadOnlyList<GripperFinger> Fingers => _fingers;
 
-        /// <summary>Starts to follow a rig, and stops following the previous one. The component calls it when it is enabled.</summary>
+        /// <summary>Starts to follow a rig in place of the previous rig. The component calls this method itself when it is enabled.</summary>
         public void Mount(RobotRig rig)
         {
             Unmount();
@@ -47,7 +47,9 @@ namespace Nowpose.Unity
             if (rig.Model != null) Fit();
         }
 
-        /// <summary>Stops following the rig. The fingers return to their rest poses. The component calls it when it is disabled.</summary>
+        /// <summary>
+        /// Stops following the rig, and moves the fingers to their rest poses. The component calls this method itself when it is disabled.
+        /// </summary>
         public void Unmount()
         {
             Rest();

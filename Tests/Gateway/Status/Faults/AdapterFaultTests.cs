@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>Adapters that are not connected or do not report, as the state, /readyz and the list of events report them.</summary>
+/// <summary>Tests how state, /readyz and event list report adapters that are not connected or send no diagnostics.</summary>
 public class AdapterFaultTests
 {
     MonitoredGateway _gateway;
@@ -53,7 +53,7 @@ public class AdapterFaultTests
     }
 
     [Test]
-    public async Task Adapters_OneOfTwoNeverReports_GatewayIsNotReady()
+    public async Task Ready_OneOfTwoAdaptersNeverReports_IsNotReady()
     {
         await _gateway.StartAsync(options => options with { ExpectsSources = true });
         var lathe = new AdapterState("lathe", null, "status 1");
@@ -70,11 +70,11 @@ public class AdapterFaultTests
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected));
         lathe = lathe with { RunTime = TimeSpan.FromSeconds(0.2) };
-        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected), "it runs, but has not reported");
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected), "no diagnostics yet");
         Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
 
         _gateway.Report("plant/lathe", ("state", "connected"), ("samples", "0"));
-        // Both reports come from one source here, which gets the name of the last report.
+        // In this test one source sends both reports, and gets the name of the last report.
         _gateway.Report("plant/press", ("state", "connected"), ("samples", "7"), ("joint/a", $"live {_gateway.Since()} "));
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));

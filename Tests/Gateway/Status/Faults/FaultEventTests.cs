@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>Faults of the gateway itself, and the list of events as a download.</summary>
+/// <summary>Tests the events for faults of the gateway itself, and the download of the event list.</summary>
 public class FaultEventTests
 {
     MonitoredGateway _gateway;
@@ -65,7 +65,7 @@ public class FaultEventTests
 
     [TestCase(null, HttpStatusCode.Unauthorized)]
     [TestCase(Gateways.ObserverToken, HttpStatusCode.OK)]
-    public async Task Events_Downloaded_RequireTheRightToReadTheState(string token, HttpStatusCode expected)
+    public async Task Events_Downloaded_RequireATokenThatMayReadTheState(string token, HttpStatusCode expected)
     {
         await _gateway.StartAsync(options => options with { Tokens = Gateways.Tokens });
 

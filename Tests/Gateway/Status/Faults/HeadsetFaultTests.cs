@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>Headsets without a current pose and lost headsets, as the state and the list of events report them.</summary>
+/// <summary>Tests how state and event list report headsets without a current pose and lost headsets.</summary>
 public class HeadsetFaultTests
 {
     MonitoredGateway _gateway;
@@ -17,14 +17,14 @@ public class HeadsetFaultTests
     public Task Close() => _gateway.DisposeAsync().AsTask();
 
     [Test]
-    public async Task Headset_NotCurrentThenLost_AddsTwoEventsAndNoReason()
+    public async Task Headset_PoseNotCurrentThenLost_AddsTwoEventsAndTheGatewayStaysReady()
     {
         await _gateway.StartAsync();
         _gateway.Report("goggles", ("pose", "incomplete"), ("missing_joints", "a,b"));
         await _gateway.BeginsAsync("headset", "goggles");
         Assert.That((await _gateway.EventAsync("headset", "goggles")).GetProperty("reason").GetString(), Does.Contain("a,b"));
         Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
-        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }), "other headsets can be served");
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }), "the gateway can serve other headsets");
 
         _gateway.Report("goggles", ("pose", "coarse"));
         await _gateway.EndsAsync("headset", "goggles");
@@ -35,7 +35,7 @@ public class HeadsetFaultTests
 
     [TestCase("goggles", "headset", "goggles")]
     [TestCase("plant/press", "adapter", "press")]
-    public async Task Client_AnotherVersion_IsAWarningThatNamesBoth(string hardwareId, string kind, string name)
+    public async Task Client_WithAnotherVersion_CausesAWarningWithBothVersions(string hardwareId, string kind, string name)
     {
         await _gateway.StartAsync();
         _gateway.Report(hardwareId, ("pose", "current"), ("state", "connected"), ("version", "9.9.9"));
@@ -53,7 +53,7 @@ public class HeadsetFaultTests
     [TestCase("held", "a", "the pose is held; missing joints: a. Check the sources of these joints.")]
     [TestCase("incomplete", "a", "the pose is incomplete; missing joints: a. Check the sources of these joints.")]
     [TestCase("held", "", "the pose is held. Check that samples reach the headset in time.")]
-    public async Task Headset_PoseNotCurrent_RemedyNamesTheCause(string pose, string missing, string expected)
+    public async Task Headset_PoseNotCurrent_EventContainsTheCauseAndARemedy(string pose, string missing, string expected)
     {
         await _gateway.StartAsync();
 
@@ -87,13 +87,13 @@ public class HeadsetFaultTests
         await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 0, "it has left");
     }
 
-    // RFC 6455, 7.4.1: normal closure, client going away, close without a code, and a client error. Null closes without a close frame.
+    // Codes of RFC 6455, 7.4.1: normal closure (1000), going away (1001), none, and an unexpected condition (1011). Null: no close frame.
     [TestCase("03E8", false)]
     [TestCase("03E9", false)]
     [TestCase("", false)]
     [TestCase("03F3", true)]
     [TestCase(null, true)]
-    public async Task Headset_ConnectionEnds_IsLostUnlessItClosedInOrder(string close, bool isLost)
+    public async Task Headset_ConnectionEnds_IsLostUnlessClosedNormally(string close, bool isLost)
     {
         await _gateway.StartAsync();
         using var client = await RawWebSocket.OpenAsync(_gateway.Server);
@@ -103,13 +103,13 @@ public class HeadsetFaultTests
 
         if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
         client.EndSending();
-        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection is over");
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection has ended");
         _gateway.Time.Advance(TimeSpan.FromSeconds(4));
 
         var state = await _gateway.StateAsync();
         var status = state.GetProperty("status");
         Assert.That(state.GetProperty("headsets").GetArrayLength(), Is.EqualTo(isLost ? 1 : 0), state.GetRawText());
-        Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"), "also while no source publishes");
+        Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"), "the headset is a warning even while no source publishes");
         Assert.That(status.GetProperty("text").GetString().Contains("its reports stopped without a normal end"), Is.EqualTo(isLost));
     }
 }

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>Joints without current samples, as the state, /readyz, the metrics and the list of events report them.</summary>
+/// <summary>Tests how state, /readyz, metrics and event list report joints without current samples.</summary>
 public class JointFaultTests
 {
     MonitoredGateway _gateway;
@@ -30,7 +30,7 @@ public class JointFaultTests
         _gateway.Time.Advance(TimeSpan.FromSeconds(1));
 
         var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
-        Assert.That(lines, Has.Length.EqualTo(2), "the other joint goes on");
+        Assert.That(lines, Has.Length.EqualTo(2), "the other joint continues");
         Assert.That(lines[0], Is.EqualTo("waiting"));
         Assert.That(lines[1], Does.StartWith("joint a (gateway) is stale: "));
         var state = await _gateway.StateAsync();
@@ -57,7 +57,7 @@ public class JointFaultTests
     [TestCase("refused", "is refused", "Check the values that its source sends.")]
     [TestCase("missing", "is missing", "Check that the plant offers the joint's value and that the plant's configuration names it correctly.")]
     [TestCase("fault", "is in fault", "Check the plant and its connection.")]
-    public async Task Joint_AdapterReportsAFault_IsNamedWithReasonSinceAndRemedy(string word, string what, string remedy)
+    public async Task Joint_AdapterReportsAFault_IsReportedWithReasonStartAndRemedy(string word, string what, string remedy)
     {
         await _gateway.StartAsync(options => options with { ExpectsSources = true });
         _gateway.Publish("a", "b");
@@ -80,7 +80,7 @@ public class JointFaultTests
     }
 
     [Test]
-    public async Task Joint_AtRest_IsReady()
+    public async Task Ready_JointAtRest_IsReady()
     {
         await _gateway.StartAsync(options => options with { ExpectsSources = true });
         _gateway.Publish("a");
@@ -150,7 +150,7 @@ public class JointFaultTests
 
         if (close != null) await client.SendFrameAsync(RawWebSocket.Close, Convert.FromHexString(close));
         client.EndSending();
-        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection is over");
+        await Soon.BecomesAsync(() => _gateway.Server.WebSocketConnections.Open == 0, "the connection has ended");
         _gateway.Time.Advance(TimeSpan.FromHours(30));
 
         var state = await _gateway.StateAsync();
@@ -167,15 +167,15 @@ public class JointFaultTests
             "adapter/press", ("state", "connected"), ("joint/a", $"refused {_gateway.Since(5)} status Bad"),
             ("joint/b", $"live {_gateway.Since()} "));
         using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
-        // The gateway may publish the status before it answers a request.
+        // The gateway may publish the status before it answers the request, so all messages until the status are read.
         await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.JointStatus, "diagnostic_msgs/DiagnosticArray"));
 
-        JsonElement told;
-        do told = JsonDocument.Parse(await client.ReceiveTextAsync()).RootElement.GetProperty("msg").GetProperty("status")[0];
-        while (told.GetProperty("values").GetArrayLength() == 0);
+        JsonElement status;
+        do status = JsonDocument.Parse(await client.ReceiveTextAsync()).RootElement.GetProperty("msg").GetProperty("status")[0];
+        while (status.GetProperty("values").GetArrayLength() == 0);
 
-        Assert.That(told.GetProperty("hardware_id").GetString(), Is.EqualTo("gateway"));
-        var value = told.GetProperty("values").EnumerateArray().Single();
+        Assert.That(status.GetProperty("hardware_id").GetString(), Is.EqualTo("gateway"));
+        var value = status.GetProperty("values").EnumerateArray().Single();
         Assert.That(value.GetProperty("key").GetString(), Is.EqualTo("a"));
         var words = value.GetProperty("value").GetString().Split(' ', 3);
         Assert.That((words[0], words[2]), Is.EqualTo(("refused", "status Bad")));
@@ -186,7 +186,7 @@ public class JointFaultTests
     }
 
     [Test]
-    public async Task Joint_OutsideItsLimits_IsNamedWithPositionLimitsAndUnit()
+    public async Task Joint_OutsideItsLimits_IsReportedWithPositionLimitsAndUnit()
     {
         await _gateway.StartAsync();
         using var description = _gateway.Server.Hub.OpenSource();
@@ -208,7 +208,7 @@ public class JointFaultTests
     }
 
     [Test]
-    public async Task Ready_JointOfTheRobotWithoutASource_IsReportedEverywhere()
+    public async Task Joint_OfTheRobotWithoutASource_IsReportedEverywhere()
     {
         await _gateway.StartAsync();
         _gateway.Source.TryDescribe(RobotFiles.LoadText("youbot"));
@@ -227,7 +227,7 @@ public class JointFaultTests
         await _gateway.ReadyAsync(HttpStatusCode.OK);
     }
 
-    // Advances the time so that the joint without a source is seen as soon as the robot is known.
+    // Advances the time, so that the gateway finds the joint without a source as soon as it knows the robot.
     bool IsDescribed(string[] all)
     {
         _gateway.Time.Advance(TimeSpan.FromMilliseconds(100));

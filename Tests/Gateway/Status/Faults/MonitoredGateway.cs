@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>A gateway in stepped time with one source, and its answers to monitoring.</summary>
+/// <summary>Runs a gateway with one source in virtual time, and reads the gateway's answers to monitoring.</summary>
 sealed class MonitoredGateway : IAsyncDisposable
 {
     readonly List<string> _log = [];
@@ -19,7 +19,7 @@ sealed class MonitoredGateway : IAsyncDisposable
     public GatewayServer Server { get; private set; }
     public HubSource Source { get; private set; }
 
-    /// <summary>Lines of the log so far.</summary>
+    /// <summary>Lines that the gateway has logged so far.</summary>
     public string[] Log
     {
         get
@@ -66,7 +66,7 @@ sealed class MonitoredGateway : IAsyncDisposable
         (await StateAsync()).GetProperty("events").EnumerateArray().FirstOrDefault(
             one => one.GetProperty("kind").GetString() == kind && one.GetProperty("which").GetString() == which);
 
-    // The gateway updates the list several times per second.
+    // The gateway updates the event list several times per second.
     public Task BeginsAsync(string kind, string which) => Soon.BecomesAsync(
         () => EventAsync(kind, which).Result.ValueKind == JsonValueKind.Object, $"{kind} {which} begins");
 

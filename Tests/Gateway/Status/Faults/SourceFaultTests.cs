@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>Sources that are missing, invalid, or second for a joint, as the state, /readyz and the list of events report them.</summary>
+/// <summary>Tests how state, /readyz and event list report missing sources, invalid samples, and a second source of a joint.</summary>
 public class SourceFaultTests
 {
     MonitoredGateway _gateway;
@@ -20,7 +20,7 @@ public class SourceFaultTests
     [TestCase("NaN", 5000, "position of joint b is NaN (NotFinite)")]
     [TestCase("\"1\"", 5000, "position of joint b is \"1\" (WrongType)")]
     [TestCase("1.5", 50000, "the time stamp is later than the control time (StampInFuture)")]
-    public async Task Joints_SourceWithInvalidSamples_AreRefusedWithTheJointsName(string position, int seconds, string reason)
+    public async Task Joints_SourceSendsInvalidSamples_AreRefusedWithTheNameOfTheJoint(string position, int seconds, string reason)
     {
         await _gateway.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
@@ -42,10 +42,10 @@ public class SourceFaultTests
             lines[1], Does.StartWith($"joint a (rosbridge) is refused: the gateway drops the samples of rosbridge 127.0.0.1: {reason} (since "));
     }
 
-    // The stamp of the second case is 30 s ahead of the control clock.
+    // In the second case the time stamp is 30 s ahead of the control clock.
     [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
     [TestCase("1.5", 5030, "the time stamp is later than the control time (StampInFuture)")]
-    public async Task Joints_SourceWithoutValidSamples_AreRefusedWhileAnotherIsLive(string position, int seconds, string reason)
+    public async Task Joints_SourceSendsNoValidSample_AreRefusedWhileTheJointOfAnotherSourceIsLive(string position, int seconds, string reason)
     {
         await _gateway.StartAsync();
         _gateway.Publish("a");
@@ -75,7 +75,7 @@ public class SourceFaultTests
         Assert.That((await client.ReceiveAsync()).Text, Does.Contain("dropped"));
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
-        // The gateway counts the refusal after it has answered the client.
+        // The gateway counts the refusal after it has answered the client, so the test must wait for the count.
         const string Expected = "source rosbridge 127.0.0.1 is refused for joint a: the source gateway already publishes this joint";
         string Text() => _gateway.StateAsync().Result.GetProperty("status").GetProperty("text").GetString();
         await Soon.BecomesAsync(() => Text().StartsWith(Expected, StringComparison.Ordinal), () => Text());
@@ -86,7 +86,7 @@ public class SourceFaultTests
         + ",\"nanosec\":0}},\"name\":[\"" + joint + "\"],\"position\":[" + position + "]}}";
 
     [Test]
-    public async Task Source_SecondForAJoint_AddsAnEventThatEnds()
+    public async Task SecondSource_OfAJoint_AddsAnEventUntilTheSourceEnds()
     {
         await _gateway.StartAsync();
         _gateway.Publish("a");
@@ -101,7 +101,7 @@ public class SourceFaultTests
     }
 
     [Test]
-    public async Task Source_SecondWithoutAName_IsRefusedWithItsAddress()
+    public async Task SecondSource_WithoutAName_IsReportedWithItsAddress()
     {
         await _gateway.StartAsync();
         using var first = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
@@ -118,7 +118,7 @@ public class SourceFaultTests
     }
 
     [Test]
-    public async Task Source_RefusedWithoutANameAndReconnects_IsOneEvent()
+    public async Task SecondSource_WithoutANameReconnects_AddsOnlyOneEvent()
     {
         await _gateway.StartAsync();
         _gateway.Publish("a");
@@ -134,10 +134,10 @@ public class SourceFaultTests
     }
 
     [Test]
-    public async Task Ready_NoSourceYet_ContainsStartTimeAndRemedy()
+    public async Task Ready_BeforeTheFirstSource_ContainsStartTimeAndRemedy()
     {
         await _gateway.StartAsync(options => options with { ExpectsSources = true });
-        // The first complete check publishes the state of the joints.
+        // The first complete check publishes the joint status.
         var looked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         using var listening = _gateway.Server.Hub.Subscribe(RosTopics.JointStatus, _ => looked.TrySetResult());
         await looked.Task.Bounded();

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 
-/// <summary>The states of joints whose samples arrive, stop and resume.</summary>
+/// <summary>Tests the states of joints whose samples arrive, stop and resume.</summary>
 public class JointBoardTests
 {
     SampledBoard _joints;
@@ -26,7 +26,7 @@ public class JointBoardTests
     }
 
     [Test]
-    public void Read_SamplesStop_IsStaleWithinTwoSecondsSinceTheLastSample()
+    public void Read_SamplesStop_IsStaleWithinTwoSecondsAndSinceTheLastSample()
     {
         _joints.Send(5, "a", "b");
         var last = _joints.Time.GetUtcNow() - TimeSpan.FromMilliseconds(50);
@@ -39,11 +39,11 @@ public class JointBoardTests
         Assert.That(_joints.Joint("a").Since, Is.EqualTo(last));
         Assert.That(_joints.Joint("a").RateHz, Is.Zero);
         Assert.That(_joints.Joint("a").Reason, Is.Not.Empty);
-        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Live), "the other joint goes on");
+        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Live), "the other joint continues");
     }
 
     [Test]
-    public void Read_SamplesResume_IsLiveSinceThen()
+    public void Read_SamplesResume_IsLiveSinceTheFirstNewSample()
     {
         _joints.Send(2, "a");
         _joints.Time.Advance(TimeSpan.FromSeconds(60));
@@ -72,24 +72,24 @@ public class JointBoardTests
 
         _joints.Send(2, "a");
         Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
-        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Stale), "the other one is still missed");
+        Assert.That(_joints.Joint("b").State, Is.EqualTo(JointDataState.Stale), "the other joint is still expected");
     }
 
     [Test]
-    public void Read_JointOfASourceClosedInOrder_IsRemovedAfterTheTimeout()
+    public void Read_SourceClosedNormally_RemovesTheJointAfterTheTimeout()
     {
         _joints.Send(2, "a");
         _joints.Board.Leave(_joints.Source);
 
         _joints.Time.Advance(JointBoard.ForgottenAfter - TimeSpan.FromSeconds(1));
-        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "its data are missing at first");
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "until the timeout the joint is expected");
         _joints.Time.Advance(TimeSpan.FromSeconds(2));
 
         Assert.That(_joints.Board.Read(), Is.Empty);
     }
 
     [Test]
-    public void Read_JointTakenOverByAFailingSource_IsKeptAfterTheFirstCloses()
+    public void Read_JointTakenOverByASourceThatFails_IsKept()
     {
         _joints.Send(2, "a");
         var first = _joints.Source;
@@ -103,7 +103,7 @@ public class JointBoardTests
         _joints.Send(1, "a");
         _joints.Time.Advance(TimeSpan.FromHours(1));
 
-        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "it came back after its goodbye");
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "another source had taken the joint over after the normal closure");
     }
 
     [Test]

@@ -30,7 +30,7 @@ public class JointStatusTopicTests
         new(name, "press", state, _time.GetUtcNow() - TimeSpan.FromSeconds(secondsAgo), null, 0, reason);
 
     [Test]
-    public void Publish_JointsNotLive_ContainsThemWithControlTime()
+    public void Publish_JointsNotLive_ContainsThemWithTheControlTime()
     {
         _topic.Publish([Joint("a", JointDataState.Live), Joint("b", JointDataState.Rest, "assumed at rest"), Joint("c", JointDataState.Fault, "the node is gone", 1.25)]);
 
@@ -42,16 +42,16 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_UncertainRest_ReasonContainsTheUncertainty()
+    public void Publish_RestUncertain_ReasonContainsTheUncertainty()
     {
         _topic.Publish([Joint("b", JointDataState.Rest, "no change is reported") with { Uncertainty = "the stop itself was not observed" }]);
 
         Assert.That(_received.Single().Values.Single().Value, Is.EqualTo("rest 4996.000 may not be at rest: the stop itself was not observed"));
     }
 
-    /// <summary>The joint may have a source at the gateway behind a bridge.</summary>
+    /// <summary>The joint is omitted, because it may have a source at the other gateway of a bridge.</summary>
     [Test]
-    public void Publish_JointWithoutAnySource_IsLeftOut()
+    public void Publish_JointWithoutAnySource_OmitsTheJoint()
     {
         _topic.Publish([Joint("b", JointDataState.Fault), Joint("c", JointDataState.Missing) with { Source = UnpublishedJoints.NoSource }]);
 
@@ -59,7 +59,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_TooManyJoints_KeepsTheLatestFailures()
+    public void Publish_TooManyJoints_KeepsTheNewestFaults()
     {
         var old = Enumerable.Range(0, 600).Select(i => Joint($"a{i:000}", JointDataState.Stale, secondsAgo: 90_000 + i));
         var resting = Enumerable.Range(0, 300).Select(i => Joint($"b{i:000}", JointDataState.Rest, secondsAgo: 1));
@@ -71,7 +71,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_OverTime_SendsOnChangeAndEverySecondWhileAnyIsNotLive()
+    public void Publish_CalledRepeatedly_SendsChangesAndEachSecondWhileAJointIsNotLive()
     {
         JointStatus[] fault = [Joint("a", JointDataState.Fault)];
         JointStatus[] none = [Joint("a", JointDataState.Live)];
@@ -85,16 +85,16 @@ public class JointStatusTopicTests
         }
 
         Look(none, 3);
-        Assert.That(_received, Has.Count.EqualTo(1), "the empty one, once");
+        Assert.That(_received, Has.Count.EqualTo(1), "the empty status is sent once");
         Look(fault, 3);
-        Assert.That(_received, Has.Count.EqualTo(4), "at once, and every second");
+        Assert.That(_received, Has.Count.EqualTo(4), "the change, then each second");
         Look(none, 3);
         Assert.That(_received, Has.Count.EqualTo(5));
         Assert.That(_received[^1].Values, Is.Empty);
     }
 
     [Test]
-    public void Subscribe_Later_ReceivesTheNewest()
+    public void Subscribe_AfterPublication_ReceivesTheNewestStatus()
     {
         _topic.Publish([Joint("a", JointDataState.Stale)]);
         var late = new List<HubMessage>();
@@ -107,7 +107,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_OneSourceOfTheJointIsLive_OmitsTheJoint()
+    public void Publish_JointLiveFromOneSource_OmitsTheJoint()
     {
         _topic.Publish([Joint("a", JointDataState.Live), Joint("a", JointDataState.Refused)]);
 

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 
-/// <summary>The states of joints whose samples the gateway drops.</summary>
+/// <summary>Tests the states of joints whose samples the gateway drops.</summary>
 public class RefusedJointTests
 {
     SampledBoard _joints;
@@ -13,7 +13,7 @@ public class RefusedJointTests
     public void Open() => _joints = new SampledBoard();
 
     [Test]
-    public void Read_AdapterWithAJointOfAnotherSource_IsRefusedWithTheOwner()
+    public void Read_AdapterReportsAJointOfAnotherSource_IsRefusedWithTheNameOfThatSource()
     {
         _joints.Source.Name = "press";
         _joints.Send(2, "a");
@@ -30,7 +30,7 @@ public class RefusedJointTests
     }
 
     [Test]
-    public void Read_SamplesDroppedForTheirContent_IsRefusedWithTheReasonUntilOneIsValid()
+    public void Read_InvalidSamplesDropped_IsRefusedWithTheReasonUntilASampleIsValid()
     {
         var other = _joints.Hub.OpenSource();
         _joints.Send(2, "a", "b");
@@ -48,11 +48,11 @@ public class RefusedJointTests
         _joints.Send(1, "a", "b");
         Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
         _joints.Time.Advance(TimeSpan.FromSeconds(2));
-        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "nothing arrives, and nothing is refused");
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "no sample arrives, so none is refused");
     }
 
     [Test]
-    public void Read_AllSamplesDroppedFromTheStart_IsRefusedUntilTheSourceStops()
+    public void Read_AllSamplesOfASourceDropped_IsRefusedUntilTheSourceStops()
     {
         var bad = _joints.Hub.OpenSource();
         bad.Name = "copy";
@@ -73,7 +73,7 @@ public class RefusedJointTests
     }
 
     [Test]
-    public void Read_DroppedSamplesThenValidOnes_IsLive()
+    public void Read_DroppedSamplesThenValidSamples_IsLive()
     {
         _joints.Board.Refuse(_joints.Source, ["c"], "position of joint c is NaN");
         Assert.That(_joints.Joint("c").State, Is.EqualTo(JointDataState.Refused));

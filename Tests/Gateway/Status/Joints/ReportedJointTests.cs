@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 
-/// <summary>The states of joints that an adapter reports.</summary>
+/// <summary>Tests the states of joints that an adapter reports.</summary>
 public class ReportedJointTests
 {
     SampledBoard _joints;
@@ -32,7 +32,7 @@ public class ReportedJointTests
     }
 
     [Test]
-    public void Read_RestThenAdapterSilent_IsStale()
+    public void Read_AdapterReportsRestThenStopsReporting_IsStale()
     {
         _joints.Source.Name = "press";
         _joints.Send(3, "a");
@@ -40,7 +40,7 @@ public class ReportedJointTests
 
         _joints.Time.Advance(TimeSpan.FromSeconds(3));
 
-        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "no adapter vouches for the rest");
+        Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Stale), "no adapter confirms the rest");
         Assert.That(_joints.Joint("a").Reason, Does.Contain("press"));
     }
 
@@ -76,7 +76,7 @@ public class ReportedJointTests
     }
 
     [Test]
-    public void Read_AdapterReconnectedWithoutAReport_KeepsItsJoint()
+    public void Read_AdapterReconnectsWithoutAReport_KeepsItsJoint()
     {
         _joints.Source.Name = "press";
         _joints.Send(2, "a");
@@ -91,7 +91,7 @@ public class ReportedJointTests
     }
 
     [Test]
-    public void Read_AdapterNoLongerHasTheJoint_RemovesTheJoint()
+    public void Read_AdapterNoLongerReportsTheJoint_RemovesTheJoint()
     {
         _joints.Report("press", ("a", "missing", ""), ("b", "missing", ""));
 
@@ -101,7 +101,7 @@ public class ReportedJointTests
     }
 
     [Test]
-    public void Read_ConfiguredJointOfALostAdapter_IsKept()
+    public void Read_AdapterOfAConfiguredJointLost_KeepsTheJoint()
     {
         _joints.Report("press", ("a", "live", ""));
         _joints.Send(2, "client joint");
@@ -116,13 +116,13 @@ public class ReportedJointTests
 
     [TestCase(true)]
     [TestCase(false)]
-    public void Read_AdapterReportsWithoutAPublishedJoint_IsRemovedOnlyInTheSameRun(bool isSameRun)
+    public void Read_ReportWithoutAPublishedJoint_RemovesTheJointOnlyInTheSameRun(bool isSameRun)
     {
         _joints.Source.Name = "press";
         _joints.Send(2, "a");
         _joints.Board.Report("press", [KeyValuePair.Create("joint/a", "live 1790000000.000")], _joints.Source);
 
-        // An adapter that finds its joints itself has none directly after its start.
+        // Directly after its start, an adapter without configured joints knows no joints yet, so its report does not contain them.
         _joints.Board.Report("press", [], isSameRun ? _joints.Source : _joints.Hub.OpenSource());
         _joints.Time.Advance(TimeSpan.FromHours(1));
 
@@ -130,7 +130,7 @@ public class ReportedJointTests
     }
 
     [Test]
-    public void Read_SinceInTheFuture_IsNow()
+    public void Read_StartInTheFuture_IsNow()
     {
         _joints.Board.Report("press", [KeyValuePair.Create("joint/a", "fault 9999999999.000 a wrong clock")]);
 

@@ -5,7 +5,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 
-/// <summary>A board of joints in stepped time, with samples of one source and reports of adapters.</summary>
+/// <summary>A joint board in virtual time, with samples of one source and reports of adapters.</summary>
 sealed class SampledBoard
 {
     public SampledBoard(Func<RobotModel> robot = null)
@@ -18,10 +18,10 @@ sealed class SampledBoard
     public MessageHub Hub { get; } = new();
     public JointBoard Board { get; }
 
-    /// <summary>The source of the samples that <see cref="Send"/> adds.</summary>
+    /// <summary>Source of the samples that <see cref="Send"/> adds.</summary>
     public HubSource Source { get; set; }
 
-    /// <summary>Adds 20 samples per second, each 70 ms old when received.</summary>
+    /// <summary>Adds 20 samples per second for the given time. Each sample is 70 ms old when it is received.</summary>
     public void Send(double seconds, params string[] names)
     {
         for (var i = 0; i < seconds * 20; i++)

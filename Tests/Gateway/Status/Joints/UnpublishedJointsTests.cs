@@ -6,11 +6,11 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 
-/// <summary>The joints of the described robot that no source publishes.</summary>
+/// <summary>Tests how joints of the described robot that no source publishes are found.</summary>
 public class UnpublishedJointsTests
 {
     [Test]
-    public void Read_ArmJointWithoutASource_IsMissingWhileAnotherJointHasOne()
+    public void Read_ArmJointWithoutASourceBesideJointsWithOne_IsMissing()
     {
         var arm = RobotFiles.Load("youbot");
         var names = UnpublishedJoints.NamesOf(arm).Order().ToArray();
@@ -20,7 +20,7 @@ public class UnpublishedJointsTests
         joints.Send(2, names[1..]);
         Assert.That(joints.Board.Read(), Has.All.Property("State").EqualTo(JointDataState.Live), "no robot is described");
         robot = arm;
-        Assert.That(joints.Board.Read().Select(joint => joint.Name), Is.EqualTo(names[1..]), "its source may still be starting");
+        Assert.That(joints.Board.Read().Select(joint => joint.Name), Is.EqualTo(names[1..]), "the source of the joint may still be starting");
         joints.Send(UnpublishedJoints.StartTimeout.TotalSeconds + 0.1, names[1..]);
 
         var missing = joints.Joint(names[0]);
@@ -33,17 +33,17 @@ public class UnpublishedJointsTests
     }
 
     [Test]
-    public void Read_NoJointOfTheArmHasASource_NamesNone()
+    public void Read_NoJointOfTheArmHasASource_ContainsNoneOfThem()
     {
         var joints = new SampledBoard(() => RobotFiles.Load("youbot"));
 
         joints.Send(5, "another_robots_joint");
 
-        Assert.That(joints.Board.Read().Select(joint => joint.Name), Is.EqualTo(new[] { "another_robots_joint" }), "this robot has no source at all");
+        Assert.That(joints.Board.Read().Select(joint => joint.Name), Is.EqualTo(new[] { "another_robots_joint" }), "no source publishes this robot");
     }
 
     [Test]
-    public void NamesOf_MimicJointInTheArm_NamesItsMasterOnce()
+    public void NamesOf_MimicJointInTheArm_ContainsItsMasterJointOnce()
     {
         var robot = UrdfReader.Read(
             "<robot name=\"r\"><link name=\"l0\"/><link name=\"l1\"/><link name=\"l2\"/>" +

@@ -43,7 +43,7 @@ public class PaperVerbTests
     [TestCase(new[] { "--seconds", "10" }, "--seconds: 10 s is out of range; allowed with --paper: 20 to 3600 s")]
     [TestCase(new[] { "--visu-ms", "10" }, "--visu-ms: 10 ms is out of range; with --paper, 17 to 400 ms are allowed")]
     [TestCase(new[] { "--repeats", "0" }, "--repeats: 0 is out of range")]
-    public async Task Paper_ContradictingOption_IsOneLineAndExit2(string[] options, string named)
+    public async Task Paper_ContradictingOption_PrintsOneLineAndExitsWith2(string[] options, string named)
     {
         var run = await CliRun.OfAsync(["demo", "--paper", "--out", Path.Combine(_folder, "none"), .. options]);
 

@@ -29,7 +29,7 @@ public sealed class ApplicationMessageTests : PlayerFixture
     }
 
     [Test]
-    public void Pause_DisabledScript_ReceivesItUnlessItsObjectIsInactive()
+    public void Pause_ScriptDisabled_ReceivesTheMessageIfItsObjectIsActive()
     {
         Add<Quitter>("a").enabled = false;
         Add<Quitter>("b").gameObject.SetActive(false);

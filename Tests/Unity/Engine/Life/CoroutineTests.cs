@@ -17,7 +17,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void YieldNull_NextFrame_ContinuesAfterTheUpdates()
+    public void YieldNull_InTheNextFrame_ContinuesAfterTheUpdates()
     {
         _owner.StartCoroutine(Count(3, null));
 
@@ -42,7 +42,7 @@ public sealed class CoroutineTests : PlayerFixture
     }
 
     [Test]
-    public void WaitForEndOfFrame_SameFrame_ContinuesAfterTheLateUpdates()
+    public void WaitForEndOfFrame_InTheSameFrame_ContinuesAfterTheLateUpdates()
     {
         _owner.On["Update"] = () =>
         {

@@ -94,8 +94,8 @@ sealed class Expansion
                 ListOf(owner, "m_Component").Add(Nodes.Lines(("component", new AssetReference(own.FileId).Write())));
         }
         // The added children, which are objects of the file or of other instances, are sorted by their order in the file.
-        var hung = _objects.Where(o => o.IsTransform && o.Link?.Instance != instance && TryUp(o, "m_Father", instance, out _));
-        foreach (var child in hung.OrderBy(RootOrder).ToList())
+        var addedChildren = _objects.Where(o => o.IsTransform && o.Link?.Instance != instance && TryUp(o, "m_Father", instance, out _));
+        foreach (var child in addedChildren.OrderBy(RootOrder).ToList())
         {
             TryUp(child, "m_Father", instance, out var father);
             ListOf(father, "m_Children").Add(new AssetReference(child.FileId).Write());

@@ -24,7 +24,7 @@ namespace Nowpose.Anchoring
         Lost,
     }
 
-    /// <summary>Details of a lock.</summary>
+    /// <summary>Details of a lock of the robot's base.</summary>
     public sealed class LockReport
     {
         internal LockReport(

@@ -31,7 +31,9 @@ namespace Nowpose.Kinematics
         /// <summary>Full extent along the shape's own axes in metres (diameters, not radii); for a mesh, the dimensionless scale.</summary>
         public (double X, double Y, double Z) Size { get; }
 
-        /// <summary>Mesh file as named in the URDF (<c>package://…</c> or a path); null unless <see cref="VisualShape.Mesh"/>.</summary>
+        /// <summary>
+        /// Mesh file as named in the URDF (<c>package://…</c> or a path); null for shapes other than <see cref="VisualShape.Mesh"/>.
+        /// </summary>
         public string MeshFile { get; }
 
         /// <summary>Colour of the shape; null if the URDF specifies none.</summary>

@@ -26,13 +26,13 @@ namespace Nowpose.Kinematics
 
         public static RigidTransform Identity { get; } = new RigidTransform(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0);
 
-        /// <summary>Translation along the parent's x, metres.</summary>
+        /// <summary>Translation along the parent's x axis, metres.</summary>
         public double X { get; }
 
-        /// <summary>Translation along the parent's y, metres.</summary>
+        /// <summary>Translation along the parent's y axis, metres.</summary>
         public double Y { get; }
 
-        /// <summary>Translation along the parent's z, metres.</summary>
+        /// <summary>Translation along the parent's z axis, metres.</summary>
         public double Z { get; }
 
         /// <summary>Creates a pose from a URDF origin: metres, and radians about the parent's fixed x, then y, then z axis.</summary>

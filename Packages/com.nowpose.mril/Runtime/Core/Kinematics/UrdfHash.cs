@@ -30,7 +30,7 @@ namespace Nowpose.Kinematics
         public override bool Equals(object obj) => obj is UrdfHash other && Equals(other);
         public override int GetHashCode() => _hex == null ? 0 : StringComparer.Ordinal.GetHashCode(_hex);
 
-        /// <summary>64 hexadecimal digits in lower case; empty for the hash of no text.</summary>
+        /// <summary>Returns the hash as 64 hexadecimal digits in lower case; empty for the hash of no text.</summary>
         public override string ToString() => _hex ?? "";
 
         static string Hex(byte[] bytes)

@@ -22,10 +22,10 @@ namespace Nowpose.Latency
         /// <summary>Name of the condition in messages.</summary>
         public string Label => DisplayConditionNames.LabelOf(Condition);
 
-        /// <summary>Value at the calibration.</summary>
+        /// <summary>Value of the condition at the calibration.</summary>
         public string Calibrated { get; }
 
-        /// <summary>Value on this device.</summary>
+        /// <summary>Value of the condition on this device.</summary>
         public string Actual { get; }
 
         /// <summary>Whether the profile must not be used: L_visu depends on the device and on the refresh rate.</summary>

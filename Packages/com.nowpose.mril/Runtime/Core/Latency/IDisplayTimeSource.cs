@@ -10,7 +10,7 @@ namespace Nowpose.Latency
         /// <summary>
         /// Returns the display time of a frame. Called once per frame on the frame's thread; must be fast and must not allocate or throw.
         /// </summary>
-        /// <param name="frameStart">Start of the frame, never earlier than that of the previous call.</param>
+        /// <param name="frameStart">Start of the frame, never earlier than in the previous call.</param>
         /// <returns>Null if the display time of this frame is unknown.</returns>
         HeadsetTime? LightOf(HeadsetTime frameStart);
     }

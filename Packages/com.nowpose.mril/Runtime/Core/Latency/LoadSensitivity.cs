@@ -29,7 +29,7 @@ namespace Nowpose.Latency
         /// <summary>The source of most render times, to which the result applies; times of other sources are ignored.</summary>
         public RenderTimeSourceKind Source { get; }
 
-        /// <summary>The result with its numbers in one line and, unless the render time depends on the load, the remedy.</summary>
+        /// <summary>The result with its numbers in one line; includes the remedy if the render time does not depend on the load.</summary>
         public string Words { get; }
 
         /// <param name="rows">Rows of a whole sweep, in the order of their frames.</param>

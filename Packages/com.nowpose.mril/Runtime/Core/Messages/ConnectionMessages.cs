@@ -77,5 +77,9 @@ namespace Nowpose.Messages
 
         public static string OtherVersion(string name, string version, string self, string ownVersion) =>
             $"{name} has version {version}, {self} has {ownVersion}; install the same version";
+
+        public const string Lost = "the connection was lost";
+
+        public static string NoPinCheck(string replacement) => $"NativeWebSocket cannot check a pin; use {replacement}";
     }
 }

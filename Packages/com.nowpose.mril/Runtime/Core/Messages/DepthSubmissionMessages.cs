@@ -2,13 +2,9 @@ using Nowpose.Latency;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Names and error messages of depth submission states.</summary>
+    /// <summary>Problems of the submission of depth.</summary>
     static class DepthSubmissionMessages
     {
-        static readonly string[] Names = { "unknown", "active", "turned_off", "not_supported", "no_main_camera", "not_requested" };
-
-        public static string NameOf(DepthSubmission depth) => Names[(int)depth];
-
         /// <summary>Returns the problem and its remedy in one line. Allocates nothing.</summary>
         /// <returns>Null when depth is submitted or the state is unknown.</returns>
         public static string ProblemOf(DepthSubmission depth)

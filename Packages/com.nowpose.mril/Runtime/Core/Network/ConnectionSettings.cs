@@ -66,7 +66,7 @@ namespace Nowpose.Network
         public int WebSocketPort { get; }
         internal TransportSecurity Security { get; }
 
-        /// <summary>The gateway's public key; null unless <see cref="Security"/> is pinned.</summary>
+        /// <summary>The gateway's public key; null if the certificate is not pinned.</summary>
         public CertificatePin Pin { get; }
 
         /// <summary>The headset's token; null for none. Never shown or logged.</summary>

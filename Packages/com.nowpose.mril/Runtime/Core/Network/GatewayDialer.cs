@@ -104,7 +104,7 @@ namespace Nowpose.Network
             });
             try
             {
-                // None lets the platform choose its best version; .NET Standard 2.1 has no constant for TLS 1.3.
+                // SslProtocols.None lets the platform choose its best version; .NET Standard 2.1 has no constant for TLS 1.3.
                 await secure.AuthenticateAsClientAsync(
                     _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
                 if (secure.SslProtocol < SslProtocols.Tls12)

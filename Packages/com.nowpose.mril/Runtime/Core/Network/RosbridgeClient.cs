@@ -222,7 +222,7 @@ namespace Nowpose.Network
             return descriptions;
         }
 
-        // Catches every exception: an invalid description must not prevent reading the next one.
+        // Catches every exception: an invalid description must not prevent the client from reading the next description.
         void Describe(string urdf, string robot)
         {
             try

@@ -109,7 +109,7 @@ namespace Nowpose.Network
         public MessageLimitException(string message, DropReason reason, System.Exception innerException = null)
             : base(message, innerException) => Reason = reason;
 
-        /// <summary>Drop reason to count.</summary>
+        /// <summary>Drop reason under which the message is counted.</summary>
         public DropReason Reason { get; }
     }
 }

@@ -8,7 +8,7 @@ namespace Nowpose.Pairing
         public static string Write(ReadOnlySpan<byte> bytes) =>
             Convert.ToBase64String(bytes).TrimEnd('=').Replace('+', '-').Replace('/', '_');
 
-        /// <returns>False unless the text is the result of <see cref="Write"/> for that number of bytes.</returns>
+        /// <returns>True only if the text is the result of <see cref="Write"/> for that number of bytes.</returns>
         public static bool TryRead(string text, int length, out byte[] bytes)
         {
             bytes = new byte[length];

@@ -149,6 +149,7 @@ namespace Nowpose.Prediction
         void Use(in JointSample sample, double displayed)
         {
             var isNewest = _buffer.IsNewer(sample);
+            // The square of such a displacement overflows. The sample is ignored; if it is the newest one, a new history starts with it.
             if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
                 if (!isNewest) return;
@@ -192,10 +193,10 @@ namespace Nowpose.Prediction
             _jump = _isSolved && _interpolates ? _forecaster.At(0) : 0;
         }
 
-        // Only blending needs the displayed position.
+        // Returns the displayed position if the blend needs it.
         JointPrediction ShownAt(double displayed) => _blend.IsNeeded(displayed) ? UnwrappedAt(displayed) : default;
 
-        // The remainder of the previous residual is part of the displayed position, and therefore of the new residual.
+        // The displayed position includes the rest of the previous residual, so the new residual includes it too.
         void StartBlend(double displayed, in JointPrediction shown)
         {
             _residual = 0;
@@ -204,45 +205,49 @@ namespace Nowpose.Prediction
             if (_blend.TryStart(displayed, Math.Abs(residual), _motion.MaxSpeed, _motion.MeanInterval)) _residual = residual;
         }
 
+        // The displayed position of an endless joint with all its turns: the section, the plan if there is one, and the rest of the residual.
         JointPrediction UnwrappedAt(double time)
         {
             if (_buffer.History.Count == 0) return default;
             var section = SectionAt(time);
-            var (position, kind) = (section.Position, section.Kind);
-            if (_plan.HasPlan)
-            {
-                var newest = NewestTime;
-                var weight = _plan.WeightAt(time, newest, newest + _limits.HorizonCap, _blend.TimeConstant(_motion.MeanInterval), out var holds);
-                var planned = weight > 0 ? position + weight * (_plan.At(time) - position) : position;
-                if (double.IsFinite(planned)) (position, kind) = (planned, holds ? PredictionKind.Planned : kind);
-            }
-            if (_residual != 0)
-            {
-                var blended = position + _residual * _blend.RemainderAt(time);
-                if (double.IsFinite(blended)) position = blended;
-            }
-            return new JointPrediction(_limits.Clamp(position), kind);
+            var prediction = _plan.HasPlan ? WithPlan(section, time) : section;
+            var position = _residual == 0 ? prediction.Position : prediction.Position + _residual * _blend.RemainderAt(time);
+            return new JointPrediction(_limits.Clamp(double.IsFinite(position) ? position : prediction.Position), prediction.Kind);
         }
 
-        JointPrediction SectionAt(double time)
+        JointPrediction WithPlan(in JointPrediction section, double time)
         {
-            var (newest, held) = (_buffer.History.NewestTime, _buffer.History.NewestPosition);
-            var ahead = time - newest;
-            if (_interpolates && ahead <= 0 && _motion.ConnectedSamples > 1)
-            {
-                var curve = new SampleCurve(_buffer.History, _motion.ConnectedSamples);
-                return new JointPrediction(curve.At(Math.Max(time, curve.Start)), time < curve.Start ? PredictionKind.Held : PredictionKind.Interpolated);
-            }
+            var timeConstant = _blend.TimeConstant(_motion.MeanInterval);
+            var weight = _plan.WeightAt(time, NewestTime, NewestTime + _limits.HorizonCap, timeConstant, out var holds);
+            var position = weight > 0 ? section.Position + weight * (_plan.At(time) - section.Position) : section.Position;
+            return double.IsFinite(position) ? new JointPrediction(position, holds ? PredictionKind.Planned : section.Kind) : section;
+        }
+
+        JointPrediction SectionAt(double time) =>
+            _interpolates && time <= _buffer.History.NewestTime && _motion.ConnectedSamples > 1 ? InterpolatedAt(time) : ForecastAt(time);
+
+        JointPrediction InterpolatedAt(double time)
+        {
+            var curve = new SampleCurve(_buffer.History, _motion.ConnectedSamples);
+            return time < curve.Start ? new JointPrediction(curve.At(curve.Start), PredictionKind.Held)
+                : new JointPrediction(curve.At(time), PredictionKind.Interpolated);
+        }
+
+        // The paper's polynomials are used before their newest sample too.
+        JointPrediction ForecastAt(double time)
+        {
+            var hold = new JointPrediction(_buffer.History.NewestPosition, PredictionKind.Held);
+            if (!_isSolved || double.IsNaN(time)) return hold;
+            var ahead = time - _buffer.History.NewestTime;
             var kind = ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var furthest = Math.Min(_limits.HorizonCap, _forecaster.Span);
             if (ahead > furthest) (ahead, kind) = (furthest, PredictionKind.Held);
-            // Before its oldest sample a section extrapolates as badly as after its newest one.
+            // Before its oldest sample, a section is as inaccurate as far ahead of its newest one.
             else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Oldest) (ahead, kind) = (Oldest, PredictionKind.Held);
-            if (!_isSolved || double.IsNaN(time)) return new JointPrediction(held, PredictionKind.Held);
-            var position = held + _forecaster.At(ahead);
+            var position = hold.Position + _forecaster.At(ahead);
             if (_jump != 0) position -= _jump * Math.Exp(-ahead / JumpTimeConstant);
-            // Overflow must not reach a transform.
-            return double.IsFinite(position) ? new JointPrediction(position, kind) : new JointPrediction(held, PredictionKind.Held);
+            // An overflow must not reach a transform.
+            return double.IsFinite(position) ? new JointPrediction(position, kind) : hold;
         }
 
         // Time of the oldest sample of the section relative to the newest, s; not positive.

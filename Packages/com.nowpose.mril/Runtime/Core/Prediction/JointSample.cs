@@ -6,10 +6,10 @@ namespace Nowpose.Prediction
     /// <summary>One joint's position with the control system's stamp.</summary>
     public readonly struct JointSample
     {
-        /// <summary>Time difference below which stamps count as equal, in s: a speed between them would be meaningless.</summary>
+        /// <summary>Minimum difference of two stamps, in s: closer stamps count as equal, because a speed between them has no meaning.</summary>
         internal const double SameSeconds = 1e-6;
 
-        /// <summary>Maximum displacement or velocity. The square of a larger value overflows and would remain in every running mean.</summary>
+        /// <summary>Maximum displacement and velocity: the squares of larger ones can overflow, and an overflow remains in every running mean.</summary>
         internal const double MaxMagnitude = 1e50;
 
         /// <param name="time">t_k in seconds of control time since a nearby epoch.</param>

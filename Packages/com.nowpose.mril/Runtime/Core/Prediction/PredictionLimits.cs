@@ -4,7 +4,7 @@ using Nowpose.Messages;
 namespace Nowpose.Prediction
 {
     /// <summary>Bounds of a joint's prediction: maximum horizon, maximum gap between samples, and the joint's own limits.</summary>
-    /// <remarks>Immutable; several joints may share it.</remarks>
+    /// <remarks>Immutable; one instance may be used for several joints.</remarks>
     public sealed class PredictionLimits
     {
         /// <param name="lower">Minimum position, rad or m.</param>

@@ -63,8 +63,7 @@ namespace Nowpose.Prediction
         internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, double blend = 0, params Forecaster[] more)
         {
             bool Has(PredictionParts part) => (parts & part) != 0;
-            var linePrior = Has(PredictionParts.Process) ? LinePrior : 1;
-            var forecasters = new List<MixedForecaster> { new MixedForecaster(new PolynomialForecaster(1, 1), linePrior) };
+            var forecasters = new List<MixedForecaster> { new MixedForecaster(new PolynomialForecaster(1, 1)) };
             if (Has(PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new PolynomialForecaster(2, 4)));
             if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new PolynomialForecaster(3, 3)));
             if (Has(PredictionParts.Process))

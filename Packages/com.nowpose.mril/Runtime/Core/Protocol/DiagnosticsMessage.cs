@@ -5,7 +5,7 @@ namespace Nowpose.Protocol
     /// <summary>diagnostic_msgs/DiagnosticArray with one status, which describes a headset, an adapter, or the joints.</summary>
     sealed class DiagnosticsMessage
     {
-        /// <param name="level">0 ok, 1 warning, 2 error, 3 stale.</param>
+        /// <param name="level">Level of the status: 0 ok, 1 warning, 2 error, 3 stale.</param>
         public DiagnosticsMessage(
             ControlTime stamp, string hardwareId, IReadOnlyList<KeyValuePair<string, string>> values, int level = 0, string name = "nowpose",
             string message = "")
@@ -21,7 +21,7 @@ namespace Nowpose.Protocol
         /// <summary>Time of writing; the epoch (zero) while the headset is unsynchronised. Never used as t_k.</summary>
         public ControlTime Stamp { get; }
 
-        /// <summary>0 ok, 1 warning, 2 error, 3 stale, as in DiagnosticStatus.</summary>
+        /// <summary>Level of the status, as in DiagnosticStatus: 0 ok, 1 warning, 2 error, 3 stale.</summary>
         public int Level { get; }
 
         /// <summary>Name of the status. May be empty.</summary>

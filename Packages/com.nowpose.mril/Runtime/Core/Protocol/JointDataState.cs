@@ -5,7 +5,7 @@ namespace Nowpose.Protocol
     /// <summary>State of one joint's data.</summary>
     public enum JointDataState
     {
-        /// <summary>Samples arrive.</summary>
+        /// <summary>Samples of the joint arrive.</summary>
         Live,
 
         /// <summary>No samples arrive, but the control system still reports the same value: the joint is assumed to be at rest.</summary>

@@ -51,15 +51,15 @@ namespace Nowpose.Protocol
         /// <summary>Joint names; the same array as in the previous message if its source repeats them.</summary>
         public string[] Names { get; private set; }
 
-        /// <summary>rad or m, one for each name.</summary>
+        /// <summary>Positions in rad or m, one for each name.</summary>
         public double[] Positions { get; }
 
-        /// <summary>rad/s or m/s, one for each name, NaN if unknown; null if all are unknown.</summary>
+        /// <summary>Velocities in rad/s or m/s, one for each name, NaN if unknown; null if all are unknown.</summary>
         public double[] Velocities { get; private set; }
 
         /// <summary>
-        /// rad/s² or m/s², one for each name, NaN if unknown; null if all are unknown. The field extends sensor_msgs/JointState, for control
-        /// systems that publish their set-points.
+        /// Accelerations in rad/s² or m/s², one for each name, NaN if unknown; null if all are unknown. The field extends
+        /// sensor_msgs/JointState, for control systems that publish their set-points.
         /// </summary>
         public double[] Accelerations { get; private set; }
 

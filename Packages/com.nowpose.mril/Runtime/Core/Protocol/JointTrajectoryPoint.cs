@@ -16,13 +16,13 @@ namespace Nowpose.Protocol
         /// <summary>Time after the trajectory's stamp.</summary>
         public TimeSpan TimeFromStart { get; }
 
-        /// <summary>rad or m, one for each joint of the trajectory.</summary>
+        /// <summary>Positions in rad or m, one for each joint of the trajectory.</summary>
         public double[] Positions { get; }
 
-        /// <summary>rad/s or m/s, NaN if unknown; null if all are unknown.</summary>
+        /// <summary>Velocities in rad/s or m/s, NaN if unknown; null if all are unknown.</summary>
         public double[] Velocities { get; }
 
-        /// <summary>rad/s² or m/s², NaN if unknown; null if all are unknown.</summary>
+        /// <summary>Accelerations in rad/s² or m/s², NaN if unknown; null if all are unknown.</summary>
         public double[] Accelerations { get; }
     }
 }

@@ -6,10 +6,10 @@ namespace Nowpose.Protocol
     /// <summary>Kind of a sync frame; the values are the bytes on the wire.</summary>
     enum SyncFrameKind : byte
     {
-        /// <summary>t1 from the headset.</summary>
+        /// <summary>A request from the headset, with t1.</summary>
         Request = 1,
 
-        /// <summary>t1 echoed, with t2 and t3.</summary>
+        /// <summary>A reply from the server, with the echoed t1, t2 and t3.</summary>
         Reply = 2,
 
         /// <summary>Announces a token, which follows the frame (<see cref="SyncToken"/>).</summary>
@@ -29,7 +29,7 @@ namespace Nowpose.Protocol
         /// <summary>Size of a frame in bytes.</summary>
         public const int Size = 48;
 
-        /// <summary>The bytes "SYNC".</summary>
+        /// <summary>Magic number at the start of each frame: the bytes "SYNC".</summary>
         public const uint Magic = 0x434E5953;
 
         public const byte Version = 1;
@@ -60,13 +60,13 @@ namespace Nowpose.Protocol
         /// <summary>The server's error bound of its own C1, in µs; <see cref="uint.MaxValue"/> for larger values.</summary>
         public uint ErrorBoundUs { get; }
 
-        /// <summary>C2 when the request was sent, in ns.</summary>
+        /// <summary>t1: time on C2 at which the request was sent, in ns.</summary>
         public long T1Ns { get; }
 
-        /// <summary>C1 when the request arrived, in ns.</summary>
+        /// <summary>t2: time on C1 at which the request arrived, in ns.</summary>
         public long T2Ns { get; }
 
-        /// <summary>C1 just before the reply was sent, in ns.</summary>
+        /// <summary>t3: time on C1 just before the reply was sent, in ns.</summary>
         public long T3Ns { get; }
 
         /// <summary>Resolution of C1, in ns; 0 if unknown. A <see cref="Sync.SyncExchange"/> adds half of it to t2 and to t3.</summary>

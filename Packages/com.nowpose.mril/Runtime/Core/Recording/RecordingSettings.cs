@@ -55,7 +55,7 @@ namespace Nowpose.Recording
         /// <summary>The recording ended by disposal; the file is complete.</summary>
         Closed,
 
-        /// <summary>The recording ended at the maximum size; the file is complete up to there.</summary>
+        /// <summary>The recording ended at the maximum size; the file contains all earlier records.</summary>
         Full,
 
         /// <summary>

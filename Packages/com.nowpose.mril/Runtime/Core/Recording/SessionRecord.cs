@@ -26,7 +26,7 @@ namespace Nowpose.Recording
         /// </summary>
         public HeadsetTime At { get; set; }
 
-        /// <summary>The exchange; used by sync records.</summary>
+        /// <summary>The sync exchange; used by sync records.</summary>
         public SyncExchange Exchange { get; set; }
 
         /// <inheritdoc cref="Exchange"/>

@@ -38,7 +38,7 @@ namespace Nowpose.Session
             foreach (var joint in ToolJoints.Of(robot)) _isToolJoint[joint] = true;
         }
 
-        /// <summary>Stores the newest report, which replaces the previous one. Thread-safe.</summary>
+        /// <summary>Stores the newest report, which replaces the previous report. Thread-safe.</summary>
         public void Take(JointStatusMessage message, HeadsetTime arrival)
         {
             var reports = new Reports(arrival, _robot.MovingJoints.Count);

@@ -18,7 +18,7 @@ namespace Nowpose.Session
             _paths = paths;
         }
 
-        /// <summary>The source message.</summary>
+        /// <summary>The message that contains the set-points.</summary>
         public PlanArrival Arrival { get; }
 
         public ControlTime Stamp => Arrival.Message.Stamp;

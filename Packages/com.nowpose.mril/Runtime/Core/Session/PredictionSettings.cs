@@ -58,7 +58,7 @@ namespace Nowpose.Session
         public TimeSpan HorizonCap { get; }
         public TimeSpan MaximumGap { get; }
 
-        /// <summary>Time constant with which a new section replaces the previous one; 0 for an immediate change.</summary>
+        /// <summary>Time constant with which a new section replaces the previous section; 0 for an immediate change.</summary>
         public TimeSpan Blend { get; }
 
         /// <summary>Whether the set-points of /joint_trajectory are used.</summary>

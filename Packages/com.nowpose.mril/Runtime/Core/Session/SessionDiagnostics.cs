@@ -45,7 +45,7 @@ namespace Nowpose.Session
             AddMs("display_time_difference_ms", statistics.DisplayTimeDifference);
             if (statistics.Reprojection != ReprojectionMode.Unknown) Add("reprojection", ReprojectionModeNames.NameOf(statistics.Reprojection));
             if (statistics.DepthSubmission != DepthSubmission.Unknown)
-                Add("depth_submission", DepthSubmissionMessages.NameOf(statistics.DepthSubmission));
+                Add("depth_submission", DepthSubmissionNames.NameOf(statistics.DepthSubmission));
             if (statistics.ProfileMismatches.Count > 0)
                 Add("profile_mismatch", string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
             AddMs("horizon_ms", statistics.Horizon);

@@ -58,7 +58,7 @@ namespace Nowpose.Session
         /// <summary>The displayed frame, which the next tick overwrites.</summary>
         public DisplayFrame Frame => _computer.Frame;
 
-        /// <summary>Displayed pose of the root link in the cell; the identity unless a frame of the cell has the root link's name.</summary>
+        /// <summary>Displayed pose of the root link in the cell; the identity if no frame of the cell has the root link's name.</summary>
         public RigidTransform RootPose { get; set; } = RigidTransform.Identity;
 
         public bool IsCurrent => Frame.State == PoseState.Current;

@@ -22,7 +22,7 @@ namespace Nowpose.Session
         readonly SessionFrames _frames;
         readonly Subscriptions _subscriptions;
         readonly object _gate;
-        // Replaced as a whole when a robot is added, because network threads read the array.
+        // The array is replaced when a robot is added, and never modified, because network threads read it.
         volatile SessionRobot[] _all = Array.Empty<SessionRobot>();
 
         /// <param name="latency">Statistics of L_app, updated with each sample.</param>

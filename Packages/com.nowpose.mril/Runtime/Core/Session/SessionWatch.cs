@@ -24,7 +24,7 @@ namespace Nowpose.Session
                 frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeInconsistent, frame.IsDisplayTimeImplausible);
 
         /// <summary>Returns the changes of a frame, from the frame's properties.</summary>
-        /// <param name="at">Start of the frame, not earlier than that of the previous frame.</param>
+        /// <param name="at">Start of the frame, not earlier than the start of the previous frame.</param>
         /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
         /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which does not flicker.</param>
         /// <param name="isDisplayTimeImplausible">Value of <see cref="DisplayFrame.IsDisplayTimeImplausible"/>, which does not flicker.</param>

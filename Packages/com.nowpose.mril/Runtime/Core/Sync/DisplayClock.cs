@@ -30,7 +30,9 @@ namespace Nowpose.Sync
         HeadsetTime _at;
         bool _isCatchingUp;
 
-        /// <summary>Whether the newest frame is on another time line than the previous one: the clock stepped, or became known or unknown.</summary>
+        /// <summary>
+        /// Whether the newest frame is on another time line than the previous frame: the clock stepped, or became known or unknown.
+        /// </summary>
         internal bool IsRestarted { get; private set; }
 
         /// <summary>Returns the clock model for a frame.</summary>

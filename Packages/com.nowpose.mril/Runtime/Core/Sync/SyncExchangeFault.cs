@@ -11,10 +11,10 @@ namespace Nowpose.Sync
         /// <summary>The echoed t1 differs from the t1 of the request.</summary>
         WrongEcho,
 
-        /// <summary>t3 is before t2: the server sent before it received.</summary>
+        /// <summary>t3 is before t2: the server sent the reply before it received the request.</summary>
         ControlTimeReversed,
 
-        /// <summary>t4 is before t1: the headset received before it sent.</summary>
+        /// <summary>t4 is before t1: the headset received the reply before it sent the request.</summary>
         HeadsetTimeReversed,
 
         /// <summary>The server's processing time exceeds the duration of the exchange by more than the resolution of its clock.</summary>

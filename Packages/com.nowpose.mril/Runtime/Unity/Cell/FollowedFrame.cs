@@ -1,8 +1,6 @@
 using Nowpose.Frames;
-using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
-using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
 

@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Cell
     /// <summary>A component that shows an object at a frame of the cell. The appearance of the object shows the state of the frame.</summary>
     interface ICellObject
     {
-        /// <summary>State of the object's pose: current if the object is shown where it is at the display time, otherwise the reason.</summary>
+        /// <summary>State of the object's pose. If the object is not shown where it is at the display time, the state gives the reason.</summary>
         PoseState State { get; }
 
         /// <summary>Whether the object is still at its pose from the scene, because neither a hand nor a source has placed it.</summary>

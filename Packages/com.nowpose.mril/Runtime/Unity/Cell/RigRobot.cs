@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Nowpose.Unity.Cell
 {
     /// <summary>
-    /// The robot of a session that a rig shows: the session's own robot, or a robot in a namespace. The rig adds the latter to each session.
+    /// The robot of a session that a rig shows: the session's own robot, or a robot in a namespace, which this class adds to each session.
     /// </summary>
     sealed class RigRobot
     {

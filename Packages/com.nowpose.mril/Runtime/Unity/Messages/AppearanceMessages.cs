@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Parts whose material cannot show the state of the pose, with remedies.</summary>
+    /// <summary>Messages about parts whose material cannot mark a pose as not current, with a remedy.</summary>
     static class AppearanceMessages
     {
         public const string AssignMaterial = "assign a material to the part";

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors and states of the base.</summary>
+    /// <summary>Error messages about the robot's base, and names of its states.</summary>
     static class BaseMessages
     {
         public static string PositionNotFinite(Vector3 position) => $"position {position} is not finite; pass three finite lengths in m";

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors in the settings of components, for Unity's console, with remedies.</summary>
+    /// <summary>Error messages in Unity's console about the settings of components, with a remedy.</summary>
     static class ComponentMessages
     {
         public static string NoAction(string component, string kind) => $"cell actions '{component}' have no {kind}; assign one";

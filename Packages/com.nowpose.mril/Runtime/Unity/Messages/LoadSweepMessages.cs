@@ -4,7 +4,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors and results of a load sweep.</summary>
+    /// <summary>Error messages, status texts and results of a load sweep.</summary>
     static class LoadSweepMessages
     {
         public static string StoppedWithLog(string path) => $"load sweep stopped; its log is {path}";
@@ -23,7 +23,8 @@ namespace Nowpose.Unity.Messages
             $"load {run.Index + 1} of {plan.Loads.Count}: {run.Vertices} vertices";
 
         public static string Begun(SweepPlan plan, string path) => FormattableString.Invariant(
-            $"load sweep of {plan.Loads.Count} loads up to {plan.MaxLoad} vertices, {plan.Duration.TotalSeconds:0} s plus the time to build the loads; log: {path}");
+            $"load sweep started: {plan.Loads.Count} loads up to {plan.MaxLoad} vertices; it takes {plan.Duration.TotalSeconds:0} s plus the time to build ")
+            + $"the loads; its log is {path}";
 
         public static string Changed(ConditionMismatch change) =>
             $"load sweep stopped: {change.Label} changed from '{change.Calibrated}' to '{change.Actual}' during the sweep; do not change it and sweep again";

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors of latency profiles on the device.</summary>
+    /// <summary>Error messages about latency profiles on the device.</summary>
     static class LoaderMessages
     {
         public static string InArchive(string path) =>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors and results of the calibration by eye.</summary>
+    /// <summary>Error messages and results of the calibration by eye.</summary>
     static class NudgeReports
     {
         public const string NotSteady = "nudge: the tool does not move steadily; mark while it moves at constant speed";
@@ -11,7 +11,7 @@ namespace Nowpose.Unity.Messages
             FormattableString.Invariant($"nudge: L_visu {visuMs:0.0} ms ± {spreadMs:0.0} ms from {marks} marks; the base is misplaced by ")
             + FormattableString.Invariant($"{offsetMm:0.0} mm along {axis}");
 
-        public const string NoSession = "nudge: there is no session; assign one";
+        public const string NoSession = "nudge: no session is assigned; assign one";
         public const string Predicted = "nudge: the runtime predicts display times, so L_visu needs no correction";
     }
 }

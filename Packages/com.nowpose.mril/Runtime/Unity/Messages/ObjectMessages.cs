@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors and states of the cell's objects.</summary>
+    /// <summary>Error messages about objects of the cell, and names of their states.</summary>
     static class ObjectMessages
     {
         public const string ParentUnknown = "its parent is unknown";
@@ -8,14 +8,14 @@ namespace Nowpose.Unity.Messages
         public const string PosesStopped = "its poses have stopped";
         public const string RobotUnknown = "its robot is unknown";
 
-        public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct the name of the link";
+        public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct Link";
 
         public static string NotPlaceable(string component) =>
             $"stationary object '{component}': its source or a gripper moves it, so it cannot be placed by hand";
 
         public const string NotPlaced = "not placed; place it by hand, or publish its frame on /tf_static";
 
-        /// <param name="copy">Path of the kept copy of the file; null for none.</param>
+        /// <param name="copy">Path of the saved copy of the invalid file; null if it could not be saved.</param>
         public static string PlacesLost(string reason, string copy) => copy == null
             ? $"{reason}; place the objects again"
             : $"{reason}; kept as {copy}; place the objects again";

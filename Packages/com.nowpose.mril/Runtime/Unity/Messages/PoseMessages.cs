@@ -2,7 +2,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>States of a pose, and reasons why a pose is not current.</summary>
+    /// <summary>Names of the states of a pose, and reasons why a pose is not current.</summary>
     static class PoseMessages
     {
         public const string GripperUnattached = "the gripper is disabled or is not attached to a link of a moving rig";
@@ -10,7 +10,7 @@ namespace Nowpose.Unity.Messages
         public const string SessionPaused = "the session is disabled or paused";
         public const string NotPlaced = "neither a hand nor a source has placed it";
 
-        /// <summary>Returns the state of a pose in a few words, the same beside the robot and on the status panel.</summary>
+        /// <summary>Returns the name of a state. The text beside the robot and the status panel use the same name.</summary>
         public static string Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
             if (pose == PoseState.OutsideRange && outsideRange == OutsideRangeResponse.Hold) return "held: outside range";

@@ -1,10 +1,10 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Errors of rigs and of the objects below them.</summary>
+    /// <summary>Error messages about rigs and the objects below them.</summary>
     static class RigMessages
     {
         public static string NoDescription(string robot, string rig) =>
-            $"robot namespace '{robot}': its rig '{rig}' has no robot description; assign a Robot Description to the rig";
+            $"robot namespace '{robot}': it has no robot description; assign a Robot Description to the rig '{rig}'";
 
         public static string NoRootLink(string robot, string rig, string root, string drawn) =>
             $"robot '{robot}': no object below '{rig}' has the name of its root link '{root}', but '{drawn}' is drawn there; name an object "
@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Messages
         public static string ValueCount(string rig, int values, int joints) =>
             $"rig '{rig}': {values} values for {joints} moving joints; pass one value for each moving joint";
 
-        /// <param name="hasShader">Whether the build contains the shader that replaces the material.</param>
+        /// <param name="hasShader">Whether the build contains the shader that is used in place of the missing material.</param>
         public static string NoMaterial(string rig, bool hasShader) => hasShader
             ? $"rig '{rig}' has no material for the robot that it built, so the robot is drawn by the shader Nowpose/Hologram; "
                 + "assign Arm Material and Tool Material"

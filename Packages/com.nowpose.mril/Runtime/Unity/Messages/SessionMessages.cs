@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Changes of a session for Unity's console.</summary>
+    /// <summary>Messages in Unity's console about changes of a session.</summary>
     static class SessionMessages
     {
         public static string DescriptionUnusable(string reason) => $"the gateway's robot description cannot be used: {reason}";
@@ -20,7 +20,7 @@ namespace Nowpose.Unity.Messages
 
         public const string PlausibleAgain = "display times of the runtime are plausible again, and used";
 
-        /// <param name="joints">The joints without data; empty if they are unknown.</param>
+        /// <param name="joints">Description of the joints without data; empty if these joints are unknown.</param>
         public static string Stale(string joints) =>
             joints.Length == 0 ? "joint positions are stale; the pose is held" : $"joint positions are stale; the pose is held: {joints}";
     }

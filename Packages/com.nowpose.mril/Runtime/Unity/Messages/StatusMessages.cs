@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Reasons and values on the status panel.</summary>
+    /// <summary>Values and reasons that the status panel shows.</summary>
     static class StatusMessages
     {
         public const string LatenciesDiffer = "runtime and calibration differ";

@@ -52,12 +52,12 @@ namespace Nowpose.Unity.Rendering
         public bool IsSameAs(PoseCarrier other) => ReferenceEquals(_rig, other._rig) && ReferenceEquals(_gripper, other._gripper);
 
         /// <summary>Returns whether the component has started or stopped following the session since the last call.</summary>
-        public bool HasTurned()
+        public bool HasChanged()
         {
             var isFollowing = IsFollowing;
-            var hasTurned = isFollowing != _wasFollowing;
+            var hasChanged = isFollowing != _wasFollowing;
             _wasFollowing = isFollowing;
-            return hasTurned;
+            return hasChanged;
         }
 
         static PoseCarrier Above(Transform part)

@@ -6,7 +6,7 @@ namespace Nowpose.Unity.Rendering
     readonly struct PoseMaterial
     {
         public static readonly PoseMaterial Patterned = new PoseMaterial(PoseMeans.Pattern, 0);
-        public static readonly PoseMaterial Helpless = new PoseMaterial(PoseMeans.None, 0);
+        public static readonly PoseMaterial Unsuitable = new PoseMaterial(PoseMeans.None, 0);
         public static readonly PoseMaterial NotNeeded = new PoseMaterial(PoseMeans.NotNeeded, 0);
 
         public static readonly int FadeId = Shader.PropertyToID("_Fade");
@@ -43,14 +43,14 @@ namespace Nowpose.Unity.Rendering
         /// <param name="material">The material; null if it is missing, in which case Unity draws the part in magenta.</param>
         public static PoseMaterial Of(Material material)
         {
-            if (material == null) return Helpless;
+            if (material == null) return Unsuitable;
             if (material.HasProperty(FadeId) && material.HasProperty(HatchId)) return Patterned;
             var tag = material.GetTag(Tag, false, "");
             if (tag == Ignored) return NotNeeded;
             // URP's shaders have both colour properties, and use only the base colour.
             var colour = material.HasProperty(BaseColourId) ? BaseColourId : ColourId;
             var isBlended = (tag == Alpha || IsBlendedByAlpha(material)) && material.HasProperty(colour);
-            return isBlended ? new PoseMaterial(PoseMeans.Alpha, colour) : Helpless;
+            return isBlended ? new PoseMaterial(PoseMeans.Alpha, colour) : Unsuitable;
         }
 
         // The render queue alone is not sufficient: materials with premultiplied alpha and opaque materials in a late queue ignore the alpha.

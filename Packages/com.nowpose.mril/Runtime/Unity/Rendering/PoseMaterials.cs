@@ -31,7 +31,7 @@ namespace Nowpose.Unity.Rendering
         /// <param name="material">The material; null if it is missing.</param>
         public PoseMaterial Of(Material material)
         {
-            if (material == null) return PoseMaterial.Helpless;
+            if (material == null) return PoseMaterial.Unsuitable;
             if (!_known.TryGetValue(material, out var known)) _known.Add(material, known = PoseMaterial.Of(material));
             return known;
         }
@@ -45,7 +45,7 @@ namespace Nowpose.Unity.Rendering
             foreach (var material in materials)
             {
                 var means = Of(material).Means;
-                if (NeedsSubstitute(means)) return PoseMaterial.Helpless;
+                if (NeedsSubstitute(means)) return PoseMaterial.Unsuitable;
                 if (means == PoseMeans.Pattern) all = PoseMaterial.Patterned;
             }
             return all;

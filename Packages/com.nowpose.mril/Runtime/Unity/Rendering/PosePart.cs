@@ -36,10 +36,10 @@ namespace Nowpose.Unity.Rendering
         public PoseCarrier Carrier { get; private set; }
 
         /// <summary>Whether one of the part's materials cannot mark a pose as not current.</summary>
-        public bool IsHelpless => _material.Means == PoseMeans.None;
+        public bool HasUnsuitableMaterial => _material.Means == PoseMeans.None;
 
         /// <summary>The first material of a part that cannot mark a pose as not current; null if that material is missing.</summary>
-        public Material Helpless
+        public Material UnsuitableMaterial
         {
             get
             {
@@ -70,7 +70,7 @@ namespace Nowpose.Unity.Rendering
         public void Abandon(float opacity) => Show(PoseLook.Abandoned, opacity);
 
         /// <summary>Restores the original look of the renderer.</summary>
-        public void GiveBack()
+        public void Restore()
         {
             if (_isTaken && _renderer != null)
             {

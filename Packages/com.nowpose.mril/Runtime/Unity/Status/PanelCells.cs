@@ -17,7 +17,7 @@ namespace Nowpose.Unity.Status
 
         const string Name = "Cells";
 
-        /// <summary>Distance between two rows, and between two lines of the message. The latter is the line spacing of the font.</summary>
+        /// <summary>Distance between two rows, and distance between two lines of the message, which is the line spacing of the font.</summary>
         const float RowHeight = 1.25f, LineHeight = 1.15f;
 
         const float GapBelowMessage = 0.4f;
@@ -30,21 +30,21 @@ namespace Nowpose.Unity.Status
 
         readonly Transform _sheet;
         readonly TextMesh _model;
-        readonly MeshRenderer _ground;
+        readonly MeshRenderer _background;
         readonly PanelCell[] _labels = new PanelCell[StatusTexts.Rows];
         readonly PanelCell[] _values = new PanelCell[StatusTexts.Rows];
         readonly PanelCell[] _notes = new PanelCell[StatusTexts.Rows];
 
         /// <param name="panel">Parent of the texts.</param>
         /// <param name="model">Text object to copy for each text.</param>
-        /// <param name="ground">Material of the background; null for a panel without background.</param>
-        public PanelCells(Transform panel, TextMesh model, Material ground)
+        /// <param name="background">Material of the background; null for a panel without background.</param>
+        public PanelCells(Transform panel, TextMesh model, Material background)
         {
             _model = model;
             model.gameObject.SetActive(false);
             _sheet = new GameObject(Name) { layer = panel.gameObject.layer }.transform;
             _sheet.SetParent(panel, worldPositionStays: false);
-            if (ground != null) _ground = Lay(ground);
+            if (background != null) _background = CreateBackground(background);
             for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
             {
                 _labels[(int)row] = Copy(row, 0);
@@ -76,14 +76,14 @@ namespace Nowpose.Unity.Status
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++)
                 Show(row, texts.IsShown(row) ? StatusTexts.LabelOf(row) : "", texts.ValueOf(row), texts.NoteOf(row));
             Arrange(texts);
-            if (_ground != null) _ground.enabled = true;
+            if (_background != null) _background.enabled = true;
         }
 
         /// <summary>Hides the texts and the background until the next <see cref="Show(StatusTexts)"/>.</summary>
         public void Hide()
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++) Show(row, "", "", "");
-            if (_ground != null) _ground.enabled = false;
+            if (_background != null) _background.enabled = false;
         }
 
         public void Destroy()
@@ -119,23 +119,23 @@ namespace Nowpose.Unity.Status
                 top += GapBelowMessage + texts.MessageLines * LineHeight;
                 _values[(int)StatusRow.Message].MoveTo(top);
             }
-            if (_ground != null) Cover(top + Margin);
+            if (_background != null) Cover(top + Margin);
         }
 
         void Cover(float upperEdge)
         {
-            var ground = _ground.transform;
-            ground.localPosition = new Vector3(0, (LowerEdge + upperEdge) / 2, Behind);
-            ground.localScale = new Vector3(Columns[Columns.Length - 1] + 2 * Margin, upperEdge - LowerEdge, 1);
+            var background = _background.transform;
+            background.localPosition = new Vector3(0, (LowerEdge + upperEdge) / 2, Behind);
+            background.localScale = new Vector3(Columns[Columns.Length - 1] + 2 * Margin, upperEdge - LowerEdge, 1);
         }
 
-        MeshRenderer Lay(Material material)
+        MeshRenderer CreateBackground(Material material)
         {
-            var ground = new GameObject("Ground") { layer = _sheet.gameObject.layer };
-            ground.AddComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>("Quad.fbx");
-            var renderer = ground.AddComponent<MeshRenderer>();
+            var background = new GameObject("Ground") { layer = _sheet.gameObject.layer };
+            background.AddComponent<MeshFilter>().sharedMesh = Resources.GetBuiltinResource<Mesh>("Quad.fbx");
+            var renderer = background.AddComponent<MeshRenderer>();
             renderer.sharedMaterial = material;
-            ground.transform.SetParent(_sheet, worldPositionStays: false);
+            background.transform.SetParent(_sheet, worldPositionStays: false);
             return renderer;
         }
 

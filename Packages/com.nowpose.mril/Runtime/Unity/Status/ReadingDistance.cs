@@ -8,9 +8,9 @@ namespace Nowpose.Unity.Status
     /// </summary>
     struct ReadingDistance
     {
-        const float Nearest = 0.3f;
-        const float Reserve = 1.1f;
-        const float TooFar = 1.5f;
+        const float MinMetres = 0.3f;
+        const float Margin = 1.1f;
+        const float MaxRatio = 1.5f;
 
         /// <summary>Distance in metres; 0 before the first <see cref="Update"/>.</summary>
         public float Metres { get; private set; }
@@ -20,9 +20,9 @@ namespace Nowpose.Unity.Status
         /// <returns>True if <see cref="Metres"/> has changed.</returns>
         public bool Update(float distance)
         {
-            distance = Mathf.Max(distance, Nearest);
-            if (distance <= Metres && Metres <= distance * TooFar) return false;
-            Metres = distance * Reserve;
+            distance = Mathf.Max(distance, MinMetres);
+            if (distance <= Metres && Metres <= distance * MaxRatio) return false;
+            Metres = distance * Margin;
             return true;
         }
 

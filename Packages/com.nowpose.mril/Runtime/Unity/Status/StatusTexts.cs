@@ -4,11 +4,8 @@ using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Session.Hindcast;
-using Nowpose.Sync;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
-using Nowpose.Unity.Rendering;
-using Nowpose.Unity.Session;
 
 namespace Nowpose.Unity.Status
 {

@@ -11,7 +11,7 @@ namespace Nowpose.Anchoring.Fitting
         /// </summary>
         const double PlacedMetres = 0.00025;
 
-        /// <summary>Assumed standard error of a placed marker's angle about an axis, rad, unless other markers provide an estimate.</summary>
+        /// <summary>Standard error of a placed marker's angle about an axis, rad; assumed if other markers provide no estimate.</summary>
         public const double PlacedRadians = 0.5 * System.Math.PI / 180;
 
         /// <param name="inBase">Measured pose in the base frame.</param>

@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring.Tracking
     /// <summary>Smooths the jumps of a pose: the difference between the smoothed pose and the pose decreases exponentially.</summary>
     sealed class EasedPose
     {
-        /// <summary>Number of time constants in the configured duration, after which 2 % of the difference remain.</summary>
+        /// <summary>Number of time constants in the configured duration, after which 2 % of the difference remains.</summary>
         const double TimeConstants = 4;
 
         /// <summary>Differences below these values are not visible.</summary>

@@ -26,7 +26,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Name under which the position is stored; null when it is not stored.</summary>
         public string KeptAs => _anchor?.KeptAs;
 
-        /// <summary>Reason why the position is not held or not stored; null unless there is a problem.</summary>
+        /// <summary>Reason why the position is not held or not stored; null if there is no problem.</summary>
         public string Problem => _anchor?.Problem;
 
         /// <summary>Searches once for the position stored in an earlier run.</summary>
@@ -37,7 +37,7 @@ namespace Nowpose.Anchoring.Tracking
             _anchor = anchors.Find(name);
         }
 
-        /// <summary>Holds another position and stores it instead of the previous one.</summary>
+        /// <summary>Holds another position and stores it instead of the previous position.</summary>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         /// <param name="name">Name under which the position is stored; empty if it must not be stored.</param>
         public void Hold(ISpatialAnchors anchors, in RigidTransform pose, string name)

@@ -29,7 +29,7 @@ namespace Nowpose.Latency.Conditions
         /// <param name="graphicsJobs">Value of <c>SystemInfo.renderingThreadingMode</c>: MultiThreaded without Graphics Jobs.</param>
         /// <param name="renderPipeline">Type name of the render pipeline's asset, or "built-in".</param>
         /// <param name="rewritesBeforeRender">Whether the pose is computed a second time right before rendering.</param>
-        /// <param name="latencyOptimization">OpenXR's setting: PrioritizeRendering or PrioritizeInputPolling.</param>
+        /// <param name="latencyOptimization">OpenXR's Latency Optimization setting: PrioritizeRendering or PrioritizeInputPolling.</param>
         /// <param name="reprojection">Correction for head motion; <see cref="ReprojectionMode.Unknown"/> when not known.</param>
         /// <exception cref="InputException">A text is too long or has several lines, or the rate is out of range.</exception>
         public DisplayConditions(
@@ -69,7 +69,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Whether the pose is computed a second time right before rendering.</summary>
         public bool? RewritesBeforeRender { get; }
 
-        /// <summary>OpenXR's setting.</summary>
+        /// <summary>OpenXR's Latency Optimization setting.</summary>
         public string LatencyOptimization => this[DisplayCondition.LatencyOptimization];
 
         /// <summary>Correction for head motion; <see cref="ReprojectionMode.Unknown"/> when not known.</summary>

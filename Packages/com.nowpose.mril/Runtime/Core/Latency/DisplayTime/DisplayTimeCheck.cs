@@ -35,7 +35,7 @@ namespace Nowpose.Latency.DisplayTime
         public TimeSpan? Difference => _recent.Count < Window ? (TimeSpan?)null : _recent.At(0.5);
 
         /// <summary>Adds one frame for which both display times are known.</summary>
-        /// <param name="frameStart">Start of the frame, not earlier than that of the previous frame.</param>
+        /// <param name="frameStart">Start of the frame, not earlier than the start of the previous frame.</param>
         public void Add(HeadsetTime frameStart, TimeSpan predictedMinusCalibrated)
         {
             if (frameStart - _newest > Gap) _since = null;

@@ -28,7 +28,7 @@ namespace Nowpose.Latency.DisplayTime
         public TimeSpan? Ahead { get; private set; }
 
         /// <summary>Adds the display time of one frame. Do not call it for a frame without a display time.</summary>
-        /// <param name="frameStart">Start of the frame, not earlier than that of the previous frame.</param>
+        /// <param name="frameStart">Start of the frame, not earlier than the start of the previous frame.</param>
         /// <param name="ahead">Display time minus the frame's start.</param>
         /// <returns>Whether this display time is plausible: 0 to 500 ms after the frame's start.</returns>
         public bool Add(HeadsetTime frameStart, TimeSpan ahead)

@@ -5,16 +5,16 @@ namespace Nowpose.Latency.Profile
     /// <summary>Method that determined L_visu, from the most to the least accurate.</summary>
     enum CalibrationMethod
     {
-        /// <summary>Pictures of the codes of both clocks, Schnierle &amp; Röck 2022, Eq. (7).</summary>
+        /// <summary>Pictures that show the codes of both clocks, Schnierle &amp; Röck 2022, Eq. (7).</summary>
         VisibleLight,
 
         /// <summary>Delay of the ghost behind the robot during a sinusoidal motion, measured with a camera.</summary>
         Sine,
 
-        /// <summary>By eye: the ghost was shifted until it agreed with the robot, forward and backward.</summary>
+        /// <summary>By eye: a user shifted the ghost until it agreed with the robot, during forward and backward motion.</summary>
         Nudge,
 
-        /// <summary>Entered by a user.</summary>
+        /// <summary>L_visu was entered by a user.</summary>
         Manual,
     }
 

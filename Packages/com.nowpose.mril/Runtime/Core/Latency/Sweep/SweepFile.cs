@@ -9,7 +9,7 @@ using Nowpose.Messages;
 namespace Nowpose.Latency.Sweep
 {
     /// <summary>Writes a sweep's log while it runs, load by load on another thread, so that no frame waits for the disk.</summary>
-    /// <remarks>Single-threaded unless a member states otherwise. After a crash, the file has all loads before the current one.</remarks>
+    /// <remarks>Single-threaded unless a member states otherwise. After a crash, the file has all loads before the current load.</remarks>
     sealed class SweepFile
     {
         readonly int _rowsPerLoad;

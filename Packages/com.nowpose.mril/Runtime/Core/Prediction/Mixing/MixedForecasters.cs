@@ -3,11 +3,11 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Mixing
 {
-    /// <summary>A forecaster of the mixture and its prior weight. The weights of all forecasters add up to one.</summary>
+    /// <summary>A forecaster of the mixture and its prior weight.</summary>
     readonly struct MixedForecaster
     {
         /// <param name="prior">Weight, 0 to 1.</param>
-        /// <param name="priorWhenReported">Weight if samples contain their acceleration.</param>
+        /// <param name="priorWhenReported">Weight if samples contain their velocity and acceleration.</param>
         public MixedForecaster(Forecaster forecaster, double prior = 0, double priorWhenReported = 0) =>
             (Forecaster, Prior, PriorWhenReported) = (forecaster, prior, priorWhenReported);
 
@@ -30,14 +30,14 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _priorWhenReported;
         readonly bool _usesChangePoints;
 
-        /// <param name="mixed">Forecasters in addition to hold; the first must be the line.</param>
+        /// <param name="mixed">Forecasters in addition to hold. The first must be the line; its prior weight is what the others leave.</param>
         /// <param name="usesChangePoints">Whether samples before a change point are left out.</param>
         public MixedForecasters(MixedForecaster[] mixed, bool usesChangePoints)
         {
             _mixed = mixed;
             _usesChangePoints = usesChangePoints;
-            Prior = Normalised(one => one.Prior);
-            _priorWhenReported = Normalised(one => one.PriorWhenReported);
+            Prior = Weights(one => one.Prior);
+            _priorWhenReported = Weights(one => one.PriorWhenReported);
         }
 
         /// <summary>Number of forecasts, including hold.</summary>
@@ -79,13 +79,16 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < points; i++) tables[start + i] = i * speed * ForecastTable.Step;
         }
 
-        // The weights add up to one even if a part with a prior weight is left out.
-        double[] Normalised(Func<MixedForecaster, double> weightOf)
+        // The line has the weight that the others leave to a sum of one.
+        double[] Weights(Func<MixedForecaster, double> weightOf)
         {
             var weights = new double[Count];
-            var sum = 0.0;
-            foreach (var one in _mixed) sum += weightOf(one);
-            for (var i = 0; i < _mixed.Length; i++) weights[Line + i] = sum > 0 ? weightOf(_mixed[i]) / sum : i == 0 ? 1 : 0;
+            weights[Line] = 1;
+            for (var i = 1; i < _mixed.Length; i++)
+            {
+                weights[Line + i] = weightOf(_mixed[i]);
+                weights[Line] -= weights[Line + i];
+            }
             return weights;
         }
     }

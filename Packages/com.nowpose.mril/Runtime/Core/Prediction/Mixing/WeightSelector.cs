@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Mixing
         const double OutlierThreshold = 8;
 
         /// <summary>
-        /// Minimum evidence (<see cref="MixtureWeights.Evidence"/>) for the detection of outliers, half a second of samples: without it, the
+        /// Minimum evidence (<see cref="MixtureWeights.Evidence"/>) for the detection of outliers, 0.4 s of samples: without it, the
         /// errors are 3 % larger.
         /// </summary>
         const double MinEvidence = 0.02;

@@ -38,13 +38,13 @@ namespace Nowpose.Protocol.Cell
         /// <summary>Frame whose pose is given.</summary>
         public string Child { get; }
 
-        /// <summary>Translation along the parent's x, metres.</summary>
+        /// <summary>Translation along the parent's x axis, metres.</summary>
         public double X { get; }
 
-        /// <summary>Translation along the parent's y, metres.</summary>
+        /// <summary>Translation along the parent's y axis, metres.</summary>
         public double Y { get; }
 
-        /// <summary>Translation along the parent's z, metres.</summary>
+        /// <summary>Translation along the parent's z axis, metres.</summary>
         public double Z { get; }
 
         /// <summary>Component i of the unit quaternion, right-handed.</summary>

@@ -10,7 +10,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>End of the last complete interval; null before the first sample.</summary>
         public ControlTime? CompleteUntil => _second.IsKnown ? _second.At : _third.IsKnown ? _third.At : (ControlTime?)null;
 
-        /// <summary>Adds a sample. A sample that is not newer than the last one is ignored, because its interval is already complete.</summary>
+        /// <summary>Adds a sample. A sample that is not newer than the last sample is ignored, because its interval is already complete.</summary>
         /// <param name="maximumGap">Maximum interval between samples. The motion within a longer interval is unknown.</param>
         /// <param name="span">The completed span.</param>
         /// <param name="isKnown">False if the span is too long, so that only its ends are known.</param>

@@ -44,7 +44,7 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>
         /// Time constant with which the steady skew follows the estimate, s. When a path changes, the curve bends from the old bounds to
-        /// the new ones. Its slope then indicates neither the skew of the clocks nor the accuracy of the skew.
+        /// the new bounds. Its slope then indicates neither the skew of the clocks nor the accuracy of the skew.
         /// </summary>
         const double SkewTimeConstant = 60;
 

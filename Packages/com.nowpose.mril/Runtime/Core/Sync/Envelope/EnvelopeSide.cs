@@ -59,10 +59,10 @@ namespace Nowpose.Sync.Envelope
 
         public int Count { get; private set; }
 
-        /// <summary>Returns the time of a block's bound, s since the reference time.</summary>
+        /// <summary>Returns the time of a block's bound relative to the reference time, s.</summary>
         public double X(int block) => _x[block];
 
-        /// <summary>Returns a block's bound, s above the reference offset.</summary>
+        /// <summary>Returns a block's bound minus the reference offset, s.</summary>
         public double Y(int block) => _y[block];
 
         /// <summary>Returns the weight of a block, 1/s².</summary>

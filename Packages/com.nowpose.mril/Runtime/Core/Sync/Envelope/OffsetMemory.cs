@@ -9,7 +9,7 @@ namespace Nowpose.Sync.Envelope
     /// </summary>
     sealed class OffsetMemory
     {
-        /// <summary>Interval between stored estimates, and age of the estimate with which the current one is compared, s.</summary>
+        /// <summary>Interval between stored estimates, and age of the estimate with which the current estimate is compared, s.</summary>
         const double Interval = 10, Age = 30;
 
         const int Capacity = (int)(Age / Interval) + 1;

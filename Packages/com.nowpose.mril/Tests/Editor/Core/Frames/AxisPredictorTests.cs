@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(20)]
-        public void At_ConstantValue_IsThatValueAtAnyTime(int samples)
+        public void At_ConstantValue_ReturnsTheValueAtAnyTime(int samples)
         {
             var axis = AtRest(samples);
 
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That((axis.At(3), axis.Hold), Is.EqualTo((0.7, 0.7)));
         }
 
-        /// <summary>No step of a slow motion is larger than rounding, but together they are a motion.</summary>
+        /// <summary>Each displacement of a slow motion is within rounding, but their sum is not.</summary>
         [Test]
         public void At_SlowMotion_IsPredicted()
         {
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(axis.Hold, Is.EqualTo(0.8));
         }
 
-        /// <summary>Samples that were skipped at rest are not missing: up to the kept number, nothing can differ.</summary>
+        /// <summary>A rest of at most the number of kept samples is predicted as if no sample was skipped.</summary>
         [Test]
         public void At_AfterARest_EqualsAPredictorWithAllSamples(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h9", "gp", "adaptive")] string predictor, [Values(1, 2, 5, 8)] int rest)
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Frames
             }
         }
 
-        /// <summary>More samples of a rest than those kept are no longer in the window of any polynomial.</summary>
+        /// <summary>Samples of a longer rest than those kept are not in the window of any polynomial.</summary>
         [TestCase("linear")]
         [TestCase("quadratic")]
         [TestCase("quadratic-h4")]
@@ -124,7 +124,7 @@ namespace Nowpose.Tests.Core.Frames
         {
             AxisPredictor inOrder = AtRest(10), late = AtRest(9);
 
-            // The last sample of the rest is overtaken by one of the same value, and arrives again.
+            // A sample with the same value overtakes the last sample of the rest, which then arrives twice.
             foreach (var k in new[] { 9, 8, 9 }) Assert.That(Add(late, k, 0.7), Is.EqualTo(DropReason.None));
 
             Assert.That(late.At(1), Is.EqualTo(0.7));
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_TheFirstChangeIsLate_IsInsertedAsInOrder()
+        public void Add_FirstChangeIsLate_IsInsertedInOrder()
         {
             AxisPredictor inOrder = AtRest(10, "quadratic"), late = AtRest(10, "quadratic");
             for (var k = 10; k < 13; k++) Add(inOrder, k, k == 11 ? 0.7 : Motion(k, 10));
@@ -160,7 +160,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_ValueReturns_IsPredictedFurther()
+        public void Add_ReturnsToTheFirstValue_IsStillPredicted()
         {
             var axis = AtRest(10);
             Add(axis, 10, 0.8);

@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Frames
         public static Func<double, PoseSample> WithNoise(Func<double, PoseSample> motion, int seed) => t =>
         {
             var sample = motion(t);
-            // The noise depends on the time only, so that the truth can be asked for again.
+            // The noise depends only on the time, so that each call for a time returns the same sample.
             var random = new Random(seed + (int)Math.Round(t * 1000));
             double Normal() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
             Vector3D Vector(double deviation) => new Vector3D(deviation * Normal(), deviation * Normal(), deviation * Normal());

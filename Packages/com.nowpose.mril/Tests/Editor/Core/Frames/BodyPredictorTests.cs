@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void At_LinearWithTwoSamples_IsSlerpOfThem()
+        public void At_LinearWithTwoSamples_EqualsSlerp()
         {
             var (first, second) = (BodyMotions.HandHeld(0), BodyMotions.HandHeld(Interval));
             var predictor = Fed("linear", BodyMotions.HandHeld, 2);
@@ -229,7 +229,7 @@ namespace Nowpose.Tests.Core.Frames
             unblended.Add(BodyMotions.HandHeld(60 * Interval), displayed);
 
             Assert.That(predictor.At(displayed).DistanceTo(shown), Is.LessThan(1e-9));
-            // The angles are relative to another sample now: an error of second order.
+            // The angles are now relative to another sample, which causes an error of second order.
             Assert.That(predictor.At(displayed).AngleTo(shown), Is.LessThan(1e-3));
             Assert.That(predictor.At(displayed + 0.1).DistanceTo(unblended.At(displayed + 0.1)), Is.LessThan(1e-5), "ten time constants later");
         }

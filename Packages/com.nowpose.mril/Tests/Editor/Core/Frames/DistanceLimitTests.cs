@@ -15,14 +15,14 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Factor_NothingToCompareWith_IsOne()
+        public void Factor_FirstDistance_IsOne()
         {
             Assert.That(After().Factor, Is.EqualTo(1));
             Assert.That(After(0, 0, 5).Factor, Is.EqualTo(1));
         }
 
         [Test]
-        public void Factor_DistancesAsBefore_IsOne() => Assert.That(After(1, 1.3, 0.2, 1.5, 2).Factor, Is.EqualTo(1));
+        public void Factor_SimilarDistances_IsOne() => Assert.That(After(1, 1.3, 0.2, 1.5, 2).Factor, Is.EqualTo(1));
 
         [TestCase(3)]
         [TestCase(100)]
@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(After(1, 2, 0.5, 2 * distance).Factor * 2 * distance, Is.EqualTo(3).Within(0.05));
 
         [Test]
-        public void Factor_LargeDistanceAgain_IsOne() => Assert.That(After(1, 100, 100).Factor, Is.EqualTo(1));
+        public void Factor_SecondLargeDistance_IsOne() => Assert.That(After(1, 100, 100).Factor, Is.EqualTo(1));
 
         [Test]
         public void Factor_AfterALongTime_DependsOnTheNewerDistances()
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Frames
 
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
-        public void Add_NotFinite_IsForgotten(double distance)
+        public void Add_NotFinite_IsIgnored(double distance)
         {
             var limit = After(1, distance);
 
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Clear_AfterDistances_IsLikeNew()
+        public void Clear_AfterDistances_RestoresTheInitialState()
         {
             var limit = After(1, 100);
 

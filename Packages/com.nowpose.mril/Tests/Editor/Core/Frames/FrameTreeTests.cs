@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Frames
             var tree = NewTree();
             var poses = Enumerable.Range(0, ProtocolLimits.FrameDepth)
                 .Select(i => Pose(0, i == 0 ? "world" : "f" + (i - 1), "f" + i, Next(), Next(), Next(), Turned(Next(), Next(), Next()))).ToArray();
-            // Children first: their parents become known later.
+            // Children are added first; their parents become known later.
             foreach (var pose in poses.Reverse()) Assert.That(tree.Add(pose, isStationary: true), Is.EqualTo(DropReason.None));
 
             tree.Evaluate(At(0));
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void World_FrameNamedAsARoot_MovesTheRobotAndWhatItHolds()
+        public void World_FrameWithTheNameOfARoot_MovesTheRobotAndItsObject()
         {
             var arm = new MovingLinks("arm1", TestRobot.Model);
             var tree = NewTree();
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void States_OfSamplesAndParents_AreReported()
+        public void State_AnySamplesAndParents_IsReported()
         {
             var arm = new MovingLinks("", TestRobot.Model);
             var tree = NewTree();
@@ -202,7 +202,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void HandOver_OnePoseInTheNewParent_IsAtRestThereUpToTheHorizonCap()
+        public void HandOver_OnePoseInTheNewParent_IsAtRestUpToTheHorizonCap()
         {
             var tree = NewTree();
             tree.Add(Pose(0, "world", "fixture", 1), isStationary: true);

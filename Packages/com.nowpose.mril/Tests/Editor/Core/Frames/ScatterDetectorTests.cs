@@ -50,10 +50,10 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(left, Is.Positive, "in motion");
         }
 
-        /// <summary>Outside the noise, but by a step as long as those of the noise, whose direction is not that of a motion.</summary>
+        /// <summary>The last sample is outside the noise in both cases. A last step as short as the noise has no direction of a motion.</summary>
         [TestCase(2.5, false)]
         [TestCase(40, true)]
-        public void HasLeft_DependsOnTheLastStep(double position, bool expected)
+        public void HasLeft_SampleOutsideTheNoise_DependsOnTheLastStep(double position, bool expected)
         {
             var detector = new ScatterDetector();
             foreach (var x in new[] { 0, 0.3, 0, -0.3, 0, 0.3, 0, 1.2 }) detector.Add(new Vector3D(x, 0, 0));

@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Prediction
 
             var residual = shown - bare.At(1.1).Position;
 
-            Assert.That(residual, Is.EqualTo(0.1).Within(1e-12), "the joint stopped: the effect is there");
+            Assert.That(residual, Is.EqualTo(0.1).Within(1e-12), "the joint stopped, so the sections differ");
             foreach (var after in new[] { 0, 0.005, TimeConstant, 0.02, 0.04 })
                 Assert.That(
                     blended.Predictor.At(1.1 + after).Position - bare.At(1.1 + after).Position,
@@ -73,12 +73,12 @@ namespace Nowpose.Tests.Core.Prediction
             var shown = blended.Show(1.1).Position;
             for (var i = 1; i <= 3; i++) Add(blended, bare, 1 + i * 0.03, 1);
 
-            Assert.That(shown - bare.At(1.1).Position, Is.EqualTo(0.1).Within(1e-12), "the joint stopped: the effect is there");
+            Assert.That(shown - bare.At(1.1).Position, Is.EqualTo(0.1).Within(1e-12), "the joint stopped, so the sections differ");
             Assert.That(blended.Show(1.1).Position, Is.EqualTo(shown).Within(1e-12));
             Assert.That(blended.Show(1.1 + 20 * TimeConstant).Position, Is.EqualTo(1).Within(1e-6));
         }
 
-        // The plan is offset from the predicted position. The displayed position must never move faster than the blend, even in very short steps.
+        // The plan is offset from the predicted position. In very short steps, the displayed position must not move faster than the blend.
         [TestCase(1.2, 0.02, TestName = "Follow_PlanInTheFuture_StartsAndEndsWithoutAJump")]
         [TestCase(1.05, 0.02, TestName = "Follow_PlanAlreadyStarted_StartsAndEndsWithoutAJump")]
         public void Follow_Plan_StartsAndEndsWithoutAJump(double start, double beside)
@@ -119,7 +119,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(1.2).Position, Is.EqualTo(bare.At(1.2).Position).Within(1e-4));
         }
 
-        // A frame may ask twice. The second request has a newer time, and a sample may have arrived between the two.
+        // A frame may read the position twice, with a later time, and a sample may arrive between the two reads.
         [Test]
         public void At_SampleBetweenTwoReadsOfOneFrame_ContinuesTheFirst()
         {

@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction
             double Truth(double t) => Planned(t - lag) + offset;
             Play(joint, 4, 4.9, Truth);
             joint.Follow(Move, 5);
-            // The first move shows how late the joint follows. The second move, back, is corrected from its beginning.
+            // The delay is estimated during the first move. The second move, back, is corrected from its start.
             Play(joint, 4.9, 7, Truth);
             joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 7.1);
             double Back(double t) => 1 - Planned(t - 2.1 - lag) + offset;
@@ -72,9 +72,9 @@ namespace Nowpose.Tests.Core.Prediction
 
             var after = Play(joint, 6, 7, Planned);
 
-            Assert.That(after.TrueForAll(s => Math.Abs(s.Shown.Position - 1) < 2e-3), "it has arrived");
-            Assert.That(after[5].Shown.Kind, Is.EqualTo(PredictionKind.Planned), "samples still tell of the move");
-            Assert.That(after[40].Shown.Kind, Is.EqualTo(PredictionKind.Predicted), "and then of the rest");
+            Assert.That(after.TrueForAll(s => Math.Abs(s.Shown.Position - 1) < 2e-3), "the end of the plan");
+            Assert.That(after[5].Shown.Kind, Is.EqualTo(PredictionKind.Planned), "the samples are from the time of the move");
+            Assert.That(after[40].Shown.Kind, Is.EqualTo(PredictionKind.Predicted), "samples after the end of the plan have arrived");
         }
 
         [Test]
@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Follow_FirstSetPointInTheFuture_ConnectsFromTheJointsPosition()
+        public void Follow_FirstSetPointInTheFuture_StartsAtTheJointsPosition()
         {
             var joint = New();
             double Truth(double t) => t < 5 ? 0.4 : 0.4 + Math.Min(t - 5, 1) * 0.6;
@@ -158,7 +158,7 @@ namespace Nowpose.Tests.Core.Prediction
             joint.Show(5.02);
 
             Assert.That(joint.Show(4.99).Kind, Is.EqualTo(PredictionKind.Predicted));
-            Assert.That(joint.Show(4.99).Position, Is.EqualTo(0).Within(1e-3), "where it begins");
+            Assert.That(joint.Show(4.99).Position, Is.EqualTo(0).Within(1e-3), "the start of the plan");
         }
 
         [Test]

@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Signals
         [TestCase(0.03)]
         [TestCase(0.1)]
         [TestCase(0.25)]
-        public void Changed_AtAnyLatency_IsInTheFirstFrameWhoseLightIsNotBeforeTheStamp(double latency)
+        public void Changed_AnyLatency_IsRaisedInTheFirstFrameDisplayedAtOrAfterTheStamp(double latency)
         {
             var table = new SignalTable();
             var seen = new List<(double Light, double Value)>();
@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Signals
             for (var i = 0; i < stamps.Length; i++)
             {
                 Assert.That(seen[i].Value, Is.EqualTo((i + 1) % 2));
-                // A late message cannot become visible before a frame has begun after its arrival.
+                // A late message becomes visible in the first frame that starts after its arrival.
                 var possible = Math.Max(stamps[i], stamps[i] + latency + Visu);
                 Assert.That(seen[i].Light - possible, Is.InRange(-1e-9, FrameSeconds + 1e-9), "change " + i);
             }

@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Next_SeveralChanges_ComeInTheOrderOfTheirStamps()
+        public void Next_SeveralChanges_AreShownInTheOrderOfTheirStamps()
         {
             var signal = new SignalTrack("grip");
             signal.Add(At(12), 0.5);
@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Add_TheSameValueAgain_IsNoChange()
+        public void Add_SameValueAgain_IsNoChange()
         {
             var signal = new SignalTrack("grip");
             for (var k = 0; k < 500; k++) Assert.That(signal.Add(At(10 + 0.01 * k), 1), Is.EqualTo(DropReason.None));
@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Add_EarlierStampOfAWaitingChange_MovesItForward()
+        public void Add_EarlierStampOfAWaitingChange_MovesTheChangeToIt()
         {
             var signal = new SignalTrack("grip");
             signal.Add(At(10.2), 1);

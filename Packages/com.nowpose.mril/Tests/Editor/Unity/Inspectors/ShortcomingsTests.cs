@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             var rig = _scene.New<RobotRig>("Robot");
 
             var shortcoming = Of(rig).Single();
-            Assert.That(shortcoming.Message, Does.StartWith("There is no session on this object or a parent"));
+            Assert.That(shortcoming.Message, Does.StartWith("This object and its parents have no session"));
             Assert.That(shortcoming.FixLabel, Is.EqualTo("Use 'The Session'"));
             shortcoming.Fix();
 
@@ -86,7 +86,7 @@ namespace Nowpose.Tests.Unity.Inspectors
             _scene.New<TextMesh>("Cell", panel.transform);
 
             Assert.That(Of(panel).Select(s => s.FixLabel), Is.EqualTo(new[] { null, "Use 'Cell'" }));
-            Assert.That(Of(_scene.New<PoseAppearance>("Looks")).Single().Message, Does.StartWith("There is no session"));
+            Assert.That(Of(_scene.New<PoseAppearance>("Looks")).Single().Message, Does.StartWith("This object and its parents have no session"));
         }
 
         [Test]

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         bool IsOpen => !double.IsInfinity(_gate.ErrorRatio(isStill: false));
 
         [SetUp]
-        public void MakeGate()
+        public void CreateGate()
         {
             _candidate = new Oracle();
             _gate = new CandidateGate(_candidate, 0.3);
@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
             Assert.That(_gate.ErrorRatio(isStill: false), Is.EqualTo(0.01).Within(1e-9));
             Assert.That(worse.ErrorRatio(isStill: false), Is.EqualTo(0.04).Within(1e-9));
-            Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity), "rest is judged apart");
+            Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity), "forecasts made at a standstill have a record of their own");
         }
 
         [Test]
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Mixes hold and a line.
         static Mixer Mixer(params CandidateGate[] candidates) => new Mixer(
-            PredictionLimits.Unlimited, PredictionParts.All, new[] { new MixedForecaster(new PolynomialForecaster(1, 1), 1, 1) }, candidates);
+            PredictionLimits.Unlimited, PredictionParts.All, new[] { new MixedForecaster(new PolynomialForecaster(1, 1)) }, candidates);
 
         void Feed(int from, int to)
         {

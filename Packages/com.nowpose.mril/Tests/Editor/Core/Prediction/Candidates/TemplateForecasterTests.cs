@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         [Test]
-        public void Add_AnotherCycle_IsDetected()
+        public void Add_CycleChanges_NewCycleIsPredicted()
         {
             var predictor = Fed(PredictionLimits.Unlimited, 0.05, 3 * Cycle);
             var start = predictor.NewestTime;
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         [Test]
-        public void At_HistoryFull_StillFindsTheCycle()
+        public void At_HistoryFull_CycleIsPredicted()
         {
             var predictor = Fed(PredictionLimits.Unlimited, 0.02, 150);
             var t = predictor.NewestTime + Ahead;

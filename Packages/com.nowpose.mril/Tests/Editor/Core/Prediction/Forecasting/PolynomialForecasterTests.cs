@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                     for (var i = 0; i < times.Length; i++) predictor.Add(times[i], positions[i]);
                     var asked = times.Last() + 0.1;
 
-                    // Times relative to the newest: the subtraction of doubles this close is exact, and it keeps the fractions short.
+                    // Times are relative to the newest sample: the subtraction of doubles this close is exact, and the fractions are shorter.
                     var expected = ExactPolynomial.ValueAt(
                         asked - times.Last(), degree, times.Select(t => t - times.Last()).ToArray(), positions);
 

@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void Add_SlowMotionAfterAFastOne_IsMotionAgainWithinAMinute()
+        public void Add_SlowMotionAfterAFastOne_IsMotionAfterAMinute()
         {
             double Position(double t) => t < 10 ? Math.Sin(2 * t) : Math.Sin(20) + 0.1 * (t - 10);
             Feed(0, 70, 0.05, Position);
@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
         double Noise(double halfWidth) => halfWidth * (2 * _random.NextDouble() - 1);
 
-        // Returns the shares of the samples at rest and of those that are only noise.
+        // Returns the fractions of the samples at rest and of those that are only noise.
         (double Rests, double Noises) Feed(double from, double to, double interval, Func<double, double> positionAt)
         {
             int rests = 0, noises = 0, count = 0;

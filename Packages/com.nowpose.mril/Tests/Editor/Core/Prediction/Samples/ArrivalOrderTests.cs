@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         static JointPredictor NewJoint() => TestPredictors.Polynomial(2, 4);
 
-        // Samples up to two seconds, in order.
+        // Adds samples of two seconds, in order.
         static JointPredictor FedJoint()
         {
             var joint = NewJoint();

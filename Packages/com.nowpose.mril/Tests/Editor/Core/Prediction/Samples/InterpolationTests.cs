@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 {
     public class InterpolationTests
     {
-        // Deliberately uneven.
+        // Uneven intervals.
         static readonly double[] Times = { 10, 10.05, 10.09, 10.16, 10.2, 10.24, 10.31, 10.35 };
 
         static JointPredictor New(int degree = 2, int history = 2, PredictionLimits limits = null) =>

@@ -56,13 +56,13 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 _line.Add(time += interval);
             }
 
-            // Lag of a memory of 100 stamps behind a drift of 0.5 ns per stamp: the drift times 100².
+            // With a forgetting factor of 0.99, the line lags behind a drift of 0.5 ns per stamp by the drift times 100².
             Assert.That(_line.NewestOnLine, Is.EqualTo(time).Within(1e-5));
             Assert.That(_line.Interval, Is.EqualTo(interval).Within(2e-7));
         }
 
         [Test]
-        public void Add_AnotherInterval_IsEstimated()
+        public void Add_IntervalChanges_NewIntervalIsEstimated()
         {
             for (var k = 0; k < 200; k++) _line.Add(k * 0.05);
             for (var k = 0; k < 150; k++) _line.Add(10 + k * 0.035);
@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_LongPause_IsUnknown()
+        public void Add_LongPause_LineIsUnknown()
         {
             for (var k = 0; k < 200; k++) _line.Add(k * 0.05);
 

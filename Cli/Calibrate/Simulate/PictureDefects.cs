@@ -6,16 +6,16 @@ namespace Nowpose.Cli.Calibrate.Simulate;
 /// <summary>
 /// Adds a defect to a picture: an object in front of a code, a reflection on it, a shaken camera, or a code that is partly outside.
 /// </summary>
-static class Spoiling
+static class PictureDefects
 {
-    static readonly (string Name, Func<Shot, RandomStream, Shot> Do)[] Ways =
+    static readonly (string Name, Func<Shot, RandomStream, Shot> AddTo)[] Kinds =
         [("covered", Covered), ("glare", Dazzled), ("smeared", Smeared), ("cut off", CutOff)];
 
-    public static Shot Of(Shot shot, RandomStream random, out string name)
+    public static Shot AddRandom(Shot shot, RandomStream random, out string name)
     {
-        var way = Ways[(int)(random.Next() * Ways.Length)];
-        name = way.Name;
-        return way.Do(shot, random);
+        var kind = Kinds[(int)(random.Next() * Kinds.Length)];
+        name = kind.Name;
+        return kind.AddTo(shot, random);
     }
 
     static Shot Covered(Shot shot, RandomStream random)

@@ -6,7 +6,7 @@ using NUnit.Framework;
 namespace Nowpose.Tests.Core.Anchoring
 {
     /// <summary>Tests the messages about the base that the wearer sees.</summary>
-    public class BaseWordsTests
+    public class BaseStatusTextTests
     {
         SimulatedMarkers _cell;
 

@@ -7,7 +7,7 @@ namespace Nowpose.Prefabs.Pictures;
 /// <param name="HorizontalDegrees">Horizontal field of view, degrees.</param>
 /// <param name="Width">Width of the picture, pixels.</param>
 /// <param name="Height">Height of the picture, pixels.</param>
-sealed record Eye(Pose Place, double HorizontalDegrees, int Width, int Height)
+sealed record PictureCamera(Pose Place, double HorizontalDegrees, int Width, int Height)
 {
     /// <summary>Focal length in pixels: the length in the picture of 1 m at a distance of 1 m.</summary>
     double Focus => Width / 2.0 / Math.Tan(HorizontalDegrees / 2 * Math.PI / 180);

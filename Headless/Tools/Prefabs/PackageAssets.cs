@@ -6,13 +6,13 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Prefabs;
 
 /// <summary>Loads existing assets and writes new ones.</summary>
-sealed class Workshop
+sealed class PackageAssets
 {
     readonly string _root;
     readonly AssetLibrary _library;
     readonly AssetWriter _writer;
 
-    public Workshop(string root)
+    public PackageAssets(string root)
     {
         _root = root;
         _library = new AssetLibrary(root);
@@ -38,7 +38,7 @@ sealed class Workshop
 
     public string Prefab(GameObject root)
     {
-        Tidy.Transforms(root.transform);
+        TransformRounding.Apply(root.transform);
         return _writer.Prefab(root);
     }
 

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// Rejects pictures whose L_visu is far from that of the others: their codes were misread and passed the parity check by chance. Frames
 /// that wait behind a slow GPU are late by less than this distance.
 /// </summary>
-static class Strays
+static class Outliers
 {
     public const string Fault = PictureFaults.Stray;
 

@@ -3,12 +3,12 @@ using UnityEngine;
 namespace Nowpose.Prefabs;
 
 /// <summary>Removes rounding errors of trigonometric functions, for example 6.123234e-17 in place of 0.</summary>
-static class Tidy
+static class TransformRounding
 {
     /// <summary>Number of decimals: 0.1 µm or 0.1 µrad. The resolution of a float near 1 m is coarser.</summary>
     const int Digits = 7;
 
-    public static void Transforms(Transform root)
+    public static void Apply(Transform root)
     {
         foreach (var transform in root.GetComponentsInChildren<Transform>(includeInactive: true))
         {

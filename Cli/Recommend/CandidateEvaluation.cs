@@ -4,14 +4,14 @@ using Nowpose.Cli.Replay;
 namespace Nowpose.Cli.Recommend;
 
 /// <summary>Evaluates all candidates on both halves of each recording. Runs in parallel on all processors.</summary>
-sealed class Contest(IReadOnlyList<ISubject> subjects)
+sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
 {
     readonly ConcurrentDictionary<(ISubject Subject, string Predictor, Half Half), ReplayResult> _results = new();
 
     public int Runs => subjects.Count * Candidates.Names.Count * 2;
 
     /// <param name="report">Receives the number of finished runs. Called from several threads, but never concurrently.</param>
-    /// <param name="cancellation">Stops the contest. Finished runs are kept.</param>
+    /// <param name="cancellation">Stops the evaluation. Finished runs are kept.</param>
     /// <exception cref="InputException">The recording cannot be scored.</exception>
     public void Run(Action<int> report, CancellationToken cancellation)
     {

@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Recommend;
 /// <remarks>
 /// Many recordings begin or end with a rest. If they were divided by time, a half could contain only noise.
 /// </remarks>
-static class Halving
+static class MotionHalves
 {
     /// <summary>Minimum share of the steps in each half. A shorter half would give no meaningful result.</summary>
     const double MinShare = 0.2;

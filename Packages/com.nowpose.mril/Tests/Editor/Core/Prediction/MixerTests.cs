@@ -4,7 +4,7 @@ using Nowpose.Motion;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Prediction.Mixing
+namespace Nowpose.Tests.Core.Prediction
 {
     public class MixerTests
     {
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_Standstill_StaysExactly()
+        public void At_Standstill_IsExactlyTheSample()
         {
             Assert.That(Fed(50, _ => 1.25).At(49 * Interval + 0.2).Position, Is.EqualTo(1.25));
         }
@@ -147,7 +147,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             Assert.That(predictor.At(t + 399 * Interval + 0.05).Position, Is.EqualTo(Wave(399 * Interval + 0.05)).Within(0.05), "it recovers");
         }
 
-        // The window straddles an emergency stop: a polynomial through it overshoots, while the change point detector cuts the window.
+        // The newest samples are from before and after an emergency stop: a polynomial through them overshoots. The mixture uses those after it.
         [Test]
         public void At_EmergencyStop_IsFarMoreAccurateThanAQuadratic()
         {
@@ -159,7 +159,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
             Assert.That(Math.Abs(stacked.At(t0).Position - 2.512), Is.LessThan(0.25 * Math.Abs(quadratic.At(t0).Position - 2.512)));
         }
 
-        // The displayed joint must not tremble at rest. A quadratic amplifies the noise fifteen times when it extrapolates.
+        // The displayed joint must not vibrate at rest. A quadratic amplifies the noise fifteen times when it extrapolates.
         [TestCase(0.05, 0.0001)]
         [TestCase(0.02, 0.0005)]
         public void At_NoisyRestAfterMotion_DoesNotAmplifyTheNoise(double interval, double noise)
@@ -201,16 +201,16 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
         }
 
         [Test]
-        public void At_ProvidedVelocityIsAlwaysZero_IsSoonIgnored()
+        public void At_ProvidedVelocityIsAlwaysZero_IsIgnoredAfterThreeSeconds()
         {
-            var lied = Mixed();
+            var predictor = Mixed();
             double squares = 0, held = 0;
             for (var k = 0; k < 200; k++)
             {
                 var t = k * Interval;
-                lied.Add(new JointSample(t, Wave(t), t, 0));
+                predictor.Add(new JointSample(t, Wave(t), t, 0));
                 if (k < 60) continue;
-                squares += Math.Pow(lied.At(t + 0.1).Position - Wave(t + 0.1), 2);
+                squares += Math.Pow(predictor.At(t + 0.1).Position - Wave(t + 0.1), 2);
                 held += Math.Pow(Wave(t) - Wave(t + 0.1), 2);
             }
 
@@ -225,7 +225,7 @@ namespace Nowpose.Tests.Core.Prediction.Mixing
 
         static JointPredictor Fed(int samples, Func<double, double> motion) => Fed(Mixed(), samples, motion);
 
-        // The display time is always 100 ms after the newest sample, so this is the horizon that the mixer learns.
+        // The display is always 100 ms ahead of the newest sample, so this is the estimated horizon.
         static JointPredictor Fed(JointPredictor predictor, int samples, Func<double, double> motion)
         {
             for (var k = 0; k < samples; k++) predictor.Add(new JointSample(k * Interval, motion(k * Interval)), (k - 1) * Interval + 0.1 + 2 / 60.0);

@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Describes a tracker's state in one line.</summary>
     /// <remarks>Creates a new text only for a change of its content, and at most once a second if only numbers change.</remarks>
-    sealed class BaseWords
+    sealed class BaseStatusText
     {
         static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);
 
@@ -22,7 +22,7 @@ namespace Nowpose.Anchoring.Tracking
         HeadsetTime? _searching;
         HeadsetTime _last;
 
-        public BaseWords(AnchoringSettings settings) => _settings = settings;
+        public BaseStatusText(AnchoringSettings settings) => _settings = settings;
 
         public string Text { get; private set; } = "placed by hand";
 

@@ -4,7 +4,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 
-namespace Nowpose.Cli.Calibrate.Nudge;
+namespace Nowpose.Cli.Calibrate;
 
 /// <summary>Creates the page for marks set by eye. The slope of the offset over the velocity is the error of L_visu.</summary>
 static class NudgePage

@@ -2,7 +2,7 @@ using System.Linq;
 using Nowpose.Prediction;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Prediction.Mixing
+namespace Nowpose.Tests.Core.Prediction
 {
     public class SpeedLimitsTests
     {

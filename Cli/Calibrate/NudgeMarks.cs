@@ -1,7 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 
-namespace Nowpose.Cli.Calibrate.Nudge;
+namespace Nowpose.Cli.Calibrate;
 
 /// <summary>The offsets at which hologram and robot coincided by eye.</summary>
 sealed record NudgeMarks(double SpeedMmPerS, double ConfiguredMs, double[] ForwardMm, double[] BackwardMm)
