@@ -5,7 +5,9 @@ public static class AssetNames
 {
     public const string MetaSuffix = ".meta";
 
-    /// <summary>Gets whether Unity ignores a name. It ignores names with a leading dot, a trailing tilde or the extension .tmp, and the name cvs.</summary>
+    /// <summary>
+    /// Gets whether Unity ignores a name. It ignores names with a leading dot, a trailing tilde or the extension .tmp, and the name cvs.
+    /// </summary>
     public static bool IsHidden(string name)
     {
         return name.StartsWith('.') || name.EndsWith('~')

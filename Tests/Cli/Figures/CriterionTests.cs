@@ -1,7 +1,6 @@
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 using NUnit.Framework;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 

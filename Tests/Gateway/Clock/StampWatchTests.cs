@@ -193,9 +193,9 @@ public class StampWatchTests
         Assert.That(_watch.Found.Remedy, Is.EqualTo("Set the clock of the source, or let its adapter offer that clock."));
     }
 
-    [TestCase(755.0, "by 12.6 minutes")]
-    [TestCase(-36_000.0, "by 10.0 hours")]
-    [TestCase(1_795_288_273.0, "by 20779 days")]
+    [TestCase(755.0, "are 12.6 minutes ")]
+    [TestCase(-36_000.0, "are 10.0 hours ")]
+    [TestCase(1_795_288_273.0, "are 20779 days ")]
     public void Look_TimeStampsFarFromTheControlClock_ReportsTheDifferenceInAReadableUnit(double seconds, string expected)
     {
         _isOwnServed = false;
@@ -239,7 +239,7 @@ public class StampWatchTests
         {
             var ahead = TimeSpan.FromSeconds(seconds);
             Run(1, () => _own.Now + ahead);
-            if (seconds >= 12) Assert.That(_watch.Warning, Does.Contain($"by {seconds - 1}.9 s"));
+            if (seconds >= 12) Assert.That(_watch.Warning, Does.Contain($"are {seconds - 1}.9 s ahead"));
         }
     }
 

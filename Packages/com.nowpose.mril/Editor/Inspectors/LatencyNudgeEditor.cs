@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Shows the speed, the shift and the marks. Its buttons change the shift, add a mark and use the result, as in a headset menu.</summary>
+    /// <summary>
+    /// Shows the speed, the shift and the marks. Its buttons change the shift, add a mark and use the result, as in a headset menu.
+    /// </summary>
     [CustomEditor(typeof(LatencyNudge))]
     sealed class LatencyNudgeEditor : LiveInspector
     {

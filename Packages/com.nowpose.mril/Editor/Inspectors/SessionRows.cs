@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using Nowpose.Editor.Messages;
 using Nowpose.Latency;
-using Nowpose.Messages;
 using Nowpose.Session;
 
 namespace Nowpose.Editor.Inspectors
@@ -16,7 +15,7 @@ namespace Nowpose.Editor.Inspectors
             yield return ("End to end", LiveText.Ms(session.EndToEndLatency));
             yield return ("Display time", DisplayTimeOf(session));
             yield return ("Reprojection, depth", Words(ReprojectionModeNames.NameOf(session.Reprojection)) + ", "
-                + Words(DepthSubmissionMessages.NameOf(session.DepthSubmission)));
+                + Words(DepthSubmissionNames.NameOf(session.DepthSubmission)));
             yield return ("Error, uncompensated", LiveText.Mm(session.ErrorMm) + ", " + LiveText.Mm(session.HoldErrorMm));
             yield return ("Pose current, last 10 s", LiveText.Number(100 * session.CurrentShare, "0", " %"));
             foreach (var joint in session.JointStatuses) yield return ("Joint " + joint.Joint, joint.Description);

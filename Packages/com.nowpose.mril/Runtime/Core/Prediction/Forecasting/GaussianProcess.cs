@@ -91,7 +91,9 @@ namespace Nowpose.Prediction.Forecasting
             return Math.Max(variance, 0);
         }
 
-        /// <summary>Like the base method, but the forecast is constant after a reversal, because drives stop far more often than they reverse.</summary>
+        /// <summary>
+        /// Like the base method, but the forecast is constant after a reversal, because drives stop far more often than they reverse.
+        /// </summary>
         /// <inheritdoc/>
         public override void Fill(double[] table, int start, int points)
         {

@@ -37,7 +37,9 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Maximum displacement per sample of a motion in one direction at which rest begins, relative to the recent maximum.</summary>
         const double MaxCreepRatio = 0.1;
 
-        /// <summary>Minimum ratio of progress to path length of a motion; below it, the motion per sample is less than a third of the noise.</summary>
+        /// <summary>
+        /// Minimum ratio of progress to path length of a motion; below it, the motion per sample is less than a third of the noise.
+        /// </summary>
         const double MinProgress = 0.35;
 
         /// <summary>Minimum ratio of second to first differences: √3 for white noise, near 0 for a smooth reversal.</summary>
