@@ -76,7 +76,7 @@ function assertRight(seen) {
 const synchronised = page => page.waitForSelector('body[data-state="synchronised"]', { timeout: 60_000 });
 const unsynchronised = (page, why) => page.waitForFunction(
   why => document.body.dataset.state === 'not synchronised' && document.getElementById('code').hidden
-    && document.getElementById('doubt').textContent.includes(why), why, { timeout: 60_000 });
+    && document.getElementById('warning').textContent.includes(why), why, { timeout: 60_000 });
 
 describe('the code and its clock', () => {
   it('draws the codes of the vector file', () => {
