@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { faultsIn, textsOf } from '../../.ci/lint/wording.mjs';
+import { assertDefined } from './glossary.mjs';
 import { messages } from './messages.mjs';
 
 /** A sample for each parameter of the catalogue's functions. A sample can be part of a sentence, like `reason`, or a complete one, like `values`. */
@@ -19,6 +20,9 @@ describe('the message catalogue of the pages', () => {
   for (const [name, text] of Object.entries(texts)) {
     it(`has a well-formed text ${name}`, () => assert.deepEqual(faultsIn(text, isSentence(name)), [], text));
   }
+
+  for (const [entry, meaning] of Object.entries(messages.glossary))
+    it(`explains ${entry} as the glossary does`, () => assertDefined(entry, meaning));
 
   it('contains the inserted values', () => {
     const { clockCodeReasons, operationsMessages, plotDescriptions, reportMessages, robotMessages } = messages;
