@@ -1,4 +1,4 @@
-// Checks the wording of a product's message catalogue. Used by the tests of the products.
+// Checks the wording of a product's message catalogue and of its HTML. Used by the tests of the products.
 
 /** Gets the names of a function's parameters. */
 const parametersOf = text => /^\(?([\w$,\s]*?)\)?\s*=>/.exec(text)?.[1].split(',').map(name => name.trim()).filter(Boolean);
@@ -22,6 +22,18 @@ export function textsOf(catalogue, samples) {
   };
   for (const [name, entry] of Object.entries(catalogue)) if (typeof entry === 'object') add(name, entry);
   return texts;
+}
+
+const INVISIBLE = /<!--[^]*?-->|<(script|style)[^>]*>[^]*?<\/\1>/g;
+const INLINE = /<\/?(?:a|abbr|code|em|strong)\b[^>]*>/g;
+const ATTRIBUTE = /\b(?:title|aria-label|alt|placeholder)="([^"]*)"/g;
+
+/** Gets the static texts of a page, including those of its attributes. */
+export function textsOfPage(html) {
+  const visible = html.replace(INVISIBLE, '');
+  const attributes = [...visible.matchAll(ATTRIBUTE)].map(([, text]) => text);
+  const contents = visible.replace(INLINE, '').split(/<[^>]*>/).map(text => text.replace(/\r?\n/g, ' ').trim());
+  return [...attributes, ...contents].filter(text => /\p{L}/u.test(text));
 }
 
 const FAULTS = [

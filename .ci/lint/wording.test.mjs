@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { faultsIn, textsOf } from './wording.mjs';
+import { faultsIn, textsOf, textsOfPage } from './wording.mjs';
 
 describe('the wording of a text', () => {
   for (const text of [
@@ -25,4 +25,11 @@ describe('the texts of a catalogue', () => {
     }));
 
   it('require a sample for each parameter', () => assert.throws(() => textsOf(catalogue, {}), /ms/));
+});
+
+describe('the texts of a page', () => {
+  it('are those of elements and attributes, with inline elements as part of the text', () =>
+    assert.deepEqual(textsOfPage(`<title>Page</title><style>p { margin: 0 }</style><!-- a note -->
+<p id="late">The <abbr title="master clock">clock</abbr>
+is <strong>late</strong>.</p><div aria-label="Code"></div><script>run()</script>`), ['master clock', 'Code', 'Page', 'The clock is late.']));
 });

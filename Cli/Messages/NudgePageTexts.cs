@@ -8,7 +8,7 @@ static class NudgePageTexts
         + "motion.";
 
     public const string UsedVisu = "L_visu used by the headset";
-    public const string BaseOffset = "Offset of the base along the motion";
+    public const string BaseOffset = "Displacement of the base along the motion";
     public const string OffsetOverVelocity = "Offset as a function of the velocity";
 
     public const string OffsetOverVelocityNote =

@@ -16,7 +16,7 @@ public sealed partial class WordingTests
     ];
 
     static IEnumerable<string> Sources => RepositoryFiles.All
-        .Where(file => Path.GetExtension(file) is ".cs" or ".ts" or ".mjs" or ".md" or ".yaml" && !Exempt.Contains(file));
+        .Where(file => Path.GetExtension(file) is ".cs" or ".ts" or ".mjs" or ".md" or ".yaml" or ".html" && !Exempt.Contains(file));
 
     [Test]
     public void Names_All_UseTheTermsOfTheField()
@@ -81,10 +81,10 @@ public sealed partial class WordingTests
     static IEnumerable<Line> Lines(IEnumerable<string> files) =>
         files.SelectMany(file => RepositoryFiles.Read(file).Split('\n').Select((text, i) => new Line(file, i + 1, text)));
 
-    // Returns the comment and the string literals of a line of code, or the whole line of a Markdown page.
+    // Returns the comment and the string literals of a line of code, or the whole line of a Markdown or HTML page.
     static string Prose(Line line)
     {
-        if (line.File.EndsWith(".md", StringComparison.Ordinal)) return line.Text;
+        if (Path.GetExtension(line.File) is ".md" or ".html") return line.Text;
         var comment = Comment().Match(line.Text).Value;
         return comment + ' ' + string.Join(' ', Literals().Matches(line.Text[..^comment.Length]).Select(match => match.Value));
     }

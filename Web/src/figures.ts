@@ -3,6 +3,7 @@ import { el } from './dom';
 import type { Legend } from './legend';
 import { plotLabels, plotMessages } from './messages/plots';
 import { PAPER } from './messages/report';
+import { term } from './terms';
 
 export interface FigureOptions {
   id: string;
@@ -32,7 +33,7 @@ function section(options: FigureOptions, ...content: HTMLElement[]): HTMLElement
   return el(
     'section',
     { id: options.id, class: 'figure', 'aria-labelledby': heading },
-    el('h2', { id: heading }, options.title),
+    el('h2', { id: heading }, term(options.title)),
     el('p', { class: 'claim' }, options.claim, ' ', citation(options.source)),
     ...content,
   );

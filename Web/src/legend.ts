@@ -1,4 +1,5 @@
 import { el, svg } from './dom';
+import { term } from './terms';
 import type { Look } from './traces';
 
 export interface LegendEntry {
@@ -29,8 +30,8 @@ export class Legend {
 }
 
 function switchOf(entry: LegendEntry): HTMLElement {
-  if (!entry.toggle) return el('span', { class: 'key' }, swatch(entry.look), entry.label);
-  const button = el('button', { type: 'button', class: 'key', 'aria-pressed': 'true' }, swatch(entry.look), entry.label);
+  if (!entry.toggle) return el('span', { class: 'key' }, swatch(entry.look), term(entry.label));
+  const button = el('button', { type: 'button', class: 'key', 'aria-pressed': 'true' }, swatch(entry.look), term(entry.label));
   button.addEventListener('click', () => {
     const shown = button.getAttribute('aria-pressed') !== 'true';
     button.setAttribute('aria-pressed', String(shown));

@@ -1,6 +1,7 @@
 import type { Fact, SummaryRow } from './data';
 import { el } from './dom';
 import { format, type Statistics } from './numbers';
+import { term } from './terms';
 
 /** Wraps a table in an element that scrolls if the table is wider than the window. It can be scrolled with the keyboard. */
 export function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
@@ -8,11 +9,11 @@ export function scrollable(caption: string, table: HTMLTableElement): HTMLElemen
 }
 
 export function header(...labels: string[]): HTMLElement {
-  return el('thead', {}, el('tr', {}, ...labels.map(label => el('th', { scope: 'col' }, label))));
+  return el('thead', {}, el('tr', {}, ...labels.map(label => el('th', { scope: 'col' }, term(label)))));
 }
 
 export function row(label: string, ...cells: string[]): HTMLElement {
-  return el('tr', {}, el('th', { scope: 'row' }, label), ...cells.map(cell => el('td', {}, cell)));
+  return el('tr', {}, el('th', { scope: 'row' }, term(label)), ...cells.map(cell => el('td', {}, cell)));
 }
 
 export function summaryTable(rows: SummaryRow[]): HTMLElement {

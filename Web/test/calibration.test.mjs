@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
 import { calibration } from './calibrationSample.mjs';
+import { explainedTerms } from './glossary.mjs';
 import { hasInk } from './inks.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
@@ -32,6 +33,12 @@ const inked = (page, plot, ink) => page.locator('.plot canvas').nth(plot).evalua
 }, ink);
 
 describe('the calibration page', () => {
+  it('explains terms of the glossary on hover', async () => {
+    const page = await browser.open(calibration());
+
+    assert.deepEqual(await explainedTerms(page), ['L_visu']);
+  });
+
   it('opens without an error or a request, with the result first', async () => {
     const page = await browser.open(calibration());
 

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
 import { figures } from './figuresSample.mjs';
+import { explainedTerms } from './glossary.mjs';
 import { contrast, hasInk, luminance, settled } from './inks.mjs';
 import { messages } from './messages.mjs';
 
@@ -28,6 +29,13 @@ describe('the figures page', () => {
     assert.deepEqual(await texts(page, 'nav tbody .badge'), ['holds', 'does not hold', 'holds partly', 'holds', 'holds']);
     const links = await page.locator('nav tbody a').evaluateAll(all => all.map(a => [a.textContent, !!document.querySelector(a.getAttribute('href'))]));
     assert.deepEqual(links, [['Fig. 4', true], ['Fig. 8', true], ['Fig. 13a', true], ['Fig. 16', true], ['Fig. 17', true]]);
+  });
+
+  it('explains terms of the glossary on hover', async () => {
+    const page = await browser.open(figures());
+
+    const terms = await explainedTerms(page);
+    for (const term of ['Sampling interval', 'sampling interval', 'hold']) assert.ok(terms.includes(term), term);
   });
 
   it('shows the paper\'s claim beside the measurement, with the met criteria in words', async () => {

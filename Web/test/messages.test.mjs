@@ -1,7 +1,9 @@
-// Checks the wording of the pages' message catalogue.
+// Checks the wording of the pages' message catalogue and of their HTML.
 import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
-import { faultsIn, textsOf } from '../../.ci/lint/wording.mjs';
+import { faultsIn, textsOf, textsOfPage } from '../../.ci/lint/wording.mjs';
+import { assertDefined } from './glossary.mjs';
 import { messages } from './messages.mjs';
 
 /** A sample for each parameter of the catalogue's functions. A sample can be part of a sentence, like `reason`, or a complete one, like `values`. */
@@ -15,10 +17,23 @@ const isSentence = name => /(Messages|Descriptions)\./.test(name);
 
 const texts = textsOf(messages, samples);
 
+describe('the HTML of the pages', () => {
+  const folder = new URL('../src/', import.meta.url);
+  for (const file of readdirSync(folder, { recursive: true }).filter(name => name.endsWith('.html')))
+    it(`has well-formed texts: ${file}`, () => {
+      const pageTexts = textsOfPage(readFileSync(new URL(file, folder), 'utf8'));
+      assert.ok(pageTexts.length > 0);
+      for (const text of pageTexts) assert.deepEqual(faultsIn(text, /[.?!]$/.test(text)), [], text);
+    });
+});
+
 describe('the message catalogue of the pages', () => {
   for (const [name, text] of Object.entries(texts)) {
     it(`has a well-formed text ${name}`, () => assert.deepEqual(faultsIn(text, isSentence(name)), [], text));
   }
+
+  for (const [entry, meaning] of Object.entries(messages.glossary))
+    it(`explains ${entry} as the glossary does`, () => assertDefined(entry, meaning));
 
   it('contains the inserted values', () => {
     const { clockCodeReasons, operationsMessages, plotDescriptions, reportMessages, robotMessages } = messages;

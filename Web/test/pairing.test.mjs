@@ -7,6 +7,7 @@ import { createInterface } from 'node:readline';
 import { after, before, describe, it } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
+import { explainedTerms } from './glossary.mjs';
 import { readBlocks, readElement } from './qr.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
@@ -63,6 +64,8 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     assert.match(await page.textContent('#left'), /valid for [45]:\d\d/);
     assert.equal(await page.textContent('#key'), 'no encryption', 'as the headset asks of a gateway without TLS');
   });
+
+  it('explains terms of the glossary on hover', async () => assert.deepEqual(await explainedTerms(page), ['Cell', 'Gateway']));
 
   it('shows another code once a headset has used it', async () => {
     const text = await shown(), drawn = await page.locator('#token path').getAttribute('d');

@@ -50,7 +50,7 @@ describe('the stored data of a picture', () => {
 
   for (const [name, folder] of [['demo', '../../Cli/Demo'], ['calibration', '../../Cli/Calibrate']]) {
     it(`has labels that the command line still writes: ${name}`, () => {
-      const { facts, settings = [], subtitle = '', sections = [] } = stored(name), source = sources(folder);
+      const { facts, settings = [], subtitle = '', sections = [] } = stored(name), source = sources(folder) + sources('../../Cli/Messages');
       const labels = [...facts, ...settings].map(([label]) => label.replace(/^– .*/, '')).concat(subtitle, sections.map(each => each.heading));
 
       const unknown = labels.filter(label => !source.includes(label.toLowerCase()));

@@ -3,6 +3,7 @@ import { after, before, describe, it } from 'node:test';
 import { Browser } from './browser.mjs';
 import { contrast, hasInk, luminance, painted, settled, shadedShare } from './inks.mjs';
 import { figures } from './figuresSample.mjs';
+import { explainedTerms } from './glossary.mjs';
 import { messages } from './messages.mjs';
 import { report } from './sample.mjs';
 
@@ -85,6 +86,13 @@ describe('a complete report', () => {
     for (const [i, wanted] of inks.entries()) {
       for (const ink of wanted) assert.ok(await hasInk(page, i, ink), `plot ${i} has no ${ink}`);
     }
+  });
+
+  it('explains terms of the glossary on hover', async () => {
+    const page = await browser.open(report());
+
+    const terms = await explainedTerms(page);
+    for (const term of ['Tool error', 'sampling interval', 'predictor', 'offset', 'Application latency']) assert.ok(terms.includes(term), term);
   });
 
   it('describes each plot and its claim in words, with the paper as source', async () => {

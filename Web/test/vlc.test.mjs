@@ -9,6 +9,7 @@ import { build } from 'esbuild';
 import { Browser } from './browser.mjs';
 import { ClockGateway } from './clockGateway.mjs';
 import { drawn } from './drawn.mjs';
+import { explainedTerms } from './glossary.mjs';
 import { messages } from './messages.mjs';
 
 const path = relative => fileURLToPath(new URL(relative, import.meta.url));
@@ -76,7 +77,7 @@ function assertRight(seen) {
 const synchronised = page => page.waitForSelector('body[data-state="synchronised"]', { timeout: 60_000 });
 const unsynchronised = (page, why) => page.waitForFunction(
   why => document.body.dataset.state === 'not synchronised' && document.getElementById('code').hidden
-    && document.getElementById('doubt').textContent.includes(why), why, { timeout: 60_000 });
+    && document.getElementById('warning').textContent.includes(why), why, { timeout: 60_000 });
 
 describe('the code and its clock', () => {
   it('draws the codes of the vector file', () => {
@@ -180,6 +181,12 @@ describe('the page of the control clock\'s code', () => {
     await page.goto(address);
     return page;
   }
+
+  it('explains terms of the glossary on hover', async () => {
+    const page = await open(await (gateway = new ClockGateway()).start());
+
+    assert.deepEqual(await explainedTerms(page), ['control clock']);
+  });
 
   it('shows the control time of each frame', async () => {
     const page = await open(await (gateway = new ClockGateway()).start());

@@ -13,8 +13,6 @@ export const meanings: Record<string, string> = {
   'Held (mm)': 'Distance between the tool at the newest sample, without compensation, and its true position, in millimetres',
   'Error reduction (%)': 'Share of the uncompensated error that compensation removes',
   'RTT (ms)': 'Round-trip time of one exchange of time stamps, in milliseconds',
-  'L_app (ms)': 'Application latency: from the time a sample was taken to its arrival on the headset',
-  'L_visu (ms)': 'Visualisation latency: from the start of a frame until its light reaches the eye',
   'Render time': 'Render time of the last frame, and whether it is within the constant-latency range',
   Pose: 'State of the displayed pose: current, coarse (the clock has the stated error), or the reason why the pose is not current',
   'Current (%)': 'Share of frames with a current pose',

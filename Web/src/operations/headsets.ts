@@ -3,7 +3,7 @@ import { emptyMessages, operationsLabels } from '../messages/operations';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Headset, numberOf, textOf } from './state';
-import { stateWords } from './terms';
+import { stateWords } from './stateWords';
 
 /** Time without a report after which the values of a headset count as outdated. */
 const SILENT_S = 3;

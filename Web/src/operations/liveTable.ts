@@ -1,6 +1,7 @@
 import { el } from '../dom';
 import { scrollable } from '../tables';
-import { term } from './terms';
+import { meanings } from '../messages/terms';
+import { term } from '../terms';
 
 export interface Column<T> {
   label: string;
@@ -37,8 +38,8 @@ export class LiveTable<T> {
   ) {
     this.none = el('p', { class: 'missing' }, none);
     const labels = [
-      el('th', { scope: 'col' }, term(first)),
-      ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, term(c.label))),
+      el('th', { scope: 'col' }, term(first, meanings)),
+      ...columns.map(c => el('th', { scope: 'col', class: c.isNumber ? 'n' : null }, term(c.label, meanings))),
     ];
     this.table = el('table', {}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...labels)));
     this.element = el('div', { class: 'live' }, scrollable(this.caption, this.table), this.none);

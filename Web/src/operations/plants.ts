@@ -4,7 +4,7 @@ import { longLabels } from '../messages/terms';
 import { format } from '../numbers';
 import { LiveTable } from './liveTable';
 import { type Joint, numberOf, type PlantClock, type Source, type State, textOf, type Words } from './state';
-import { stateWords } from './terms';
+import { stateWords } from './stateWords';
 import { lengthWords, localTime } from './times';
 
 /** Time without a report after which an adapter counts as silent. Adapters report once per second. */

@@ -8,7 +8,7 @@ const NS_PER_MS = 1_000_000n;
 const get = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
 const canvas = get<HTMLCanvasElement>('code');
-const warning = get('doubt');
+const warning = get('warning');
 const time = get('time');
 const facts = get('facts');
 const form = get<HTMLFormElement>('token');

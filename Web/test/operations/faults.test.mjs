@@ -193,7 +193,7 @@ describe('the operations page with faults', () => {
   it('explains terms and units on hover', async () => {
     const page = await open();
 
-    for (const term of ['RTT (ms)', 'L_app (ms)', 'L_visu (ms)', 'Skew (ppm)', 'P95 (ms)', 'Age', 'Pose', 'Control clock']) {
+    for (const term of ['RTT (ms)', 'L_app', 'L_visu', 'Skew (ppm)', 'P95 (ms)', 'Age', 'Pose', 'Control clock']) {
       const title = await page.locator('abbr', { hasText: new RegExp(`^${term.replace(/[()]/g, '\\$&')}$`) }).first().getAttribute('title');
       assert.ok(title.length > 10, term);
     }

@@ -1,11 +1,3 @@
-import { el } from '../dom';
-import { meanings } from '../messages/terms';
-
-/** Returns a label. If there is an explanation, it is shown on hover. */
-export function term(label: string): Node | string {
-  return label in meanings ? el('abbr', { title: meanings[label] }, label) : label;
-}
-
 /** Returns a state as text. For a coarse clock, adds the error, for example "coarse, ± 3 ms". */
 export function stateWords(state: string, estimatedErrorUs: number | null | undefined, boundUs: number | null | undefined): string {
   const us = estimatedErrorUs ?? boundUs;
