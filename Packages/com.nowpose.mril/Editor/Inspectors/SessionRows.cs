@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Inspectors
             yield return ("End to end", LiveText.Ms(session.EndToEndLatency));
             yield return ("Display time", DisplayTimeOf(session));
             yield return ("Reprojection, depth", Words(ReprojectionModeNames.NameOf(session.Reprojection)) + ", "
-                + Words(DepthSubmissionMessages.NameOf(session.DepthSubmission)));
+                + Words(DepthSubmissionNames.NameOf(session.DepthSubmission)));
             yield return ("Error, uncompensated", LiveText.Mm(session.ErrorMm) + ", " + LiveText.Mm(session.HoldErrorMm));
             yield return ("Pose current, last 10 s", LiveText.Number(100 * session.CurrentShare, "0", " %"));
             foreach (var joint in session.JointStatuses) yield return ("Joint " + joint.Joint, joint.Description);
