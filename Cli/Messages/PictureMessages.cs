@@ -4,19 +4,19 @@ namespace Nowpose.Cli.Messages;
 static class PictureMessages
 {
     public static string VideoNotAlone(string video) => $"{video}: a video must be the only file; evaluate it separately";
-    public static string NotFound(string path) => $"{path}: file or folder not found";
+    public static string NotFound(string path) => $"{path}: file or folder not found; correct the path";
 
     public static string NotAPicture(string path, string pictures, string videos) =>
-        $"{path}: is neither a picture ({pictures}) nor a video ({videos})";
+        $"{path}: is neither a picture ({pictures}) nor a video ({videos}); pass or convert to one of these";
 
     public const string FfmpegNeeded =
         "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";
 
-    public static string NoFramesByFfmpeg(string path, string reason) => $"{path}: ffmpeg finds no frames in it: {reason}";
+    public static string NoFramesByFfmpeg(string path, string reason) => $"{path}: ffmpeg finds no frames in it; film again: {reason}";
 
     public static string FrameOrder(string path, int frame) =>
         $"{path}: frame {frame} is not later than the previous one; the times of this video cannot be used, convert it with ffmpeg";
 
-    public static string NoFrames(string path, string reason) => $"{path}: ffprobe finds no frames in it: {reason}";
-    public static string NoVideo(string path, string reason) => $"{path}: ffprobe finds no video in it: {reason}";
+    public static string NoFrames(string path, string reason) => $"{path}: ffprobe finds no frames in it; film again: {reason}";
+    public static string NoVideo(string path, string reason) => $"{path}: ffprobe finds no video in it; pass a video or pictures: {reason}";
 }

@@ -5,7 +5,8 @@ static class ReplayMessages
 {
     public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";
     public static string TooLong(string path) => $"{path}: is too long for this machine's memory; record shorter sessions";
-    public static string JointCount(string path, int joints, int header) => $"{path}: a frame has {joints} joints, the header {header}";
+    public static string JointCount(string path, int joints, int header) =>
+        $"{path}: a frame has {joints} joints, the header {header}; record the session again";
     public static string InSession(string path) => $"a recorded session contains this value; remove the option for {path}";
 
     public static string TooManyFrames(string path, double seconds, double hertz, double samplingMs) =>
@@ -14,9 +15,10 @@ static class ReplayMessages
 
     public static string TooShort(double seconds, double neededSeconds) =>
         FormattableString.Invariant($"{seconds:G6} s are too short: a frame is evaluated only after sample 4 has arrived, which takes up ")
-        + FormattableString.Invariant($"to {neededSeconds:G6} s");
+        + FormattableString.Invariant($"to {neededSeconds:G6} s; record a longer motion");
 
-    public static string AllLost(double loss) => FormattableString.Invariant($"--loss {loss}: no sample arrived, so no frame could be scored");
+    public static string AllLost(double loss) =>
+        FormattableString.Invariant($"--loss {loss}: no sample arrived, so no frame could be scored; use a smaller share");
     public static string TooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in rad or m";
 
     public static string NothingScored(string path, int samples) =>

@@ -3,22 +3,22 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Errors in recorded sessions. The reader adds the file and the line.</summary>
 static class SessionFileMessages
 {
-    public const string NotAString = "is not a string";
-    public const string NotASwitch = "is neither true nor false";
+    public const string NotAString = "must be a string";
+    public const string NotASwitch = "must be true or false";
 
-    public static string NotWhole(string value) => $"{value} is not a whole number (64 bits)";
-    public static string NotFinite(string value) => $"{value} is not a finite number";
-    public static string Count(int count, int? expected) => $"{count} numbers; it must have {expected}";
-    public static string ElementNotFinite(int element, string value) => $"element {element}: {value} is not a finite number";
-    public static string ElementNotAString(int element, string value) => $"element {element}: {value} is not a string";
+    public static string NotWhole(string value) => $"is {value}; it must be a whole number (64 bits)";
+    public static string NotFinite(string value) => $"is {value}; it must be a finite number";
+    public static string Count(int count, int? expected) => $"has {count} numbers; it must have {expected}";
+    public static string ElementNotFinite(int element, string value) => $"has the element {element} {value}; it must be a finite number";
+    public static string ElementNotAString(int element, string value) => $"has the element {element} {value}; it must be a string";
 
-    public const string NotAnObject = "is not an object";
+    public const string NotAnObject = "must be an object";
 
-    public static string ValueNotAnObject(string value) => $"{value} is not an object";
+    public static string ValueNotAnObject(string value) => $"is {value}; it must be an object";
 
-    public const string NotAnArray = "is not an array";
+    public const string NotAnArray = "must be an array";
 
-    public static string NotJson(string place, string reason) => $"{place}: is not a JSON object: {reason}";
+    public static string NotJson(string place, string reason) => $"{place}: is not a JSON object; record the session again, or remove the line: {reason}";
     public static string Empty(string path) => $"{path}: is empty; the first line of a session file must be its header";
 
     public static string OtherFormat(string place, string format) =>
@@ -27,10 +27,10 @@ static class SessionFileMessages
     public static string NewerVersion(string place, long version, int supported) =>
         $"{place}: field 'version': the file is of version {version}; this program reads version {supported}; use a newer program";
 
-    public static string LineNotAnObject(string place) => $"{place}: is not a JSON object";
-    public static string LimitOrder(double lower, double upper) => FormattableString.Invariant($"{lower} is above the upper limit {upper}");
-    public static string Limit(double value) => FormattableString.Invariant($"{value} is not a valid limit; it must be more than 0");
-    public static string PointOrder(int point) => $"of point {point} is not later than that of the previous point or the time stamp";
+    public static string LineNotAnObject(string place) => $"{place}: must be a JSON object";
+    public static string LimitOrder(double lower, double upper) => FormattableString.Invariant($"is {lower}; it must not exceed the upper limit {upper}");
+    public static string Limit(double value) => FormattableString.Invariant($"is {value}; a limit must be more than 0");
+    public static string PointOrder(int point) => $"of point {point} is not later than that of the previous point or the time stamp; times must increase";
 
     public const string NotARotation = "is not a rotation; it must be a unit quaternion x, y, z, w";
 }

@@ -17,6 +17,9 @@ static class AdapterMessages
     public static string CheckTooSlow(string file, double seconds) =>
         $"{file}: its check did not end within {seconds} s; try again when the machine is less busy";
 
+    public static string FormerKey(string adapter, string former, string current) =>
+        $"adapter {adapter}: reports with the former key {former}NAME, which the next release ignores; update it so that it reports {current}NAME";
+
     public const string NodeNeeded = "--plant: Node.js 20 or newer is needed to read a control system";
 
     public static string CheckUnreadable(string file) =>

@@ -5,7 +5,7 @@ static class MotionFileMessages
 {
     public const string TimeNotANumber = "a time must be a number";
 
-    public static string ArrayLength(int elements, int joints) => $"the array has {elements} elements; the recording has {joints} joints";
+    public static string ArrayLength(int elements, int joints) => $"the array has {elements} elements; it must have {joints}, one for each joint";
     public static string Quotation(string path, int row) => $"{path}:{row}: a quotation mark is inside a field; quote whole fields or none";
     public static string TooFewRows(string path, int rows) => $"{path}: {rows} rows of data; a motion needs at least 2";
     public static string Empty(string path) => $"{path}: is empty; a header such as t,joint_1,joint_2 is needed";
@@ -29,7 +29,7 @@ static class MotionFileMessages
 
     public static string EmptyField(string field) => $"field {field} is empty; a number is needed";
     public static string NotANumber(string field, string text) => $"field {field}: {text} is not a number; the decimal separator is a point";
-    public static string NotFinite(string field, string text) => $"field {field}: {text} is not a finite number";
+    public static string NotFinite(string field, string text) => $"field {field}: {text} is not a finite number; correct it, or remove the row";
 
     public static string TooLarge(string field, string text, double max) =>
         FormattableString.Invariant($"field {field}: {text} is too large; up to {max:0e+0} are allowed");
@@ -37,5 +37,5 @@ static class MotionFileMessages
     public const string NoFile = "no file is given; enter the path of a .csv or .csv.gz file";
 
     public static string IsAFolder(string path) => $"{path}: is a folder; enter the path of a .csv or .csv.gz file";
-    public static string NotGzip(string path) => $"{path}: is not a complete gzip file, although its name ends in .gz";
+    public static string NotGzip(string path) => $"{path}: is not a complete gzip file, although its name ends in .gz; compress or copy it again";
 }

@@ -15,17 +15,30 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
     public const string FramePrefix = "frame/";
     public const string SignalPrefix = "signal/";
     public const string UncertainPrefix = "uncertain/";
+
+    /// <summary>The prefix that older adapters use in place of <see cref="UncertainPrefix"/>. Version 0.2 accepts it, the next release ignores it.</summary>
+    public const string FormerUncertainPrefix = "doubt/";
+
     const int MaxReasonLength = 300;
 
     // End of the year 9999, the maximum of DateTimeOffset.
     const double MaxUnixSeconds = 253_402_300_799;
 
-    static readonly string[] Prefixes = [JointPrefix, FramePrefix, SignalPrefix, UncertainPrefix];
+    static readonly string[] Prefixes = [JointPrefix, FramePrefix, SignalPrefix, UncertainPrefix, FormerUncertainPrefix];
 
     /// <summary>Time for which a report is valid. Adapters report once per second.</summary>
     public static readonly TimeSpan Validity = TimeSpan.FromSeconds(2.5);
 
     public static bool IsKey(string key) => Array.Exists(Prefixes, prefix => key.StartsWith(prefix, StringComparison.Ordinal));
+
+    /// <summary>Returns the joint of a key uncertain/NAME, or of the former key doubt/NAME; null for another key.</summary>
+    public static string UncertainJoint(string key)
+    {
+        if (key.StartsWith(UncertainPrefix, StringComparison.Ordinal)) return key[UncertainPrefix.Length..];
+        return IsFormerKey(key) ? key[FormerUncertainPrefix.Length..] : null;
+    }
+
+    public static bool IsFormerKey(string key) => key.StartsWith(FormerUncertainPrefix, StringComparison.Ordinal);
 
     public static bool TryParse(string value, out AdapterReport report)
     {

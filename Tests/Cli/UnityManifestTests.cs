@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Cli;
 public class UnityManifestTests
 {
     [TestCase("{\n  \"dependencies\": {\n    \"a\": \"1.0.0\",\n  }\n}", ":4: not a JSON object: a name in double quotes is expected")]
-    [TestCase("{\n  // packages\n  \"dependencies\": {}\n}", ":2: not a JSON object: a name in double quotes is expected (JSON has no comments)")]
+    [TestCase("{\n  // packages\n  \"dependencies\": {}\n}", ":2: not a JSON object: a name in double quotes is expected; remove the comment")]
     [TestCase("", ":1: not a JSON object: { is expected")]
     public async Task Unity_InvalidManifest_NamesTheLineAndKeepsTheFile(string manifest, string reason)
     {

@@ -70,7 +70,7 @@ public class SessionFileReaderTests
     [TestCase("\"linear\"", "\"quartic\"", "field 'settings' predictor 'quartic' is unknown")]
     [TestCase("300", "-1", "field 'settings' horizon cap: -1 ms is out of range")]
     [TestCase("300", "\"x\"", "field 'horizon_cap_ms'")]
-    [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' 3 is above the upper limit 2")]
+    [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' is 3; it must not exceed the upper limit 2")]
     [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' 0 is not a valid limit")]
     [TestCase("\"b\"", "\"a\"", "field 'joints' has joint 'a' twice")]
     public void Header_Invalid_NamesTheField(string right, string wrong, string expected)
@@ -83,11 +83,11 @@ public class SessionFileReaderTests
     [TestCase("{\"stamp_ns\":1}", "field 'kind' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'stamp_ns' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' 1.5 is not a whole number")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' element 1: null is not a finite number")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' 2 numbers; it must have 1")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' is not an array")]
-    [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' is not an array")]
-    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' 99999999999999999999 is not a whole number (64 bits)")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' has the element 1 null; it must be a finite number")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' has 2 numbers; it must have 1")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' must be an array")]
+    [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' must be an array")]
+    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' is 99999999999999999999; it must be a whole number (64 bits)")]
     public void Line_Invalid_NamesTheField(string line, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + line + "\n" + Sample + "\n"));
@@ -112,8 +112,8 @@ public class SessionFileReaderTests
     }
 
     [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is not later than that of the previous point")]
-    [TestCase("[0.5,0.75]", "[0.5]", "field 'position' 1 numbers; it must have 2")]
-    [TestCase("\"points\":[", "\"points\":[7,", "field 'points' 7 is not an object")]
+    [TestCase("[0.5,0.75]", "[0.5]", "field 'position' has 1 numbers; it must have 2")]
+    [TestCase("\"points\":[", "\"points\":[7,", "field 'points' is 7; it must be an object")]
     [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]
     public void Plan_Invalid_NamesTheField(string right, string wrong, string expected)
     {

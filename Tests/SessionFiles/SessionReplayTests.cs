@@ -283,8 +283,8 @@ public class SessionReplayTests
     }
 
     [TestCase("\"rotation\":[0,0,0,2]", "field 'rotation' is not a rotation")]
-    [TestCase("\"rotation\":[0,0,1]", "field 'rotation' 3 numbers; it must have 4")]
-    [TestCase("\"rotation\":\"none\"", "field 'rotation' is not an array")]
+    [TestCase("\"rotation\":[0,0,1]", "field 'rotation' has 3 numbers; it must have 4")]
+    [TestCase("\"rotation\":\"none\"", "field 'rotation' must be an array")]
     public async Task Replay_DamagedPose_NamesItsLineAndField(string rotation, string expected)
     {
         VirtualRecording.To(_path, seconds: 6);

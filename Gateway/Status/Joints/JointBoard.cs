@@ -14,7 +14,8 @@ namespace Nowpose.Gateway.Status.Joints;
 /// </remarks>
 /// <param name="time">Time source.</param>
 /// <param name="robot">Returns the described robot; null if no robot is described.</param>
-sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
+/// <param name="log">Called once, when an adapter uses a former key; null for none.</param>
+sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action<string> log = null)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;
 
@@ -29,6 +30,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
     readonly Lock _lock = new();
     readonly Dictionary<string, Joint> _joints = [];
     readonly UnpublishedJoints _unpublished = new(time);
+    bool _isFormerKeyLogged;
 
     /// <summary>Adds a published sample.</summary>
     /// <param name="source">The source; null for the gateway's own.</param>
@@ -71,8 +73,10 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
     public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
     {
         var reports = new Dictionary<string, AdapterReport>();
-        var uncertainties = values.Where(pair => pair.Key.StartsWith(AdapterReport.UncertainPrefix, StringComparison.Ordinal)).Take(ProtocolLimits.Joints)
-            .DistinctBy(pair => pair.Key).ToDictionary(pair => pair.Key[AdapterReport.UncertainPrefix.Length..], pair => AdapterReport.Sentence(pair.Value));
+        var uncertainties = values.Where(pair => AdapterReport.UncertainJoint(pair.Key) != null).Take(ProtocolLimits.Joints)
+            .DistinctBy(pair => AdapterReport.UncertainJoint(pair.Key))
+            .ToDictionary(pair => AdapterReport.UncertainJoint(pair.Key), pair => AdapterReport.Sentence(pair.Value));
+        if (values.Any(pair => AdapterReport.IsFormerKey(pair.Key))) LogFormerKey(adapter);
         foreach (var (key, value) in values)
         {
             if (reports.Count >= ProtocolLimits.Joints) break;
@@ -89,6 +93,16 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null)
                 if (!reports.ContainsKey(name) && joint.EndReports(adapter) && joint.Flow.Source == source) joint.Flow.Leave();
             foreach (var (name, report) in reports) Find(name)?.RowOf(adapter, time).Report(report);
         }
+    }
+
+    void LogFormerKey(string adapter)
+    {
+        lock (_lock)
+        {
+            if (_isFormerKeyLogged) return;
+            _isFormerKeyLogged = true;
+        }
+        log?.Invoke(AdapterMessages.FormerKey(adapter, AdapterReport.FormerUncertainPrefix, AdapterReport.UncertainPrefix));
     }
 
     /// <summary>Records that a source ended normally.</summary>

@@ -14,7 +14,7 @@ namespace Nowpose.Editor.Messages
         public static string ReadOnly(string file) =>
             $"{file}: the file is read-only; make it writable, or check it out of version control, and try again";
 
-        public static string TooLong(string file, string bytes) => $"{file}: the file has {bytes} bytes; the limit is 1 MiB";
+        public static string TooLong(string file, string bytes) => $"{file}: the file has {bytes} bytes; the limit is 1 MiB; remove what does not belong there";
         public static string ChangedMeanwhile(string file) => $"{file}: another program has changed the file; try again";
 
         public static string NotWritten(string file, string reason, string backup) =>
@@ -23,23 +23,24 @@ namespace Nowpose.Editor.Messages
         public static string NotUtf8(string file) => $"{file}: the file is not UTF-8; save it as UTF-8";
 
         public static string VersionUnreadable(string package, string version, string needed) =>
-            $"{package} is kept at {version}: its version cannot be read there; {needed} is needed";
+            $"{package} is kept at {version}: its version cannot be read there; {needed} is needed; check it";
 
-        public static string Scopes(string place) => $"{place}: scopes must be an array";
-        public static string NotAString(string place, string name) => $"{place}: {name} must be a string: a version or an address";
+        public static string Scopes(string place) => $"{place}: scopes must be an array; correct it";
+        public static string NotAString(string place, string name) => $"{place}: {name} must be a string: a version or an address; correct it";
 
         public static string NotJson(string file, string line, string reason, bool isComment) => isComment
-            ? $"{file}:{line}: not a JSON object: {reason} (JSON has no comments)"
-            : $"{file}:{line}: not a JSON object: {reason}";
+            ? $"{file}:{line}: not a JSON object: {reason}; remove the comment, because JSON has none"
+            : $"{file}:{line}: not a JSON object: {reason}; correct the line";
 
         /// <param name="url">Address of the registry in use; null if the registry has none.</param>
         /// <param name="isShared">Whether the registry in use also has other scopes.</param>
         public static string OtherRegistry(string place, string package, string url, string needed, bool isShared)
         {
-            if (url == null) return $"{place}: {package} comes from a registry without url; {needed} is needed";
+            if (url == null) return $"{place}: {package} comes from a registry without url; {needed} is needed; add this url";
             return isShared
-                ? $"{place}: {package} comes from the registry {url}; {needed} is needed; the registry has other scopes too, so its url is kept"
-                : $"{place}: {package} comes from the registry {url}; {needed} is needed";
+                ? $"{place}: {package} comes from the registry {url}; {needed} is needed; the registry has other scopes too, so its url is kept; "
+                    + "move the scope to a registry with the needed url"
+                : $"{place}: {package} comes from the registry {url}; {needed} is needed; change the url";
         }
     }
 }

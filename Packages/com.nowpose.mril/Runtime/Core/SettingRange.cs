@@ -13,9 +13,11 @@ namespace Nowpose
         public static double Require(double value, double min, double max, string name, string unit)
         {
             if (value >= min && value <= max) return value;
-            var suffix = unit.Length == 0 ? "" : " " + unit;
-            throw new InputException(SettingMessages.OutOfRange(name, value, suffix, min, max));
+            throw new InputException(SettingMessages.OutOfRange(name, value, Suffix(unit), min, max));
         }
+
+        /// <summary>Returns the end of a value with its unit; empty for a value without unit.</summary>
+        public static string Suffix(string unit) => unit.Length == 0 ? "" : " " + unit;
 
         /// <inheritdoc cref="Require"/>
         public static int RequireCount(int value, int min, int max, string name) => (int)Require(value, min, max, name, "");

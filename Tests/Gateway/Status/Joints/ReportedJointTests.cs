@@ -44,6 +44,20 @@ public class ReportedJointTests
         Assert.That(_joints.Joint("a").Reason, Does.Contain("press"));
     }
 
+    [Test]
+    public void Read_AdapterReportsTheFormerKeyOfAnUncertainRest_IsUncertainAndLoggedOnce()
+    {
+        var log = new List<string>();
+        var joints = new SampledBoard(log: log.Add);
+        KeyValuePair<string, string>[] report = [new("joint/a", "rest 1 assumed at rest"), new("doubt/a", "the stop was not observed")];
+
+        joints.Board.Report("press", report);
+        joints.Board.Report("press", report);
+
+        Assert.That(joints.Joint("a").Uncertainty, Is.EqualTo("the stop was not observed"));
+        Assert.That(log, Has.Count.EqualTo(1).And.All.Contains("press").And.All.Contains("uncertain/NAME"));
+    }
+
     [TestCase("refused")]
     [TestCase("fault")]
     [TestCase("missing")]

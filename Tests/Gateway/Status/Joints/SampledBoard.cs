@@ -8,9 +8,9 @@ namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 /// <summary>A joint board in virtual time, with samples of one source and reports of adapters.</summary>
 sealed class SampledBoard
 {
-    public SampledBoard(Func<RobotModel> robot = null)
+    public SampledBoard(Func<RobotModel> robot = null, Action<string> log = null)
     {
-        Board = new JointBoard(Time, robot);
+        Board = new JointBoard(Time, robot, log);
         Source = Hub.OpenSource();
     }
 

@@ -46,7 +46,8 @@ namespace Nowpose.Kinematics
         (double X, double Y, double Z) Size(XElement box)
         {
             var size = _source.Triple(box, "size", (double.NaN, 0, 0));
-            if (!(size.X >= 0 && size.Y >= 0 && size.Z >= 0)) throw _source.Error(box, UrdfMessages.BoxSize);
+            if (double.IsNaN(size.X)) throw _source.Error(box, UrdfMessages.AttributeMissing("size"));
+            if (!(size.X >= 0 && size.Y >= 0 && size.Z >= 0)) throw _source.Error(box, UrdfMessages.BoxSize(size.X, size.Y, size.Z));
             return size;
         }
 
@@ -55,7 +56,8 @@ namespace Nowpose.Kinematics
         double Length(XElement shape, string attribute)
         {
             var length = _source.Number(shape, attribute, double.NaN);
-            if (!(length >= 0)) throw _source.Error(shape, UrdfMessages.Length(attribute));
+            if (double.IsNaN(length)) throw _source.Error(shape, UrdfMessages.AttributeMissing(attribute));
+            if (!(length >= 0)) throw _source.Error(shape, UrdfMessages.Length(attribute, length));
             return length;
         }
     }

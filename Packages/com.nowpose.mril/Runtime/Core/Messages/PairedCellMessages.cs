@@ -5,19 +5,19 @@ namespace Nowpose.Messages
     {
         public static string CodeCount(int codes, int max) => $"paired cell: {codes} codes; allowed: 1 to {max}";
 
-        public const string SameCode = "paired cell: two codes are the same";
-        public const string SeveralCells = "paired cell: the codes belong to several cells or gateways";
+        public const string SameCode = "paired cell: two codes are the same; remove one";
+        public const string SeveralCells = "paired cell: the codes belong to several cells or gateways; all must be of one";
 
         public static string CellCount(int cells, int max) => $"paired cells: {cells} cells; allowed: up to {max}";
 
-        public const string SameName = "paired cells: two have the same name";
-        public const string UsedNotInList = "paired cells: the cell in use is not in the list";
+        public const string SameName = "paired cells: two have the same name; rename or remove one";
+        public const string UsedNotInList = "paired cells: the cell in use must be in the list";
         public const string List = "list of paired cells";
-        public const string NotComplete = "it is not a complete JSON object";
+        public const string NotComplete = "it must be a complete JSON object";
 
         public static string Unusable(string file, string reason) => $"{file}: cannot be used as a list of paired cells: {reason}";
         public static string Field(DropReason fault) => $"a field is missing, occurs twice, or has the wrong type ({fault})";
-        public static string OtherFormat(string format) => $"its format is not '{format}'";
+        public static string OtherFormat(string format) => $"its format must be '{format}'";
         public static string NewerVersion(long version, int max) => $"it has version {version}; this Nowpose reads version {max}; update Nowpose";
 
         /// <param name="copy">Path of the kept copy; null for none.</param>

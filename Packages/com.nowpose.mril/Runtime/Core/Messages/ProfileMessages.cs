@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Messages
 {
     /// <summary>Errors of latency profiles. The reader adds the file.</summary>
@@ -16,9 +18,11 @@ namespace Nowpose.Messages
 
         public const string NotComplete = "it is not a complete JSON object; calibrate again";
 
-        public static string NotANumber(string field) => $"{field} must be a number";
-        public static string NotWhole(string field) => $"{field} must be a whole number";
-        public static string NotAText(string field) => $"{field} must be a string";
+        public static string NotANumber(string field, string value, double min, double max, string unit) => FormattableString.Invariant(
+            $"{field} is {value}; it must be a number from {min} to {max}{unit}; calibrate again");
+        public static string NotWhole(string field, double value) => FormattableString.Invariant(
+            $"{field} is {value}; it must be a whole number; calibrate again");
+        public static string NotAText(string field, string value) => $"{field} is {value}; it must be a string; calibrate again";
         public static string NotADate(string field, string text) => $"{field}: '{text}' is not a date; write it as 2026-11-20T13:00:00Z";
     }
 }

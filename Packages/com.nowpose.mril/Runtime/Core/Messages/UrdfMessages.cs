@@ -14,9 +14,11 @@ namespace Nowpose.Messages
         public static string Limits(double lower, double upper) =>
             FormattableString.Invariant($"lower {lower} is above upper {upper}; swap or correct them");
 
-        public const string BoxSize = "size must be 3 lengths of at least 0 m";
+        public static string BoxSize(double x, double y, double z) =>
+            FormattableString.Invariant($"size is {x} {y} {z} m; it must be 3 lengths of at least 0 m");
 
-        public static string Length(string attribute) => $"{attribute} must be a length of at least 0 m";
+        public static string Length(string attribute, double metres) =>
+            FormattableString.Invariant($"{attribute} is {metres} m; it must be a length of at least 0 m");
         public static string Colour(int count) => $"rgba has {count} numbers; it needs 4";
 
         public static string MimicCycle(string master) =>
@@ -26,7 +28,7 @@ namespace Nowpose.Messages
 
         public const string Root = "the root element must be <robot>";
 
-        public static string AttributeMissing(string attribute) => $"its attribute {attribute} is missing or empty";
+        public static string AttributeMissing(string attribute) => $"its attribute {attribute} is missing or empty; add it";
         public static string NotATriple(string attribute, int count) => $"{attribute} has {count} numbers; it needs 3";
 
         public static string TooDeep(string file, int line, int max) =>
@@ -36,7 +38,8 @@ namespace Nowpose.Messages
         public const string NoLinks = "the robot has no links; it needs at least one <link>";
         public const string LinkTwice = "another link has the same name; rename one of them";
 
-        public static string TwoParents(string link, string joint) => $"link {link} is already the child of joint {joint}; a link has one parent";
+        public static string TwoParents(string link, string joint) =>
+            $"link {link} is already the child of joint {joint}; a link has one parent; remove one of the joints";
 
         public static string TwoRoots(string other) =>
             $"there are two root links, this one and {other}; every link except one must be the child of a joint";
@@ -47,6 +50,6 @@ namespace Nowpose.Messages
         /// <param name="isXacro">Whether the text is an expression of xacro.</param>
         public static string NotANumber(string attribute, string text, bool isXacro) => isXacro
             ? $"{attribute} {text} is not a finite number; expand the file with xacro first"
-            : $"{attribute} {text} is not a finite number";
+            : $"{attribute} {text} is not a finite number; correct it";
     }
 }

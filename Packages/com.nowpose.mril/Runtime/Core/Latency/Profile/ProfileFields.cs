@@ -13,7 +13,9 @@ namespace Nowpose.Latency.Profile
         /// <summary>Maximum nesting depth. Unknown fields may be nested.</summary>
         const int Nesting = 8;
 
-        // Represents a value that is neither text nor a number.
+        const int MaxShownLength = 40;
+
+        /// <summary>Represents a value that is neither text nor a number.</summary>
         static readonly object Other = new object();
 
         readonly string _name;
@@ -51,14 +53,14 @@ namespace Nowpose.Latency.Profile
             {
                 case null: return null;
                 case double value: return SettingRange.Require(value, min, max, _name + ": " + field, unit);
-                default: throw Fault(ProfileMessages.NotANumber(field));
+                default: throw Fault(ProfileMessages.NotANumber(field, Shown(ValueOf(field)), min, max, SettingRange.Suffix(unit)));
             }
         }
 
         public int Count(string field)
         {
             var value = Number(field, 0, int.MaxValue, "");
-            return value == Math.Floor(value) ? (int)value : throw Fault(ProfileMessages.NotWhole(field));
+            return value == Math.Floor(value) ? (int)value : throw Fault(ProfileMessages.NotWhole(field, value));
         }
 
         public string Text(string field) => OptionalText(field) ?? throw Missing(field);
@@ -67,7 +69,7 @@ namespace Nowpose.Latency.Profile
         public string OptionalText(string field)
         {
             var value = ValueOf(field);
-            return value == null ? null : value as string ?? throw Fault(ProfileMessages.NotAText(field));
+            return value == null ? null : value as string ?? throw Fault(ProfileMessages.NotAText(field, Shown(value)));
         }
 
         public DateTime Utc(string field)
@@ -81,6 +83,13 @@ namespace Nowpose.Latency.Profile
         public InputException Fault(string what) => new InputException(_name + ": " + what);
 
         InputException Missing(string field) => Fault(field + " is missing");
+
+        static string Shown(object value) => value switch
+        {
+            string text => "'" + InputException.OneLine(text, MaxShownLength) + "'",
+            double number => number.ToString(CultureInfo.InvariantCulture),
+            _ => "neither a string nor a number",
+        };
 
         object ValueOf(string field) => _values.TryGetValue(field, out var value) ? value : null;
     }

@@ -183,7 +183,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("nothing", ":1: not a JSON object: { is expected")]
         [TestCase("[]", ":1: not a JSON object: { is expected")]
         [TestCase("{\n\"dependencies\": {\n", ":3: not a JSON object: a name in double quotes is expected")]
-        [TestCase("{\n // why\n}", ":2: not a JSON object: a name in double quotes is expected (JSON has no comments)")]
+        [TestCase("{\n // why\n}", ":2: not a JSON object: a name in double quotes is expected; remove the comment")]
         [TestCase("{\"a\": 1,}", ":1: not a JSON object: a name in double quotes is expected")]
         [TestCase("{\"a\": [1,]}", ":1: not a JSON object: a value is expected")]
         [TestCase("{\"a\": 01}", ":1: not a JSON object: , is expected")]

@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
 
         [TestCase(@"""reprojection"": ""sideways""", "profile.json: reprojection: 'sideways' is not allowed; use one of unknown, none, ")]
         [TestCase(@"""rewrite_before_render"": ""maybe""", "profile.json: rewrite_before_render: 'maybe' is not allowed; use on or off")]
-        [TestCase(@"""rewrite_before_render"": true", "profile.json: rewrite_before_render must be a string")]
+        [TestCase(@"""rewrite_before_render"": true", "profile.json: rewrite_before_render is neither a string nor a number; it must be a string")]
         [TestCase(@"""head_latency_ms"": 700", "profile.json: head_latency_ms: 700 ms is out of range; allowed: -500 to 500 ms")]
         [TestCase(@"""head_latency_ms"": 7", "profile.json: head_latency_uncertainty_ms is missing")]
         public void Read_InvalidCondition_IsRefused(string field, string message)
@@ -115,16 +115,16 @@ namespace Nowpose.Tests.Core.Latency.Profile
             + "choose a file that calibrate has written")]
         [TestCase("40.2", "NaN", "profile.json: visu_ms: NaN ms is out of range; allowed: 0 to 500 ms")]
         [TestCase("40.2", "700", "profile.json: visu_ms: 700 ms is out of range; allowed: 0 to 500 ms")]
-        [TestCase("40.2", @"""40.2""", "profile.json: visu_ms must be a number")]
+        [TestCase("40.2", @"""40.2""", "profile.json: visu_ms is '40.2'; it must be a number from 0 to 500 ms; calibrate again")]
         [TestCase("40.2", "null", "profile.json: visu_ms is missing")]
-        [TestCase("40.2", "[40.2]", "profile.json: visu_ms must be a number")]
+        [TestCase("40.2", "[40.2]", "profile.json: visu_ms is neither a string nor a number; it must be a number from 0 to 500 ms")]
         [TestCase(@"""limit_render_ms"": 15.0", @"""limit_render_ms"": 0", "profile.json: limit_render_ms: 0 ms is out of range; allowed: 0.1 to 1000 ms")]
         [TestCase(@"""display_gpu_time""", @"""gpu""", "profile.json: render_source: 'gpu' is unknown; allowed: display_gpu_time, engine_gpu_time, "
             + "gpu_completion, camera_cpu")]
         [TestCase(@"""display_gpu_time""", "null", "profile.json: render time limit: state the source of the render times from which it was determined")]
         [TestCase(@"""vlc""", @"""guess""", "profile.json: method: 'guess' is unknown; allowed: vlc, sine, nudge, manual")]
         [TestCase("2026-11-20T13:00:00Z", "yesterday", "profile.json: measured: 'yesterday' is not a date; write it as 2026-11-20T13:00:00Z")]
-        [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements must be a whole number")]
+        [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements is 2.5; it must be a whole number")]
         [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz occurs twice")]
         public void Read_InvalidValue_ThrowsWithTheReason(string part, string instead, string message)
         {
