@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using Nowpose.Editor.Messages;
 using Nowpose.Latency;
-using Nowpose.Messages;
 using Nowpose.Session;
 
 namespace Nowpose.Editor.Inspectors
