@@ -105,7 +105,7 @@ public sealed class VisionPool : IDisposable
         {
             asked.Dispose();
             _workers[worker] = null;
-            return SeenPicture.Not("the picture reader stopped at this picture; it may be too large, so try a smaller one");
+            return SeenPicture.Not(PictureReaderMessages.Stopped);
         }
     }
 

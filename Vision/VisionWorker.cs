@@ -22,7 +22,7 @@ sealed class VisionWorker : IDisposable
     {
         _script = script ?? Script;
         _process = NodeProgram.Start(
-            "Node.js 20 or newer is needed to read pictures", _script, [], process => process.ErrorDataReceived += (_, line) => Keep(line.Data));
+            PictureReaderMessages.NodeNeeded, _script, [], process => process.ErrorDataReceived += (_, line) => Keep(line.Data));
         _process.BeginErrorReadLine();
         try
         {
@@ -51,7 +51,7 @@ sealed class VisionWorker : IDisposable
         }
         // WaitForExit with a timeout can return before the last error lines have been read; WaitForExit without one waits for them.
         if (_process.WaitForExit(1000)) _process.WaitForExit();
-        lock (_errors) throw new WorkerEndedException($"the picture reader ended unexpectedly ({_script}): {_errors.ToString().Trim()}");
+        lock (_errors) throw new WorkerEndedException(PictureReaderMessages.Ended(_script, _errors.ToString().Trim()));
     }
 
     public void Dispose()

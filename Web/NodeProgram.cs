@@ -1,6 +1,7 @@
 using System.ComponentModel;
 using System.Diagnostics;
 using System.Text;
+using Nowpose.Web.Messages;
 
 namespace Nowpose.Web;
 
@@ -21,7 +22,7 @@ public static class NodeProgram
     /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>
     public static Process Start(string needed, string script, IEnumerable<string> arguments, Action<Process> prepare = null)
     {
-        if (!File.Exists(script)) throw new InputException($"{needed}; this program was built without it: install it and build again");
+        if (!File.Exists(script)) throw new InputException(NodeMessages.NotBuilt(needed));
         var process = new Process
         {
             StartInfo = new ProcessStartInfo(In(AppContext.BaseDirectory), [script, .. arguments])
@@ -42,7 +43,7 @@ public static class NodeProgram
         }
         catch (Win32Exception e)
         {
-            throw new InputException($"{needed}; it could not be started: {e.Message}. Install it from nodejs.org", e);
+            throw new InputException(NodeMessages.NotStarted(needed, e.Message), e);
         }
     }
 }

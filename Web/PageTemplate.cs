@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Web.Messages;
 
 namespace Nowpose.Web;
 
@@ -37,12 +38,12 @@ sealed class PageTemplate
         }
         catch (JsonException e)
         {
-            throw new ArgumentException($"the page's data is not JSON: {e.Message}", nameof(json), e);
+            throw new ArgumentException(PageMessages.NotJson(e.Message), nameof(json), e);
         }
         var kind = data.RootElement.ValueKind;
         if (kind == JsonValueKind.Object) return data;
         data.Dispose();
-        throw new ArgumentException($"the page's data is a JSON {kind}, an object is needed", nameof(json));
+        throw new ArgumentException(PageMessages.NotAnObject(kind), nameof(json));
     }
 
     /// <summary>

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Net;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Web.Messages;
 
 namespace Nowpose.Web;
 
@@ -24,8 +25,7 @@ static class PlainPage
     }
 
     public static string End(StringBuilder html) =>
-        html.Append("<p>This page has no plots: Nowpose was built without Node.js. Install Node.js 20 or newer with npm, ")
-            .Append("build again, and the next page has them.</p>\n</body>\n</html>\n").ToString();
+        html.Append("<p>").Append(PlainTexts.NoPlotsOnPage).Append("</p>\n</body>\n</html>\n").ToString();
 
     public static void Table(StringBuilder html, string caption, IEnumerable<string> header, IEnumerable<IEnumerable<string>> rows)
     {

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Net;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Web.Messages;
 
 namespace Nowpose.Web;
 
@@ -25,8 +26,7 @@ public static class PlainReport
         AppendClaims(page, report);
         AppendFacts(page, report, "facts", "Measured");
         AppendFacts(page, report, "settings", "Settings");
-        return page.Append("<p>This page has no plots: Nowpose was built without Node.js. Install Node.js 20 or newer with npm, ")
-            .Append("build again, and the next report has them.</p>\n</body>\n</html>\n").ToString();
+        return page.Append("<p>").Append(PlainTexts.NoPlotsInReport).Append("</p>\n</body>\n</html>\n").ToString();
     }
 
     static void AppendSummary(StringBuilder page, JsonElement report)
@@ -45,7 +45,7 @@ public static class PlainReport
     {
         if (!report.TryGetProperty("claims", out var claims) || claims.ValueKind != JsonValueKind.Array) return;
         const string Header = "<th>Figure</th><th>Claim</th><th>Paper</th><th>Measured</th><th>Verdict</th>";
-        AppendTable(page, report, "claims", "The paper’s claims and this run", Header, claim =>
+        AppendTable(page, report, "claims", PlainTexts.Claims, Header, claim =>
             $"<th>Fig. {Encode(Text(claim, "figure"))}</th><td>{Encode(Text(claim, "claim"))}</td><td>{Encode(Text(claim, "paper"))}</td>"
             + $"<td>{Encode(Text(claim, "measured"))}</td><td>{(claim.GetProperty("holds").GetBoolean() ? "holds" : "does not hold")}</td>");
     }
@@ -61,7 +61,7 @@ public static class PlainReport
     {
         if (!report.TryGetProperty(section, out var rows) || rows.ValueKind != JsonValueKind.Array || rows.GetArrayLength() == 0)
         {
-            page.Append(CultureInfo.InvariantCulture, $"<p>{caption}: not measured in this run.</p>\n");
+            page.Append(CultureInfo.InvariantCulture, $"<p>{PlainTexts.NotMeasured(caption)}</p>\n");
             return;
         }
         page.Append(CultureInfo.InvariantCulture, $"<table>\n<caption>{caption}</caption>\n<tr>{header}</tr>\n");

@@ -7,7 +7,7 @@ static class ExchangeFileMessages
     public static string FieldCount(string path, int row, int fields, int expected) => $"{path}:{row}: {fields} fields; it must have {expected}";
 
     public static string NotNanoseconds(string path, int row, string field, string text) =>
-        $"{path}:{row}: {field}: '{text}' is not a whole number of nanoseconds (64 bits)";
+        $"{path}:{row}: {field}: '{text}' is not a whole number of nanoseconds (64 bits); correct it, or remove the row";
 
     public static string NoExchange(string path) => $"{path}: contains no sync exchange; at least one is needed";
 

@@ -3,7 +3,8 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Errors in a file of pairs of render time and L_visu.</summary>
 static class PairFileMessages
 {
-    public static string FieldCount(string path, int row, int fields, int header) => $"{path}:{row}: {fields} fields; the header has {header}";
+    public static string FieldCount(string path, int row, int fields, int header) =>
+        $"{path}:{row}: {fields} fields; the header has {header}; write one field for each column";
     public static string TooManyRows(string path, int row, int max) => $"{path}:{row}: more than {max} rows; take fewer pictures";
     public static string NoRows(string path, int min) => $"{path}: no rows below the header; at least {min} are needed";
 

@@ -18,9 +18,9 @@ static class RecommendMessages
 
     public static string LateStamps(double p5Ms, double p95Ms) =>
         FormattableString.Invariant($"the samples' stamps lie {p5Ms:0.0} to {p95Ms:0.0} ms apart (P5 to P95): late time stamps reduce the ")
-        + "accuracy";
+        + "accuracy; take the stamps from the controller";
 
     public static string Repeats(double percent) =>
         FormattableString.Invariant($"{percent:0.0} % of a moving joint's samples repeat the previous one: the robot's sampling interval ")
-        + "or rounding is coarser than the recording";
+        + "or rounding is coarser than the recording; record at the robot's own rate";
 }

@@ -11,7 +11,7 @@ static class ReplayMessages
 
     public static string TooManyFrames(string path, double seconds, double hertz, double samplingMs) =>
         FormattableString.Invariant($"{path}: {seconds:G6} s are too long to replay at {hertz} frames per second and a sample every ")
-        + FormattableString.Invariant($"{samplingMs:G6} ms; is the time column in seconds?");
+        + FormattableString.Invariant($"{samplingMs:G6} ms; check that the time column is in seconds");
 
     public static string TooShort(double seconds, double neededSeconds) =>
         FormattableString.Invariant($"{seconds:G6} s are too short: a frame is evaluated only after sample 4 has arrived, which takes up ")

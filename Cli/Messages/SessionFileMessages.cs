@@ -18,7 +18,8 @@ static class SessionFileMessages
 
     public const string NotAnArray = "must be an array";
 
-    public static string NotJson(string place, string reason) => $"{place}: is not a JSON object; record the session again, or remove the line: {reason}";
+    public static string NotJson(string place, string reason) =>
+        $"{place}: is not a JSON object; record the session again, or remove the line: {reason}";
     public static string Empty(string path) => $"{path}: is empty; the first line of a session file must be its header";
 
     public static string OtherFormat(string place, string format) =>
@@ -27,10 +28,12 @@ static class SessionFileMessages
     public static string NewerVersion(string place, long version, int supported) =>
         $"{place}: field 'version': the file is of version {version}; this program reads version {supported}; use a newer program";
 
-    public static string LineNotAnObject(string place) => $"{place}: must be a JSON object";
-    public static string LimitOrder(double lower, double upper) => FormattableString.Invariant($"is {lower}; it must not exceed the upper limit {upper}");
+    public static string LineNotAnObject(string place) => $"{place}: is not a JSON object; record the session again";
+    public static string LimitOrder(double lower, double upper) =>
+        FormattableString.Invariant($"is {lower}; it must not exceed the upper limit {upper}");
     public static string Limit(double value) => FormattableString.Invariant($"is {value}; a limit must be more than 0");
-    public static string PointOrder(int point) => $"of point {point} is not later than that of the previous point or the time stamp; times must increase";
+    public static string PointOrder(int point) =>
+        $"of point {point} is not later than that of the previous point or the time stamp; times must increase";
 
     public const string NotARotation = "is not a rotation; it must be a unit quaternion x, y, z, w";
 }

@@ -43,7 +43,7 @@ static class SineMessages
         $"{path}: {columns} columns after the time; name one: {option} NAME";
 
     public static string UnknownColumn(string option, string path, string column, string columns) =>
-        $"{option}: {path} has no column '{column}'; it has {columns}";
+        $"{option}: {path} has no column '{column}'; it has {columns}; choose one of these";
 
     public static string TooFewPictures(string path, int pictures, int min) =>
         FormattableString.Invariant($"{path}: {pictures} pictures show both robot and hologram; at least {min} are needed, and ten seconds ")

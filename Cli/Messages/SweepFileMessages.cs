@@ -6,14 +6,16 @@ static class SweepFileMessages
     public static string Header(string file, int line, string header, string expected) =>
         $"{file}:{line}: the header is '{header}'; it must be {expected}";
 
-    public static string NoRows(string file) => $"{file}: the header has no rows below it; a sweep log has one row for each frame";
+    public static string NoRows(string file) => $"{file}: the header has no rows below it; a sweep log has one row for each frame; sweep again";
     public static string FieldCount(string place, int fields, int expected) => $"{place}: {fields} fields; it must have {expected}";
 
     public static string UnknownSource(string field, string text, string allowed) =>
         $"{field}: '{text}' is not a source of render times; allowed: {allowed}, or nothing";
 
-    public static string NotWhole(string field, string text, string unit) => $"{field}: '{text}' is not a whole number of {unit}";
-    public static string NotANumber(string field, string text, string unit) => $"{field}: '{text}' is not a number of {unit}";
+    public static string NotWhole(string field, string text, string unit) =>
+        $"{field}: '{text}' is not a whole number of {unit}; correct it, or sweep again";
+    public static string NotANumber(string field, string text, string unit) =>
+        $"{field}: '{text}' is not a number of {unit}; the decimal separator is a point";
 
     public static string TwoHeadsets(string path, string device, string other) =>
         $"{path}: frames of '{device}' and of '{other}'; a sweep must be from one headset";

@@ -4,12 +4,12 @@ namespace Nowpose.Cli.Messages;
 static class UnityPackageMessages
 {
     public static string NotAnAddress(string text, string package) =>
-        $"--package: '{text}' is neither a git address nor a folder or tarball with the package {package}";
+        $"--package: '{text}' is neither a git address nor a folder or tarball with the package {package}; pass one of these";
 
     public const string Owner = "--package: replace OWNER by the host of your copy of the repository";
     public const string ObjectExpected = "a JSON object is expected";
 
-    public static string NotJson(string file, long? line) => FormattableString.Invariant($"{file}:{line}: not a JSON object");
+    public static string NotJson(string file, long? line) => FormattableString.Invariant($"{file}:{line}: not a JSON object; correct the line");
 
     public const string SamplesNotAnArray = "samples must be an array";
 
@@ -19,7 +19,8 @@ static class UnityPackageMessages
     public const string FilesMissing = "the files of the package are missing beside this program; publish it again, or run it from a clone";
 
     public static string UnknownSample(string name, string allowed) => $"--sample: '{name}' is not a sample of the package; allowed: {allowed}";
-    public static string SampleMissing(string sample, string folder) => $"--sample: the files of '{sample}' are missing: {folder}";
+    public static string SampleMissing(string sample, string folder) =>
+        $"--sample: the files of '{sample}' are missing: {folder}; install the package again";
 
     public static string FileInTheWay(string folder) =>
         $"{folder}: is a file where the sample needs a folder; rename or delete it, and try again";

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Messages;
 static class UnityProjectMessages
 {
     public static string TooOldForMrtk3(string file, UnityVersion version, Version oldest) =>
-        $"{file}: Unity {version} is older than {oldest}, the oldest that MRTK3 accepts";
+        $"{file}: Unity {version} is older than {oldest}, the oldest that MRTK3 accepts; update Unity";
 
     public static string TooNew(string package, string version, string allowed) =>
         $"{package} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {allowed}";
@@ -23,5 +23,6 @@ static class UnityProjectMessages
     public static string IsAFile(string path) => $"{path}: is a file; the folder of a Unity project is needed";
     public static string NoFolder(string path) => $"{path}: folder not found; the folder of a Unity project is needed";
     public static string NotAProject(string path, string missing, string hint) => $"{path}: is not a Unity project: {missing} is missing{hint}";
-    public static string NoVersion(string file) => $"{file}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1";
+    public static string NoVersion(string file) =>
+        $"{file}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1; open the project in Unity once";
 }

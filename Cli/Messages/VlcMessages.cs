@@ -10,7 +10,8 @@ static class VlcMessages
     public static string OtherSweep(int joined, int pictures, string reason) =>
         $"--sweep: the log has the frames of only {joined} of {pictures} pictures; {reason}";
 
-    public static string NotInSweep(int missing, int pictures) => $"{missing} of {pictures} pictures show a frame that is not in the sweep log";
+    public static string NotInSweep(int missing, int pictures) =>
+        $"{missing} of {pictures} pictures show a frame that is not in the sweep log; use the log of their sweep";
 
     public static string OtherSource(int others, int all, string source) =>
         $"{others} of {all} render times of the sweep were measured with a source other than {source} and are not used";
@@ -28,20 +29,20 @@ static class VlcMessages
         $"L_visu was computed from {pictures} pictures only and may be wrong by some ms: take 30 or more";
 
     public static string NoVisuInSweep(int pictures) =>
-        $"L_visu cannot be determined from these {pictures} pictures of the sweep; no profile was written";
+        $"L_visu cannot be determined from these {pictures} pictures of the sweep; no profile was written; take more pictures";
 
-    public const string OnePicture = "one picture is not enough for a profile; none was written";
+    public const string OnePicture = "one picture is not enough for a profile; none was written; take 30 or more";
 
     public static string Scatters(double? deviationMs) =>
         FormattableString.Invariant($"L_visu scatters by {deviationMs:0.0} ms, too much for a constant. If the pictures were taken at ")
         + "several loads, add the sweep's log with --sweep. No profile was written";
 
-    public static string NoVisu(int pictures) => FormattableString.Invariant($"L_visu cannot be determined; pictures read: {pictures}.");
+    public static string NoVisu(int pictures) => FormattableString.Invariant($"L_visu cannot be determined; pictures read: {pictures}. Take more pictures.");
 
     public static string Result(double visuMs, double spreadMs, int pictures) =>
         FormattableString.Invariant($"L_visu is {visuMs:0.0} ms ± {spreadMs:0.0} ms, from {pictures} pictures.");
 
-    public const string NoPicture = "no picture was evaluated";
+    public const string NoPicture = "no picture was evaluated; pass pictures that show both codes";
 
     public static string NothingRead(int pictures, int count, string fault) =>
         $"none of {pictures} pictures could be read; {count} of them: {fault}";

@@ -13,9 +13,10 @@ static class AccessMessages
     public const string Token = "the bearer token is missing or unknown";
     public const string TooManyWrongLog = "websocket: refused a connection, too many wrong tokens from its address";
 
-    public static string TooManyWrong(string answer) => $"{answer}; too many wrong tokens from this address";
+    public static string TooManyWrong(string answer) => $"{answer}; too many wrong tokens from this address; wait a minute";
     public static string Refused(Closure why) => $"websocket: refused a connection, {why}";
-    public static string NotChecked(string kind, string reason) => $"security: tokens and certificate could not be checked ({kind}: {reason})";
+    public static string NotChecked(string kind, string reason) =>
+        $"security: tokens and certificate could not be checked ({kind}: {reason}); check the permissions of their files";
 
     public const string OtherLinesUsed = "; its other lines are used";
     public const string FormerContentUsed = "; its former content stays in use, including removed lines";

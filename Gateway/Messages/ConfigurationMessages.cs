@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.Messages;
 static class ConfigurationMessages
 {
     public static string SecondDocument(string place) => $"{place}: a second document starts here; a configuration must have one";
-    public static string NotYaml(string place) => $"{place}: not valid YAML, in this line or a later one";
+    public static string NotYaml(string place) => $"{place}: not valid YAML, in this line or a later one; correct it";
     public static string TooLong(string path, long bytes, int max) => $"--config {path}: {bytes} bytes; the maximum is {max}";
     public static string NoEntry(string place) => $"{place}: a line \"key: value\" is needed";
     public static string KeyNotAWord(string place) => $"{place}: a key must be a word without tags and anchors";
@@ -16,7 +16,7 @@ static class ConfigurationMessages
     public static string UnknownEntry(string verb, string allowed) => $"'{verb}' has no such entry; {allowed}";
 
     public const string List = "is a list; give one value";
-    public const string ControlCharacter = "contains a line end or another control character";
+    public const string ControlCharacter = "contains a line end or another control character; remove it";
 
-    public static string NotASwitch(string value) => $"'{value}' is neither true nor false";
+    public static string NotASwitch(string value) => $"'{value}' is neither true nor false; use one of the two";
 }

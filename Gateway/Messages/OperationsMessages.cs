@@ -10,7 +10,7 @@ static class OperationsMessages
 
     public const string NoTokenNeeded = "this gateway requires no token";
     public const string UnknownTokenLog = "operations: refused an unknown token";
-    public const string UnknownToken = "not a token of this gateway";
+    public const string UnknownToken = "not a token of this gateway; enter another one";
     public const string TooManyWrong = "too many wrong tokens; wait a minute";
 
     public static string LoggedIn(Role role) => $"operations: a browser logged in as {role}";

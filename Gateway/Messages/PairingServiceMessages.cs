@@ -11,13 +11,13 @@ static class PairingServiceMessages
 
     public const string Fields = "token and name are needed";
 
-    public static string TooManyWrong(int max) => $"more than {max} wrong codes in a minute";
+    public static string TooManyWrong(int max) => $"more than {max} wrong codes in a minute; wait a minute";
 
-    public const string NotStored = "the headset's token cannot be stored";
+    public const string NotStored = "the headset's token cannot be stored; see the gateway's log";
 
     public static string TokenGiven(string headset) => $"pairing: headset '{headset}' received a token";
 
     public const string WrongCodeLog = "pairing: refused a wrong code";
-    public const string WrongCode = "this is not the current code";
+    public const string WrongCode = "this is not the current code; read the current one";
     public const string NotJson = "the request must be a JSON object of strings with a Content-Length";
 }

@@ -14,5 +14,6 @@ static class RecorderMessages
     public const string FolderNotChecked = "recordings: the folder could not be checked";
     public const string RecordWithoutFolder = "--record: needs --recordings with a folder";
 
-    public static string FolderNotCreated(string folder, string reason) => $"--recordings {folder}: the folder cannot be created ({reason})";
+    public static string FolderNotCreated(string folder, string reason) =>
+        $"--recordings {folder}: the folder cannot be created ({reason}); check the path and its permissions";
 }

@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Repository;
 /// <summary>Each text of the message catalogues is complete: it has no gaps and contains all its values.</summary>
 public sealed partial class MessageCatalogueTests
 {
-    static readonly string[] Assemblies = ["Nowpose", "Nowpose.Unity", "Nowpose.Editor", "Nowpose.Gateway", "Nowpose.Cli"];
+    static readonly string[] Assemblies = ["Nowpose", "Nowpose.Unity", "Nowpose.Editor", "Nowpose.Gateway", "Nowpose.Cli", "Nowpose.Web", "Nowpose.Vision"];
 
     /// <summary>Values for the parameters of messages, by type. A name in angle brackets is the parameter's own.</summary>
     static readonly Dictionary<Type, Func<string, object>> Samples = new()
@@ -33,8 +33,61 @@ public sealed partial class MessageCatalogueTests
         [typeof(IReadOnlyCollection<string>)] = name => new[] { $"<{name}>", "<7>" },
     };
 
+    /// <summary>Verbs of remedies.</summary>
+    const string Verbs =
+        "add|ask|assign|bind|build|calibrate|change|check|chmod|choose|clear|close|connect|continue|convert|copy|"
+        + "correct|cover|create|delete|disable|enable|enter|evaluate|expand|export|extend|film|free|give|go|increase|"
+        + "install|jog|keep|load|lock|log|look|make|mark|measure|move|name|open|pair|pass|place|print|publish|put|quote|"
+        + "raise|read|record|reduce|release|remove|rename|renew|repeat|replace|request|reset|restart|restore|revoke|run|"
+        + "save|scale|see|select|send|set|shorten|show|simplify|stand|start|state|stop|swap|sweep|switch|tag|take|tick|"
+        + "try|turn|update|use|wait|write";
+
+    /// <summary>Catalogues of states, results and lines of the log, which need no remedy.</summary>
+    static readonly string[] OfStatuses =
+    [
+        "BaseStatusMessages", "CalibrationMessages", "BaseMessages", "ConsoleMessages", "DemoMessages", "DeviceMessages",
+        "HeadsetMessages", "ObjectMessages", "PairingMessages", "PlantClockMessages", "PoseMessages", "SimulationMessages",
+        "StampMessages", "StatusMessages", "SweepMessages", "UnityVersionMessages", "PictureFaults",
+    ];
+
+    /// <summary>
+    /// Texts of the other catalogues that need no remedy: statuses, results, names, and parts of a message that contains the remedy elsewhere.
+    /// </summary>
+    static readonly Dictionary<string, string[]> OtherStatuses = new()
+    {
+        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "Token", "TooManyWrongLog"],
+        ["AdapterMessages"] = ["Ended"],
+        ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
+        ["CellMessageFaults"] = ["OwnParent", "SignalTwice", "SignalValue", "StampZero"],
+        ["ComponentMessages"] = ["GripperWithoutJoint"],
+        ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
+        ["ConnectionMessages"] = ["Closed", "JointsClosed", "Lost", "MessageTooLong", "MessageTooSlow"],
+        ["DropMessages"] = ["Of"],
+        ["DryRunMessages"] = ["MissingJoints", "PortInUse"],
+        ["FigureErrors"] = ["NotAValue", "NotFinite"],
+        ["FrameMessages"] = ["List"],
+        ["KeyFileMessages"] = ["Renewed"],
+        ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "NoMovingJoint", "Title", "UnknownJoint"],
+        ["LoadSweepMessages"] = ["Building", "WaitingForClock"],
+        ["LoaderMessages"] = ["Unkept"],
+        ["ManifestMessages"] = ["TooDeep"],
+        ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
+        ["PairedCellMessages"] = ["Field", "List", "Unusable"],
+        ["PairingCodeMessages"] = ["OtherBegin"],
+        ["PairingServiceMessages"] = ["TokenGiven", "WrongCodeLog"],
+        ["ProfileMessages"] = ["OtherKind"],
+        ["RecorderMessages"] = ["Deleted", "DiskTooSlow", "FolderNotChecked", "UnknownName"],
+        ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted", "OtherType"],
+        ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "WithinRange"],
+        ["SyncServerMessages"] = ["Closed", "NotAccepted"],
+        ["TokenFileMessages"] = ["Lines"],
+        ["UnityProjectMessages"] = ["Backup", "EntryKept", "NotAProject"],
+        ["VlcMessages"] = ["NothingRead", "OtherSource", "OtherSweep", "Result"],
+    };
+
     static IEnumerable<Type> Catalogues => Assemblies.Select(Assembly.Load).SelectMany(assembly => assembly.GetTypes())
-        .Where(type => type.Namespace?.EndsWith(".Messages", StringComparison.Ordinal) == true && type is { IsAbstract: true, IsSealed: true, IsNested: false });
+        .Where(type => type.Namespace is { } name && (name.EndsWith(".Messages", StringComparison.Ordinal) || (name == "Nowpose.Vision" && IsOfErrors(type))))
+        .Where(type => type is { IsAbstract: true, IsSealed: true, IsNested: false });
 
     [Test]
     public void Texts_WithSampleValues_AreComplete()
@@ -57,6 +110,30 @@ public sealed partial class MessageCatalogueTests
         Assert.That(missing, Is.Empty);
     }
 
+    [Test]
+    public void Errors_WithSampleValues_StateRemedyOrAllowedValues()
+    {
+        var incomplete = Incomplete();
+        var statuses = OtherStatuses.SelectMany(catalogue => catalogue.Value.Select(text => $"{catalogue.Key}.{text}")).ToList();
+        var missing = string.Join("\n", incomplete.Except(statuses));
+        Assert.That(missing, Is.Empty, "complete these messages, or list those that are statuses or a part of a message");
+        Assert.That(statuses.Except(incomplete), Is.Empty, "remove these from the list: they are complete or do not exist");
+    }
+
+    [TestCase("visu_ms is -3 ms", false)]
+    [TestCase("visu_ms is -3 ms; calibrate again", true)]
+    [TestCase("visu_ms is -3 ms; it must be between 0 and 1000 ms", true)]
+    [TestCase("the open file is in use", false)]
+    [TestCase("the address is unknown", false)]
+    public void IsComplete_Sample_RequiresRemedyOrAllowedValues(string text, bool expected) => Assert.That(IsComplete(text), Is.EqualTo(expected));
+
+    static List<string> Incomplete() => [.. Catalogues.Where(type => IsOfErrors(type) && !OfStatuses.Contains(type.Name))
+        .SelectMany(TextsOf).Where(text => !IsComplete(text.Text)).Select(text => text.Name).Distinct().Order(StringComparer.Ordinal)];
+
+    static bool IsOfErrors(Type catalogue) => Errors().IsMatch(catalogue.Name);
+
+    static bool IsComplete(string text) => Remedy().IsMatch(text) || Allowed().IsMatch(text);
+
     static IEnumerable<(string Name, string Text)> TextsOf(Type catalogue) =>
         catalogue.GetFields(BindingFlags.Public | BindingFlags.Static).Where(field => field.FieldType == typeof(string))
             .Select(field => ($"{catalogue.Name}.{field.Name}", (string)field.GetValue(null)))
@@ -72,6 +149,17 @@ public sealed partial class MessageCatalogueTests
     static string Call(MethodInfo method, bool flag) => (string)method.Invoke(null, [.. method.GetParameters().Select(parameter =>
         parameter.ParameterType == typeof(bool) ? flag
         : parameter.ParameterType.IsEnum ? Enum.GetValues(parameter.ParameterType).GetValue(0) : Samples[parameter.ParameterType](parameter.Name))]);
+
+    [GeneratedRegex("(?:Messages|Faults|Errors)$")]
+    private static partial Regex Errors();
+
+    // A verb that tells the user what to do, at the beginning of a clause; or a parameter with a remedy.
+    [GeneratedRegex(@"(?:(?:^|[;:,.] )(?:then |and |or |so )?|\b(?:and|or|so) )(?:" + Verbs + @")\b|<(?:remedy|advice)>", RegexOptions.IgnoreCase)]
+    private static partial Regex Remedy();
+
+    [GeneratedRegex(@"\b(?:allowed|must|needs?|needed|required|expected|at least|at most|maximum|limit is|no more than|exactly|of the form)\b"
+        + @"|\b(?:decimal separator is|names are|Its topics|available (?:to|under)|begins with)\b|\bfrom \S+ to \S+")]
+    private static partial Regex Allowed();
 
     // Two blanks within a line, a blank before a punctuation mark, a brace of a format, or an empty text.
     [GeneratedRegex(@"\S  +\S| [,;:.](?!\w)|[{}]|^\s*$|;\s*;")]

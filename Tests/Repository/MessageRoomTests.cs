@@ -9,7 +9,7 @@ public sealed class MessageRoomTests
     const string Core = RepositoryFiles.Package + "/Runtime/Core/";
     const string Editor = RepositoryFiles.Package + "/Editor/";
 
-    static readonly string[] Products = [RepositoryFiles.Package + "/Runtime/", Editor, "Gateway/", "Cli/"];
+    static readonly string[] Products = [RepositoryFiles.Package + "/Runtime/", Editor, "Gateway/", "Cli/", "Web/", "Vision/"];
 
     /// <summary>Calls whose arguments describe a verb or an option, beside its name.</summary>
     static readonly string[] Help =
@@ -33,6 +33,11 @@ public sealed class MessageRoomTests
         // The help of a verb and of options.
         ["Cli/Calibrate/CalibrateVerb.cs"] = 1,
         ["Cli/Calibrate/DeviceOptions.cs"] = 6,
+        // The heads of pages in HTML.
+        ["Web/PlainPage.cs"] = 1,
+        ["Web/PlainReport.cs"] = 1,
+        // A catalogue that is too small for a folder of its own.
+        ["Vision/PictureReaderMessages.cs"] = 3,
         // The name of a scene.
         ["Cli/Demo/DemoHeadset.cs"] = 1,
     };

@@ -71,7 +71,7 @@ public class SessionFileReaderTests
     [TestCase("300", "-1", "field 'settings' horizon cap: -1 ms is out of range")]
     [TestCase("300", "\"x\"", "field 'horizon_cap_ms'")]
     [TestCase("\"upper\":2", "\"upper\":2,\"lower\":3", "field 'lower' is 3; it must not exceed the upper limit 2")]
-    [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' 0 is not a valid limit")]
+    [TestCase("\"upper\":2", "\"velocity\":0", "field 'velocity' is 0; a limit must be more than 0")]
     [TestCase("\"b\"", "\"a\"", "field 'joints' has joint 'a' twice")]
     public void Header_Invalid_NamesTheField(string right, string wrong, string expected)
     {
@@ -82,7 +82,7 @@ public class SessionFileReaderTests
 
     [TestCase("{\"stamp_ns\":1}", "field 'kind' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'stamp_ns' is missing")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' 1.5 is not a whole number")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' is 1.5; it must be a whole number")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' has the element 1 null; it must be a finite number")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' has 2 numbers; it must have 1")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' must be an array")]

@@ -30,7 +30,7 @@ export const mqttMessages = {
   nothingRead: 'no value is read; add joints, frames or signals',
   arrivalTime: 'the time of arrival',
   retained: 'only a retained message of unknown age has arrived; the value is used after the next message',
-  notJson: (topic: string) => `the message on ${topic} is not valid JSON (an object, a list, a number, true or false)`,
+  notJson: (topic: string) => `the message on ${topic} is not valid JSON; publish an object, a list, a number, true or false`,
   noTime: (topic: string, unit: string, field: string) => `the message on ${topic} has no time with the unit ${unit} in the field ${field}`,
 };
 

@@ -14,7 +14,8 @@ namespace Nowpose.Editor.Messages
         public static string ReadOnly(string file) =>
             $"{file}: the file is read-only; make it writable, or check it out of version control, and try again";
 
-        public static string TooLong(string file, string bytes) => $"{file}: the file has {bytes} bytes; the limit is 1 MiB; remove what does not belong there";
+        public static string TooLong(string file, string bytes) =>
+            $"{file}: the file has {bytes} bytes; the limit is 1 MiB; remove what does not belong there";
         public static string ChangedMeanwhile(string file) => $"{file}: another program has changed the file; try again";
 
         public static string NotWritten(string file, string reason, string backup) =>
@@ -38,8 +39,7 @@ namespace Nowpose.Editor.Messages
         {
             if (url == null) return $"{place}: {package} comes from a registry without url; {needed} is needed; add this url";
             return isShared
-                ? $"{place}: {package} comes from the registry {url}; {needed} is needed; the registry has other scopes too, so its url is kept; "
-                    + "move the scope to a registry with the needed url"
+                ? $"{place}: {package} comes from the registry {url}; {needed} is needed; the registry has other scopes too, so its url is kept"
                 : $"{place}: {package} comes from the registry {url}; {needed} is needed; change the url";
         }
     }

@@ -20,6 +20,7 @@ namespace Nowpose.Messages
         public static string PinInvalid(string text) =>
             $"certificate pin \"{text}\" is not the base64 of 32 bytes; copy it as the gateway prints it (sha256/…=)";
 
-        public const string NotX509 = "certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin";
+        public const string NotX509 =
+            "certificate: its bytes are not those of an X.509 certificate, so it has no public key to pin; use a certificate in the format PEM or DER";
     }
 }

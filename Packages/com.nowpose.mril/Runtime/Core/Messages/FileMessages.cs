@@ -4,6 +4,7 @@ namespace Nowpose.Messages
     static class FileMessages
     {
         public static string TooLong(string path, long bytes, int max) => $"{path}: file has {bytes} bytes; the limit is {max}";
-        public static string NotSaved(string path, string what, string reason) => $"{path}: the {what} cannot be saved: {reason}";
+        public static string NotSaved(string path, string what, string reason) =>
+            $"{path}: the {what} cannot be saved: {reason}; check the folder's permissions and free space";
     }
 }

@@ -19,8 +19,8 @@ namespace Nowpose.Messages
 
         public const string FileNumber = "a number must be finite";
         public const string OwnParent = "a frame is its own parent; correct its header.frame_id";
-        public const string FieldMissing = "a field is missing";
+        public const string FieldMissing = "a field is missing; add it";
 
-        public static string NotTransforms(DropReason fault) => $"is not a tf2_msgs/TFMessage as JSON ({fault})";
+        public static string NotTransforms(DropReason fault) => $"is not a tf2_msgs/TFMessage as JSON ({fault}); correct the file";
     }
 }

@@ -11,8 +11,9 @@ namespace Nowpose.Messages
         public const string NotSaved = "the gateway cannot save this headset's token; see its log";
 
         public static string Status(string status) => $"the gateway answered the code with status {status}; see its log";
-        public static string TooLong(int max) => $"the gateway's answer to the code is of unknown length or longer than {max} bytes";
+        public static string TooLong(int max) =>
+            $"the gateway's answer to the code is of unknown length or longer than {max} bytes; check that it is a gateway";
 
-        public const string NoToken = "the gateway's answer to the code contains no valid token";
+        public const string NoToken = "the gateway's answer to the code contains no valid token; check that it is a gateway";
     }
 }

@@ -6,9 +6,9 @@ namespace Nowpose.Messages
     static class PairingCodeMessages
     {
         public const string PinMissing =
-            "cell code: the certificate pin is missing; only a gateway on the headset's own machine can be used without it";
+            "cell code: the certificate pin is missing; only a gateway on the headset's own machine can be used without it; print the code again";
 
-        public const string PinInvalid = "certificate pin is not the base64url of 32 bytes";
+        public const string PinInvalid = "certificate pin is not the base64url of 32 bytes; print the code again";
 
         public static string MarkerSize(string min, string max) => $"marker size is not a number; allowed: {min} to {max} m";
 
@@ -23,7 +23,7 @@ namespace Nowpose.Messages
 
         public static string NameSpace(string what) => $"{what}: begins or ends with a space; remove it";
         public static string NotEncoded(string what, int position) => $"{what}: character {position} must be percent-encoded as %XX";
-        public static string NotUtf8(string what) => $"{what}: its percent-encoded bytes are not UTF-8";
+        public static string NotUtf8(string what) => $"{what}: its percent-encoded bytes are not UTF-8; print the code again";
         public static string TooLong(int length, int max) => $"{length} characters; allowed: up to {max}";
         public static string OtherBegin(string begin) => $"does not begin with {begin}";
         public static string NoFields(string allowed) => $"has no fields; allowed: {allowed}";
@@ -56,7 +56,7 @@ namespace Nowpose.Messages
             $"pairing codes: {max} different codes were in view, which is the maximum; further codes are read in {minutes} minutes or after a "
             + "restart";
 
-        public static string TokenInvalid(int bytes) => $"token code: the token is not the base64url of {bytes} bytes";
+        public static string TokenInvalid(int bytes) => $"token code: the token is not the base64url of {bytes} bytes; show the code again";
 
         public static string OutOfRange(char key, long value, long min, long max) => $"{key}={value}; allowed: {min} to {max}";
         public static string NotWhole(char key, long min, long max) => $"{key} is not a whole number; allowed: {min} to {max}";

@@ -15,7 +15,8 @@ namespace Nowpose.Messages
             $"{positions} positions for {times} times; the numbers must be equal and at least 1";
 
         public static string DerivativeCount(int times) => $"the numbers of velocities and accelerations must equal that of the times, {times}";
-        public static string TimeOrder(int index, double time, double earlier) => $"time {index}: {time} s is not later than {earlier} s";
+        public static string TimeOrder(int index, double time, double earlier) =>
+            $"time {index}: {time} s is not later than {earlier} s; times must increase";
         public static string LimitOrder(double lower, double upper) => $"position limits {lower} to {upper}: lower must not exceed upper";
 
         public const string NotPositiveSeconds = "must be more than 0 s";

@@ -18,6 +18,9 @@ namespace Nowpose.Messages
 
         public const string NotComplete = "it is not a complete JSON object; calibrate again";
 
+        /// <summary>The value of a field whose content is not shown.</summary>
+        public const string OtherKind = "neither a string nor a number";
+
         public static string NotANumber(string field, string value, double min, double max, string unit) => FormattableString.Invariant(
             $"{field} is {value}; it must be a number from {min} to {max}{unit}; calibrate again");
         public static string NotWhole(string field, double value) => FormattableString.Invariant(

@@ -24,7 +24,7 @@ namespace Nowpose.Messages
         public static string MimicCycle(string master) =>
             $"the chain of mimicked joints through {master} leads back to this joint; remove one <mimic> element";
 
-        public static string MimicOfFixed(string joint) => $"joint {joint} is fixed; only a moving joint can be mimicked";
+        public static string MimicOfFixed(string joint) => $"joint {joint} is fixed; only a moving joint can be mimicked; remove the <mimic> element";
 
         public const string Root = "the root element must be <robot>";
 

@@ -6,14 +6,15 @@ namespace Nowpose.Unity.Messages
         public static string DescriptionUnusable(string reason) => $"the gateway's robot description cannot be used: {reason}";
 
         public static string DescriptionDiffers(string robot, string asset) =>
-            $"the gateway describes robot '{robot}' with a URDF that differs from asset '{asset}'; the displayed robot may differ from the real one";
+            $"the gateway describes robot '{robot}' with a URDF that differs from asset '{asset}'; the displayed robot may differ from the real one; load the gateway's URDF into the asset";
 
         public static string Description(string robot) => $"the gateway describes robot '{robot}'";
         public static string Recording(string path) => $"recording the session to {path}";
 
         public const string SynchronisationLost = "clock synchronisation lost; poses are not current; check the network and the gateway";
         public const string WithinRange = "render time within the constant-latency range";
-        public const string BeyondRange = "render time beyond the constant-latency range; poses are late by an unknown time; reduce the load of the scene";
+        public const string BeyondRange =
+            "render time beyond the constant-latency range; poses are late by an unknown time; reduce the load of the scene";
 
         public const string LatenciesDiffer =
             "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again";

@@ -88,7 +88,7 @@ namespace Nowpose.Latency.Profile
         {
             string text => "'" + InputException.OneLine(text, MaxShownLength) + "'",
             double number => number.ToString(CultureInfo.InvariantCulture),
-            _ => "neither a string nor a number",
+            _ => ProfileMessages.OtherKind,
         };
 
         object ValueOf(string field) => _values.TryGetValue(field, out var value) ? value : null;

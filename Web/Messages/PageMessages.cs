@@ -1,0 +1,10 @@
+using System.Text.Json;
+
+namespace Nowpose.Web.Messages;
+
+/// <summary>Errors in the data of a page, with the allowed form.</summary>
+static class PageMessages
+{
+    public static string NotJson(string reason) => $"the page's data is not JSON, but must be a JSON object: {reason}";
+    public static string NotAnObject(JsonValueKind kind) => $"the page's data is a JSON {kind}; it must be an object";
+}
