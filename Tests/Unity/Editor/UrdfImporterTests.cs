@@ -71,7 +71,7 @@ public sealed class UrdfImporterTests : EditorFixture
         Assert.That(bar.sharedMaterial != null);
     }
 
-    [TestCase("a.stl", "solid a\nfacet\nvertex 0 0\n", "arm.urdf: Assets/arm_description/urdf/a.stl:3: a vertex has 2 numbers; it needs 3")]
+    [TestCase("a.stl", "solid a\nfacet\nvertex 0 0\n", "arm.urdf: Assets/arm_description/urdf/a.stl:3: a vertex has 2 numbers; it needs 3; export the mesh again")]
     [TestCase("a.ply", "ply", "arm.urdf: mesh 'a.ply' has an unsupported format; allowed: STL, OBJ, DAE and FBX")]
     [TestCase("a.fbx", "broken", "arm.urdf: mesh Assets/arm_description/urdf/a.fbx: Unity has not imported it; see its import log for the reason")]
     public void Import_MeshInvalid_CausesOneWarningWithTheNameOfTheFile(string file, string content, string warning)

@@ -48,8 +48,8 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "a rotation must be a quaternion with the norm 1 within 0.001")]
         [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "a number must be finite")]
         [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "a frame is its own parent; correct its header.frame_id")]
-        [TestCase("\"child_frame_id\": \"box\",", "", 25, "a field is missing")]
-        [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage as JSON (NotJson)")]
+        [TestCase("\"child_frame_id\": \"box\",", "", 25, "a field is missing; add it")]
+        [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage as JSON (NotJson); correct the file")]
         public void Load_Invalid_IsRefusedWithItsLine(string good, string bad, int line, string words)
         {
             var pose = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0);

@@ -23,8 +23,8 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<link name='a'/>\n<link name='a'/>", "r.urdf:3: link 'a': another link has the same name")]
         [TestCase("<link name='a'/>\n<link name='b'/>", "r.urdf:3: link 'b': there are two root links, this one and 'a'")]
         [TestCase("<link name='a'><visual><geometry><box size='1 2'/></geometry></visual></link>", "link 'a' <box>: size has 2 numbers")]
-        [TestCase("<link name='a'><visual><geometry><sphere/></geometry></visual></link>", "link 'a' <sphere>: radius must be")]
-        [TestCase("<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>", "link 'a' <cylinder>: length must be")]
+        [TestCase("<link name='a'><visual><geometry><sphere/></geometry></visual></link>", "link 'a' <sphere>: its attribute radius is missing")]
+        [TestCase("<link name='a'><visual><geometry><cylinder radius='1' length='-1'/></geometry></visual></link>", "link 'a' <cylinder>: length is -1 m; it must be a length of at least 0 m")]
         [TestCase("<link name='a'><visual><geometry><mesh/></geometry></visual></link>", "link 'a' <mesh>: its attribute filename is missing")]
         [TestCase("<material name='m'>\n<color rgba='1 0'/></material><link name='a'/>", "r.urdf:3: material 'm' <color>: rgba has 2 numbers")]
         public void Read_InvalidLink_NamesTheElement(string body, string message) => Refuses("<robot name='r'>\n" + body + "</robot>", message);

@@ -117,14 +117,14 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase("40.2", "700", "profile.json: visu_ms: 700 ms is out of range; allowed: 0 to 500 ms")]
         [TestCase("40.2", @"""40.2""", "profile.json: visu_ms is '40.2'; it must be a number from 0 to 500 ms; calibrate again")]
         [TestCase("40.2", "null", "profile.json: visu_ms is missing")]
-        [TestCase("40.2", "[40.2]", "profile.json: visu_ms is neither a string nor a number; it must be a number from 0 to 500 ms")]
+        [TestCase("40.2", "[40.2]", "profile.json: visu_ms is neither a string nor a number; it must be a number from 0 to 500 ms; calibrate again")]
         [TestCase(@"""limit_render_ms"": 15.0", @"""limit_render_ms"": 0", "profile.json: limit_render_ms: 0 ms is out of range; allowed: 0.1 to 1000 ms")]
         [TestCase(@"""display_gpu_time""", @"""gpu""", "profile.json: render_source: 'gpu' is unknown; allowed: display_gpu_time, engine_gpu_time, "
             + "gpu_completion, camera_cpu")]
         [TestCase(@"""display_gpu_time""", "null", "profile.json: render time limit: state the source of the render times from which it was determined")]
         [TestCase(@"""vlc""", @"""guess""", "profile.json: method: 'guess' is unknown; allowed: vlc, sine, nudge, manual")]
         [TestCase("2026-11-20T13:00:00Z", "yesterday", "profile.json: measured: 'yesterday' is not a date; write it as 2026-11-20T13:00:00Z")]
-        [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements is 2.5; it must be a whole number")]
+        [TestCase(@"""measurements"": 300", @"""measurements"": 2.5", "profile.json: measurements is 2.5; it must be a whole number; calibrate again")]
         [TestCase(@"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", "profile.json: display_hz occurs twice")]
         public void Read_InvalidValue_ThrowsWithTheReason(string part, string instead, string message)
         {
