@@ -37,7 +37,7 @@ sealed class ControlTruth
         return best;
     }
 
-    /// <summary>Gets the control time for a value of the counter, in ns since the epoch.</summary>
+    /// <summary>Gets the control time of a <see cref="Stopwatch"/> time stamp, in ns since the epoch.</summary>
     public long NanosecondsAt(long count) => NanosecondsOf(count) + _offsetNs;
 
     static ControlTruth Exchange(Socket socket, uint sequence)

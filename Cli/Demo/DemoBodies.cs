@@ -42,7 +42,7 @@ sealed class DemoBodies(CellWork work)
         }
     }
 
-    /// <param name="IsKnown">Whether a sample of the object had arrived.</param>
+    /// <param name="IsKnown">Whether a pose of the object had arrived before the frame.</param>
     /// <param name="Displayed">Pose of the object in the robot's base frame.</param>
     /// <param name="Held">Pose of the object without compensation.</param>
     /// <param name="Parent">Parent frame of the displayed pose.</param>

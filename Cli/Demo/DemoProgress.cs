@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Shows on stderr how far the run is: as a bar on a terminal, otherwise as a line every few seconds.</summary>
+/// <summary>Shows the progress of the run on stderr: as a bar on a terminal, otherwise as a line every few seconds.</summary>
 static class DemoProgress
 {
     /// <param name="work">The work. It calls its argument with the finished seconds and a status text.</param>

@@ -37,7 +37,7 @@ sealed record FigureSettings
     /// <summary>Profile of the display for the swing. If null, the profile is measured.</summary>
     public LatencyProfile Profile { get; init; }
 
-    /// <summary>Those of <see cref="OurPredictors"/> that the sweeps compare with the paper's predictors.</summary>
+    /// <summary>Nowpose's predictors that the sweeps compare with the paper's: all or some of <see cref="OurPredictors"/>.</summary>
     public IReadOnlyList<string> Ours { get; init; } = OurPredictors;
 
     /// <summary>The paper's conditions: T_s 50 ms, L 100 ms, 60 frames per second.</summary>

@@ -5,7 +5,7 @@ using Nowpose.Session;
 namespace Nowpose.Cli.Headset;
 
 /// <summary>The result of a headset run, written as JSON in snake case. A value is null if it was never known.</summary>
-/// <param name="VersionMismatch">A sentence if the gateway's version is not compatible; null if it is compatible or unknown.</param>
+/// <param name="VersionMismatch">Message that the gateway's version is not compatible; null if it is compatible or unknown.</param>
 sealed record HeadsetResult(
     double Seconds, int Frames, string Robot, long Samples, long Dropped,
     HeadsetResult.ClockResult Clock, HeadsetResult.LatencyResult LatencyMs, HeadsetResult.PoseResult Pose, HeadsetResult.ErrorResult ToolErrorMm,

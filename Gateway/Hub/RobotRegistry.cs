@@ -8,7 +8,7 @@ sealed class RobotRegistry
     // In the order in which the robots were first used.
     readonly List<(string Robot, HashSet<(HubSource Source, string Topic)> Users)> _robots = [];
 
-    /// <summary>The namespaces.</summary>
+    /// <summary>Namespaces of the robots.</summary>
     public IEnumerable<string> Names => _robots.Select(one => one.Robot);
 
     /// <summary>Records that a source publishes on a topic of a robot.</summary>

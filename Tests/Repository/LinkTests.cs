@@ -30,7 +30,7 @@ public sealed partial class LinkTests
         Assert.That(AnchorsOf(heading), Is.EqualTo(new[] { anchor }));
     }
 
-    /// <summary>Returns links and pictures without a scheme, outside code.</summary>
+    /// <summary>Returns the targets of the links and images of a document, except URLs with a scheme and text in code.</summary>
     static IEnumerable<string> Targets(string path)
     {
         return Links().Matches(Code().Replace(RepositoryFiles.Read(path), ""))

@@ -145,6 +145,6 @@ sealed partial class SourceTexts
     private static partial Regex Word();
 }
 
-/// <param name="Call">Name before the bracket that contains the text, such as Command; empty for none.</param>
+/// <param name="Call">Name of the method or type whose arguments contain the text, such as Command; empty for none.</param>
 /// <param name="Assigned">Name of the member to which the text is assigned; null for none.</param>
 sealed record SourceText(string Text, string Call, string Assigned);

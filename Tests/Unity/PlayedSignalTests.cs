@@ -137,7 +137,7 @@ public class PlayedSignalTests : PlayedParts
     [TestCase("on;;off", 1, "on")]
     [TestCase("on;;off", 0, "off")]
     [TestCase("Z", 2.5, "2.5")] // not a format
-    public void Signal_TextAssigned_WritesTheFormattedValue(string format, double value, string expected)
+    public void Signal_TextListenerAdded_ReceivesTheFormattedValue(string format, double value, string expected)
     {
         var words = Below<TextMesh>("words", _session.transform);
         var onText = new UnityEvent<string>();

@@ -8,7 +8,7 @@ export const minSide = 56;
 
 /** Size of the blocks in which edges are searched, px. A higher resolution is not needed. */
 const block = 4;
-/** Maximum distances between edges of the same code, in blocks: two cells, for codes of all sizes. */
+/** Maximum gaps between the edges of one code, in blocks. Each value is two cells of a code; together they cover codes of all sizes. */
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
 /** Maximum width of an area of edges that counts as an edge or a cable of the scene and not as a code, as a multiple of the gap. */
 const narrow = 1.3;

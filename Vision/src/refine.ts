@@ -144,7 +144,7 @@ export class Refiner {
 const score = ({ light, share }: Agreement) => light * share;
 const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 
-/** Repeats moves by a distance in px as long as they improve the result, up to a maximum number of rounds. */
+/** Moves, scales and deforms a quad by steps of `by` px as long as this improves its score, for at most `rounds` rounds. */
 function climb<T extends Agreement & { quad: Quad }>(
   start: T,
   by: number,

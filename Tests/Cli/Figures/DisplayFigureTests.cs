@@ -124,7 +124,7 @@ public class DisplayFigureTests
     }
 
     [Test]
-    public void Figure10_OneSlowFrameAtTheNormalLoad_IsStillConstant()
+    public void Figure10_OneSlowFrameAtTheNormalLoad_Holds()
     {
         var normal = Pictures(0.3, 6.5, 40, Still).ToArray();
         normal[40] = normal[40] with { VisuMs = 200 };

@@ -274,7 +274,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_OwnClockWithADifferentRate_IsNotACorrection()
+    public void Look_OwnClockWithADifferentRate_GivesNoWarning()
     {
         _own.Skew = 100e-6;
         for (var i = 0; i < 3600; i++)

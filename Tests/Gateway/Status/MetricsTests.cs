@@ -196,7 +196,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_NumbersNotFinite_AreOmitted()
+    public void Of_NonFiniteNumbers_AreOmitted()
     {
         var state = Snapshot() with { Sources = [new SourceStatus(["a"], double.PositiveInfinity, new AgeStatus(double.NaN, 120), [])] };
 

@@ -169,7 +169,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_OfANestedPrefab_ChangesTheInnermostObject()
+    public void Instance_OfANestedPrefab_OverridesTheInnermostObject()
     {
         var arm = NewArm(out var hand);
         hand.GetComponent<LoaderProbe>().text = "of the arm";

@@ -48,6 +48,6 @@ public class BodiesInDemoTests
     }
 
     [Test]
-    public void Result_CellWithoutObjects_HasNoErrorsOfObjects() => Assert.That(
+    public void Result_CellWithoutObjects_HasNoObjectResults() => Assert.That(
         new DemoScore(VirtualStage.Play(Settings(1) with { Work = null, Seconds = 6 }, hasScene: false)).Result().Bodies, Is.Null);
 }

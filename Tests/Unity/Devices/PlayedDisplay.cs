@@ -5,7 +5,7 @@ using UnityEngine.XR.OpenXR;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-/// <summary>Simulates an OpenXR display that meets all requirements of depth submission, with a camera.</summary>
+/// <summary>Simulates an OpenXR display and a camera that meet all requirements for depth submission.</summary>
 sealed class PlayedDisplay : IDisposable
 {
     public const string DepthExtension = "XR_KHR_composition_layer_depth";

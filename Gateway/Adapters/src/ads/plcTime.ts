@@ -106,7 +106,7 @@ export class VariableTime implements PlcTime {
     return time;
   }
 
-  /** Measures the cycle: the smallest step between values that are read at intervals of 1 ms. Does not wait for each answer. */
+  /** Measures the resolution: the smallest step between values requested every 1 ms, without waiting for the answer to the previous request. */
   async #step(): Promise<Nanoseconds> {
     const asked: Promise<Nanoseconds>[] = [];
     const never = new AbortController().signal;

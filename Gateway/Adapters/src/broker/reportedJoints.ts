@@ -99,7 +99,7 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   const since = Math.max(0, now - Math.max(0, toMilliseconds(written) - 1000 * Number(seconds)));
   const reason = text.slice(0, MAX_REASON);
   const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);
-  // Converts stale to fault, because only a gateway determines the state stale, for samples that do not arrive there.
+  // Converts stale to fault: an adapter cannot report stale, because each gateway determines this state from the samples that it receives.
   const [state, why] = word === 'stale' ? ['fault', brokerMessages.atOtherGateway(reason)] : [word, reason];
   return { joint, state: state as State, since, reason: why, uncertainty: isUncertain ? reason.slice(UNCERTAIN.length) : '' };
 }

@@ -43,8 +43,8 @@ const COARSE: Nanoseconds = 50n * NS_PER_MS;
 const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
 
 /**
- * The plant's clock, which the gateway reads as a service with the plant's name. It is offered only after the first successful reading, because an
- * offered clock may become C1, and headsets cannot synchronise with a clock that cannot be read.
+ * The plant's clock, which the gateway reads by calling a service that has the plant's name. The service is offered only after the first successful
+ * reading, because an offered clock may become C1, and headsets cannot synchronise with a clock that cannot be read.
  */
 export class PlantClock {
   #read: ReadClock | null = null;
@@ -79,7 +79,7 @@ export class PlantClock {
     return this.#offered.signal.aborted || this.#without !== null;
   }
 
-  /** The approximate current time on the clock of the stamps, from the newest readings; null without a reading. */
+  /** The approximate current time on the clock that stamps the samples, from its newest readings; null before the first reading. */
   get now(): Nanoseconds | null {
     if (this.#ahead !== null) return this.counter() + this.#ahead;
     return this.#offered.signal.aborted ? null : this.#gatewayClock.now;

@@ -5,7 +5,7 @@ import { rtdeMessages } from '../messages/rtde';
 
 const CONNECT_MS = 3000;
 
-/** The error for a refusal by the controller that waiting is unlikely to fix. */
+/** Error after which a later attempt to connect is unlikely to succeed, such as an unsupported protocol. */
 export class RefusalError extends Error {}
 
 export interface Peer {

@@ -15,7 +15,7 @@ namespace Nowpose.Editor.Inspectors
 
         /// <param name="field">Name of the serialised field.</param>
         /// <param name="above">
-        /// Type that the component searches on its object and its parents if the reference is empty; null if it does not search.
+        /// Type of component that the component looks for on its own object and the parents if the reference is empty; null if it does not.
         /// </param>
         /// <param name="message">Message to the user.</param>
         /// <param name="remedy">Returns the object to assign; returns null if only the user can choose.</param>

@@ -140,7 +140,7 @@ namespace Nowpose.Unity
         public IDisplayTimeSource DisplayTimeSource { get => _display.TimeSource; set => _display.TimeSource = value; }
 
         /// <summary>
-        /// Reprojection mode of the display. Components that control or observe the display set it. This session and all later sessions use it.
+        /// Reprojection mode of the display, set by components that control or observe the display. This session and all later sessions use it.
         /// </summary>
         public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 

@@ -132,7 +132,7 @@ namespace Nowpose.Prediction.Forecasting
 
         void UpdateHorizon(double displayed)
         {
-            // On average, the display uses this section for another half of the sampling interval.
+            // This section is displayed for one sampling interval from now on, so its mean horizon is half an interval longer than the current one.
             var ahead = displayed - Samples.NewestTime + MeanInterval / 2;
             if (ahead > 0) Horizon += MeanWeight * (Math.Min(Math.Max(ahead, MinHorizon), _maxHorizon) - Horizon);
         }

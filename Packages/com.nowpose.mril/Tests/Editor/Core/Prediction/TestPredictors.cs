@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Prediction
         public static JointPredictor Polynomial(int degree, int history, PredictionLimits limits = null) =>
             Predictors.Create(Degrees[degree] + "-h" + history, limits ?? PredictionLimits.Unlimited);
 
-        /// <summary>One forecaster with the given parts of the pipeline. Without a forecast the newest sample is held.</summary>
+        /// <summary>A predictor with one forecaster and the given parts of the pipeline; holds the newest sample without a forecast.</summary>
         /// <param name="limits">Null for no limits.</param>
         public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
             new JointPredictor(forecaster, 24, parts, limits ?? PredictionLimits.Unlimited, 0);

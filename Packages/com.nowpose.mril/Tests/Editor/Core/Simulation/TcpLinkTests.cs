@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void State_CoarseClock_HasAnErrorAboveAMillisecond()
+        public void State_CoarseClock_HasAnEstimatedErrorAbove700Microseconds()
         {
             foreach (var run in Runs("bad", 10))
             {

@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_UnevenExchanges_StaysSmall()
+        public void Error_ChangingExchangeInterval_StaysSmall()
         {
             var link = Link("wifi", FirstSeed);
             var run = new SyncRun(new EnvelopeClockEstimator());
