@@ -25,7 +25,7 @@ static class DemoTexts
     public const string ApplicationLatency = "Application latency, median and P95";
     public const string ClockError = "Clock offset error, median and P95";
     public const string MaxClockError = "Clock offset error, maximum";
-    public const string EstimatedClockError = "Estimated clock offset error, median; true error within it in";
+    public const string EstimatedClockError = "Estimated clock offset error, median; frames whose true error is within it";
 
     public static string EstimatedClockErrorValue(string errorUs, string sharePercent) => $"± {errorUs} µs; {sharePercent} % of the frames";
 

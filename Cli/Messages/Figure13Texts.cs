@@ -16,14 +16,14 @@ static class Figure13Texts
     public const string CubicGrows = "From 20 to 100 ms the cubic's error grows more than the quadratic's.";
     public const string OverLatency = "Interpolating polynomials for different latencies";
     public const string OverLatencyClaim = "At every latency, the most accurate predictions are those of the quadratic and the cubic.";
-    public const string OverLatencyError = "Interpolating polynomials with an error of the latency";
+    public const string OverLatencyError = "Interpolating polynomials with an error in the latency";
 
     public const string OverLatencyErrorClaim =
-        "At every error of the latency, the most accurate predictions are those of the quadratic and the cubic.";
+        "At every error in the latency, the most accurate predictions are those of the quadratic and the cubic.";
 
     public const string Within20Ms = "at each error up to ±20 ms";
     public const string Within50Ms = "at each error up to ±50 ms";
-    public const string OverSamplingError = "Interpolating polynomials with an error of the sampling time";
+    public const string OverSamplingError = "Interpolating polynomials with an error in the time stamps";
     public const string OverSamplingErrorClaim = "The quadratic and the cubic are sensitive to errors of the assumed t_k.";
     public const string LineBest = "At ±10 ms the line is the best of the three.";
 

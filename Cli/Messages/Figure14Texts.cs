@@ -5,9 +5,9 @@ static class Figure14Texts
 {
     public const string OverSampling = "Approximating quadratics for different sampling intervals";
     public const string OverLatency = "Approximating quadratics for different latencies";
-    public const string OverLatencyError = "Approximating quadratics with an error of the latency";
-    public const string AnyLatencyError = "For any error of the latency";
-    public const string OverSamplingError = "Approximating quadratics with an error of the sampling time";
+    public const string OverLatencyError = "Approximating quadratics with an error in the latency";
+    public const string AnyLatencyError = "For any error in the latency";
+    public const string OverSamplingError = "Approximating quadratics with an error in the time stamps";
     public const string OverSamplingErrorClaim = "A longer history makes the quadratic far more robust against errors of the assumed t_k.";
     public const string LongerIsBetter = "At ±10 ms h = 4 is better than h = 3, and h = 3 better than h = 2.";
     public const string HalfTheError = "At ±10 ms the error with h = 3 and with h = 4 is less than half of the error with h = 2.";

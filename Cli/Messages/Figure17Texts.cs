@@ -12,7 +12,7 @@ static class Figure17Texts
 
     public const string Conditions =
         "The moments are those marked in Fig. 16: A where the robot reaches its full speed, B half-way, C where the speed has fallen to "
-        + "half. Gaps are distances of the tool centre points; drawings and table show the first run.";
+        + "half. Gaps are distances between the tool centre points; drawings and table show the first run.";
 
     public static string Criterion(string moment) =>
         $"At {moment} the gap with compensation is less than half of the gap without (RMS over all runs).";

@@ -10,7 +10,7 @@ static class Figure18Texts
         + "for t < 1500 ms.";
 
     public static string Beyond(string adaptive, string quadratic, string latencyMs) =>
-        $"adaptive removes {adaptive}, the quadratic {quadratic}; its median effective latency is {latencyMs} ms.";
+        $"adaptive removes {adaptive} of the error, the quadratic {quadratic}. The median effective latency with adaptive is {latencyMs} ms.";
 
     public const string Conditions =
         "The first 1500 ms of Fig. 16; the plot shows the first run, the numbers include all. A point with the error e and the velocity v "

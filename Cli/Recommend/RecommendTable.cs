@@ -5,7 +5,9 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Prints the recommendation as a table: all candidates with their errors on both halves, then the recommended settings.</summary>
+/// <summary>
+/// Prints the recommendation as a table: all candidates with their errors on both halves of the recording, then the recommended settings.
+/// </summary>
 static class RecommendTable
 {
     public static void Write(IAnsiConsole console, string path, RecordingTraits traits, IReadOnlyList<(Verdict Verdict, BlendCost Blend)> results)

@@ -14,7 +14,7 @@ static class AccessMessages
     public const string TooManyWrongLog = "websocket: refused a connection, too many wrong tokens from its address";
 
     public static string TooManyWrong(string answer) => $"{answer}; too many wrong tokens from this address; wait a minute";
-    public static string Refused(Closure why) => $"websocket: refused a connection, {why}";
+    public static string Refused(Closure why) => $"websocket: refused a connection (reason: {why})";
     public static string NotChecked(string kind, string reason) =>
         $"security: tokens and certificate could not be checked ({kind}: {reason}); check the permissions of their files";
 

@@ -3,13 +3,13 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Answers to requests of rosbridge clients, and lines about them in the log.</summary>
 static class RequestMessages
 {
-    public static string ClosedForRate(Closure why) => $"websocket: closed a connection, {why}";
+    public static string ClosedForRate(Closure why) => $"websocket: closed a connection (reason: {why})";
     public static string NotAccepted(string kind, string reason) => $"websocket: a connection could not be accepted ({kind}: {reason})";
     public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}";
 
     public const string NotAWebSocket = "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client";
 
-    public static string Closed(Closure why) => $"websocket: closed a connection, {why}";
+    public static string Closed(Closure why) => $"websocket: closed a connection (reason: {why})";
 
     public static string NoPong(string address, double kiloBytesPerSecond) =>
         FormattableString.Invariant($"websocket: {address} does not answer pings, so it receives at most {kiloBytesPerSecond:0} kB/s");

@@ -70,7 +70,7 @@ sealed class Subscription : IDisposable
         }
     }
 
-    /// <summary>Counts the queued messages of a subscription that never got a sending loop as dropped.</summary>
+    /// <summary>Counts the queued messages as dropped. Call this if the sending loop was never started.</summary>
     public void CountUnsent()
     {
         while (_queue.Reader.TryRead(out var message))

@@ -68,7 +68,7 @@ public class BodyReplayTests
         Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("adaptive"));
     }
 
-    // At 20 frames per second, each frame shows the sample from 100 ms before. Sample 4 arrives at 0.3 s, so frames from 0.3 to 2 s are scored.
+    // At 20 frames per second, the newest sample is 100 ms old in each frame. Sample 4 arrives at 0.3 s, so frames from 0.3 to 2 s are scored.
     [TestCase("hold", 100, 5.729577951308232)]
     [TestCase("linear", 0, 0)]
     public async Task Replay_BodyWithConstantVelocities_HasTheComputedErrors(string predictor, double errorMm, double errorDegrees)

@@ -6,7 +6,7 @@ type Mat = InstanceType<typeof cv.Mat>;
 /** Minimum side of a code, px. A cell then has 7 px. */
 export const minSide = 56;
 
-/** Size of the blocks in which edges are searched, px. A higher resolution is not needed. */
+/** Size of the blocks in which edges are detected, px. Smaller blocks are not needed. */
 const block = 4;
 /** Maximum gaps between the edges of one code, in blocks. Each value is two cells of a code; together they cover codes of all sizes. */
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];

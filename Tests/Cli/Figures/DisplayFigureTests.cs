@@ -186,7 +186,7 @@ public class DisplayFigureTests
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
-    // Three plateaus with distances of 6 to 9 ms: together, L_visu extends over a refresh interval, but at each render time it is constant.
+    // Three plateaus of L_visu, 9 and 6 ms apart: in all, L_visu varies by about a refresh interval, but at each render time it is constant.
     [Test]
     public void Figure11_PlateausBeyondTheLimit_AreNotScatter()
     {

@@ -23,7 +23,7 @@ export const reportMessages = {
   toolError: (compensatedMm: number | null, heldMm: number | null) =>
     `The displayed tool is ${format(compensatedMm, 'mm')} from its true position; without compensation ${format(heldMm, 'mm')}.`,
   workpieceError: (compensatedMm: number | null, heldMm: number | null) =>
-    `Workpieces: the largest distance is ${format(compensatedMm, 'mm')}; without compensation ${format(heldMm, 'mm')}.`,
+    `The displayed workpieces are up to ${format(compensatedMm, 'mm')} from their true positions; without compensation ${format(heldMm, 'mm')}.`,
   pointsBeyond: (count: number) => `${count} of the points are outside the plot.`,
   errorBeyond: (extentUs: number, widestUs: number) =>
     `The plot shows errors up to ${format(extentUs, 'µs')}; the error or its bound reaches ${format(widestUs, 'µs')}.`,

@@ -49,7 +49,7 @@ export class SignalSender {
     this.#pending.clear();
   }
 
-  /** Reports a new connection to the gateway, on which all signals must be sent again. */
+  /** Sends all signals again, repeatedly for some time. Called for each new connection to the gateway. */
   connected(): void {
     this.#repeatedUntil = this.counter() + REPEATED_MS;
     this.#repeat();

@@ -16,7 +16,7 @@ export const adsSettingMessages = {
 /** Texts about a PLC. */
 export const adsMessages = {
   notSecure:
-    "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and imitate the PLC",
+    "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and impersonate the PLC",
   notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; switch it to RUN mode, then reading continues`,
   stopped: (netId: string, state: string) => `TwinCAT at ${netId} has changed to ${state} mode; reading continues in RUN mode`,
   noRouter: (host: string, port: number, code: string) =>

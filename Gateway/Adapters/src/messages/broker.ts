@@ -11,7 +11,7 @@ export const brokerSettingMessages = {
 /** Texts about the connection to a broker, and about the gateway on its other side. */
 export const brokerMessages = {
   notSecure:
-    'the connection to the broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the plant',
+    'the connection to the broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the plant',
   closed: 'the broker closed the connection',
   subscriptionRefused: (topic: string, reason: string) =>
     `the broker refuses the subscription to ${topic}: ${reason}; check the user's rights at the broker`,

@@ -4,7 +4,10 @@ import { wrongValue } from './configuration';
 export const opcuaSettingMessages = {
   namespace: (value: unknown) => wrongValue(value, 'the namespace (ns) must be a number from 0 to 65535'),
   numericId: (value: unknown) => wrongValue(value, 'the numeric id (i) must be a number from 0 to 4294967295'),
-  open: wrongValue('none', 'anyone on the network can read the data and imitate the plant: use sign_and_encrypt, or add i_know_this_is_open: true'),
+  open: wrongValue(
+    'none',
+    'anyone on the network can read the data and impersonate the plant: use sign_and_encrypt, or add i_know_this_is_open: true',
+  ),
   notOpen: (mode: string) => `not used with security.mode: ${mode}, because the connection is secure; remove this entry`,
   passwordAndCertificate: (name: string) =>
     `the user ${name} has a name and a certificate; keep either name and password_file or certificate and key`,

@@ -3,7 +3,7 @@ import { wrongValue } from './configuration';
 /** Texts about a robot with rosbridge. */
 export const rosMessages = {
   notSecure:
-    'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can imitate the robot',
+    'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the robot',
   clockAvailable: "the robot's clock is available",
   noClock: (reason: string) => `the robot's clock is not available: ${reason}; start rosapi, or set plant.clock: false`,
   noTime: (service: string) => `${service} returns no time; if the robot uses use_sim_time, start the simulation`,

@@ -12,7 +12,7 @@ export const rtdeSettingMessages = {
 
 /** Texts about the connection to a controller. */
 export const rtdeMessages = {
-  notSecure: "RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot's data and imitate the robot",
+  notSecure: "RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot's data and impersonate the robot",
   ended: (place: string) => `${place} ended the connection`,
   refuses: (place: string, service: string) =>
     `${place} refuses the connection; start the robot's controller, and enable ${service} in PolyScope under Settings > Security > Services`,

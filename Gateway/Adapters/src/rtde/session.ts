@@ -92,7 +92,7 @@ export class RtdeSession {
     }
   }
 
-  // Gets the error to report. It names other clients as a possible cause, because a controller accepts few clients.
+  // Gets the error to report. Before the first data, it names other clients as a possible cause, because a controller accepts few clients.
   #because(error: Error): Error {
     if (error instanceof RefusalError) return this.#isReading ? new Error(rtdeMessages.damaged(at(this.settings))) : error;
     const { endedWhileReading, endedBeforeAnswer } = rtdeMessages;

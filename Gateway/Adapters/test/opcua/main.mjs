@@ -1,4 +1,4 @@
-// npm run opcua-server -- [options]: starts an OPC UA server that moves a youBot, to try an adapter.
+// npm run opcua-server -- [options]: starts an OPC UA server with a simulated youBot that moves, for trials of an adapter.
 import { parseArgs } from 'node:util';
 import { ControlClock, YoubotServer } from './server.mjs';
 

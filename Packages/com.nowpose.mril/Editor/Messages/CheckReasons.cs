@@ -6,7 +6,7 @@ namespace Nowpose.Editor.Messages
         public const string ApiLevel = "The package is built and tested with it, and the app is smaller.";
         public const string Architecture = "A HoloLens 2 has an ARM64 processor; an app for another one cannot be installed.";
 
-        public static string BuildTarget(string headset) => $"Player of {headset}; the settings below belong to this player.";
+        public static string BuildTarget(string headset) => $"It is the player for {headset}; the settings below belong to this player.";
 
         public const string CameraBackground =
             "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and pictures that the headset takes "

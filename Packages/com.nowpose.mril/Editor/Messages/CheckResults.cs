@@ -26,7 +26,7 @@ namespace Nowpose.Editor.Messages
 
         public static string FarNearClip(string found) => $"{found}; objects closer to the eyes are not drawn";
 
-        public const string NoFeature = "the project does not have this feature yet: its package adds it when OpenXR is ticked";
+        public const string NoFeature = "the project does not have this feature yet: the feature's package adds it when OpenXR is ticked";
         public const string NoLoader = "OpenXR is not ticked";
         public const string NoXrSettings = "the project has no settings for XR plug-ins yet";
         public const string NoOpenXrSettings = "the project has no settings of OpenXR yet";

@@ -9,7 +9,7 @@ interface IValueFormat
     /// <param name="node">Node in the file.</param>
     /// <param name="current">Current value of the field, which supplies the parts that the file does not contain; may be null.</param>
     /// <param name="references">References of the file.</param>
-    /// <param name="place">Place for error messages.</param>
+    /// <param name="place">Location of the node, for error messages.</param>
     object Read(YamlNode node, object current, IReferences references, Place place);
 
     YamlNode Write(object value, IReferences references, Place place);

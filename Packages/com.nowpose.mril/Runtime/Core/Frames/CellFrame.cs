@@ -167,7 +167,7 @@ namespace Nowpose.Frames
             _newest = null;
         }
 
-        // A source that does not know the gripper repeats the pose from before the grip.
+        // A source without data of the gripper repeats the pose from before the grip, so only a different pose shows that the object was moved.
         bool IsMovedBy(in FrameTransform pose)
         {
             if (Reach == null || pose.Stamp <= _newest) return false;

@@ -106,7 +106,8 @@ namespace Nowpose.Latency
         public TimeSpan? ValidToRenderTime { get; }
 
         /// <summary>
-        /// Range for a monitor: the constant-latency range, or else the range in which L_visu was observed; null if neither is known.
+        /// Range for <see cref="ConstantLatencyMonitor"/>: the constant-latency range, or else the range in which L_visu was observed; null if
+        /// neither is known.
         /// </summary>
         internal ConstantLatencyRange WatchedRange { get; }
 

@@ -19,7 +19,7 @@ namespace Nowpose.Messages
         public const string CodeWebSocketPort = "cell code: WebSocket port";
         public const string CodeMarkerOffset = "cell code: marker offset";
         public const string MaxRecordingSize = "maximum size of the recording";
-        public const string UrdfVelocityShare = "of the URDF's velocity";
+        public const string UrdfVelocityShare = "of the URDF's velocity limit";
         public const string Latch = "latch before the refresh";
         public const string EmptySceneRenderTime = "render time of an empty scene";
         public const string RenderTimePerVertices = "render time per million vertices";

@@ -70,7 +70,7 @@ namespace Nowpose.Prediction
         /// <summary>Maximum acceleration, rad/s² or m/s²; bounds the change of speed of the <c>adaptive</c> mixture.</summary>
         public double Acceleration { get; }
 
-        /// <summary>Maximum jerk, rad/s³ or m/s³; S-curve profiles need it with maximum speed and acceleration.</summary>
+        /// <summary>Maximum jerk, rad/s³ or m/s³. S-curve profiles require it together with the maximum speed and acceleration.</summary>
         public double Jerk { get; }
 
         /// <summary>Whether positions are angles in rad of a joint that turns without end, and may wrap from π to −π.</summary>

@@ -95,7 +95,7 @@ namespace Nowpose.Session
         internal RangeUnknownReason RangeUnknownReason { get; set; }
 
         /// <summary>
-        /// Error of the displayed tool relative to its true position from later samples, over the newest ten seconds, mm. Excludes errors
+        /// Error of the displayed tool relative to its true position from later samples, over the last ten seconds, mm. Excludes errors
         /// that these samples cannot show: errors of the clock's offset and of L_visu. Null while L_visu may differ from the calibrated
         /// value: <see cref="Range"/> is outside, or a limit is known but cannot be monitored.
         /// </summary>
@@ -113,7 +113,7 @@ namespace Nowpose.Session
         /// <summary>Reason why <see cref="ToolErrorOfRun"/> is withheld.</summary>
         internal ErrorWithheldReason ErrorOfRunWithheld { get; set; }
 
-        /// <summary>Errors of the joints between base and tool over the newest ten seconds, in order from the base; rad or m.</summary>
+        /// <summary>Errors of the joints between base and tool over the last ten seconds, in order from the base; rad or m.</summary>
         public IReadOnlyList<JointError> JointErrors => _jointErrors;
 
         /// <summary>RMS of <see cref="ToolError"/>, mm.</summary>

@@ -14,7 +14,7 @@ namespace Nowpose.Sync
         /// <summary>Minimum number of exchanges from which a step is determined.</summary>
         public const int MinExchanges = 15;
 
-        /// <summary>Minimum number of these exchanges that must violate the bound.</summary>
+        /// <summary>Minimum number of exchanges that violate the bound, among those from which a step is determined.</summary>
         const int MinViolations = 3;
 
         /// <summary>Maximum number of exchanges, three seconds at the quick pace. If they do not confirm a step, the path has changed.</summary>

@@ -66,7 +66,7 @@ namespace Nowpose.Unity.Rendering
             Show(look, opacity);
         }
 
-        /// <summary>Shows the look after the end of the session. A hidden part stays hidden.</summary>
+        /// <summary>Changes the part to the look of an ended session. A hidden part stays hidden.</summary>
         public void Abandon(float opacity) => Show(PoseLook.Abandoned, opacity);
 
         /// <summary>Restores the original look of the renderer.</summary>

@@ -21,7 +21,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Whether the pose is computed a second time right before rendering.</summary>
         RewriteBeforeRender,
 
-        /// <summary>OpenXR's Latency Optimization setting, which moves the wait for the next frame.</summary>
+        /// <summary>OpenXR's Latency Optimization setting, which changes when Unity waits for the next frame.</summary>
         LatencyOptimization,
 
         /// <summary>Method by which the display corrects a finished frame for head motion.</summary>

@@ -13,7 +13,7 @@ namespace Nowpose.Prediction.Forecasting
     /// </remarks>
     sealed class GaussianProcess : Forecaster
     {
-        /// <summary>l, in s: the correlation length of the motion. Between 0.4 and 2 s, the best single value on clean moves.</summary>
+        /// <summary>l, in s: the correlation length of the motion. Of the values from 0.4 to 2 s, the best one for moves without noise.</summary>
         const double LengthScale = 0.6;
 
         /// <summary>Ratio of the variance of the samples' noise to that of the motion.</summary>

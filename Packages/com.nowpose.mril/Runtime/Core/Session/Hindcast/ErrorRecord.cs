@@ -13,7 +13,7 @@ namespace Nowpose.Session.Hindcast
             if (isOfRun) _run.Add(sample);
         }
 
-        /// <summary>Returns the errors of the newest ten seconds; null while unknown.</summary>
+        /// <summary>Returns the errors of the last ten seconds; null while unknown.</summary>
         public DisplayedError? Now(ControlTime now) => _window.Read(now);
 
         /// <summary>Errors since <see cref="RestartRun"/>; null while unknown.</summary>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Errors of one quantity over the newest ten seconds, in steps of one second. Allocates nothing after construction.</summary>
+    /// <summary>Errors of one quantity over the last ten seconds, in steps of one second. Allocates nothing after construction.</summary>
     sealed class ErrorWindow
     {
         const int Seconds = 10;

@@ -54,7 +54,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Number of joints between base and tool that have their own samples.</summary>
         public int JointCount => _joints.Length;
 
-        /// <summary>Errors of the tool over the newest ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>
+        /// <summary>Errors of the tool over the last ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>
         public DisplayedError? Tool => IsKnown ? _tool.Now(_now.Value) : null;
 
         /// <summary>
@@ -70,7 +70,7 @@ namespace Nowpose.Session.Hindcast
 
         bool IsKnown => _now.HasValue && Withheld == ErrorWithheldReason.None;
 
-        /// <summary>Returns the errors of one joint over the newest ten seconds, rad or m; joints are in the order from the base.</summary>
+        /// <summary>Returns the errors of one joint over the last ten seconds, rad or m; joints are in the order from the base.</summary>
         public JointError JointAt(int index) => new JointError(
             _robot.MovingJoints[_joints[index]].Name, IsKnown ? _ofJoint[index].Now(_now.Value) : null);
 
