@@ -12,11 +12,11 @@ static class PictureMessages
     public const string FfmpegNeeded =
         "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";
 
-    public static string NoFramesByFfmpeg(string path, string reason) => $"{path}: ffmpeg finds no frames in it; film again: {reason}";
+    public static string NoFramesByFfmpeg(string path, string reason) => $"{path}: ffmpeg finds no frames in it: {reason}; film again";
 
     public static string FrameOrder(string path, int frame) =>
         $"{path}: frame {frame} is not later than the previous one; the times of this video cannot be used, convert it with ffmpeg";
 
-    public static string NoFrames(string path, string reason) => $"{path}: ffprobe finds no frames in it; film again: {reason}";
+    public static string NoFrames(string path, string reason) => $"{path}: ffprobe finds no frames in it: {reason}; film again";
     public static string NoVideo(string path, string reason) => $"{path}: ffprobe finds no video in it; pass a video or pictures: {reason}";
 }

@@ -219,7 +219,7 @@ public class ReplayRunTests
         var motion = new RecordedMotion(0, [0m, 4_000_000m, 20_000_000m], t => t);
 
         Assert.That(() => Replay(motion, new ReplaySettings()),
-            Throws.InstanceOf<InputException>().With.Message.Contains("is the time column in seconds?"));
+            Throws.InstanceOf<InputException>().With.Message.Contains("check that the time column is in seconds"));
     }
 
     [Test]

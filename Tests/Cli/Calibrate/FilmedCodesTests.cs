@@ -120,7 +120,7 @@ public class FilmedCodesTests : VideoFolder
     {
         Script("ffmpeg", "echo 'moov atom not found' >&2; exit 1");
 
-        Assert.That(await RefusalOf("vlc", _video), Does.Contain(_video).And.Contain("finds no frames in it: moov atom not found"));
+        Assert.That(await RefusalOf("vlc", _video), Does.Contain(_video).And.Contain("finds no frames in it: moov atom not found; film again"));
     }
 
     [Test]
