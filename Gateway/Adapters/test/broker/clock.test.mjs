@@ -27,7 +27,7 @@ describe('clock of a gateway behind a broker', { skip: missing, concurrency: 3 }
     await served(far);
 
     await sync.stop();
-    await subscriber.said('is unknown');
+    await subscriber.said('cannot be read');
     assert.equal((await far.call('/nowpose/plant_time/hall')).result, false);
     await sync.listen(sync.port);
 

@@ -159,7 +159,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
 
     start(t, [temporaryFile('mqtt.yaml', configuration(bridge.url, `mqtt://127.0.0.1:${server.address().port}`, { rest }))]);
 
-    await until(() => bridge.joint('a')?.reason.startsWith('the broker refuses the subscription of secret'), () => JSON.stringify(bridge.state));
+    await until(() => bridge.joint('a')?.reason.startsWith('the broker refuses the subscription to secret'), () => JSON.stringify(bridge.state));
     assert.deepEqual([bridge.joint('a').state, bridge.state.state], ['missing', 'connected']);
   });
 
