@@ -257,6 +257,17 @@ describe('silence', () => {
       { level: 2, name: 'plant/p', message: 'waiting: the connection was lost', hardware_id: 'plant/p', values: [{ key: 'k', value: 'v' }] });
   });
 
+  it('Joint_RefusedThenDisconnected_IsFaultWithTheReasonOfTheConnection', () => {
+    const { status, value } = plant();
+    value(0, 1);
+    value(0, NaN);
+    const before = status.joints.stateOf('a');
+
+    status.enter('waiting', 'the connection was lost');
+
+    assert.deepEqual([before, status.joints.stateOf('a'), status.joints.reasonOf('a')], ['refused', 'fault', 'the connection was lost']);
+  });
+
   it('Diagnostics_ManyJoints_JointsInFaultComeFirst', () => {
     const { status, value } = plant([{ joint: 'a' }, { joint: 'b' }, { joint: 'c' }]);
     value(0, 1);

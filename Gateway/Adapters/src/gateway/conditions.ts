@@ -126,9 +126,10 @@ export class Conditions {
     this.changed();
   }
 
-  /** Reports the end of the connection to the source. The states live and rest become fault. */
+  /** Reports the end of the connection to the source. The states live, rest and refused become fault, because no values arrive. */
   disconnected(reason: string): void {
-    for (const [name, condition] of this.#known) if (isGood(condition)) this.#enter(name, 'fault', reason, this.now());
+    for (const [name, condition] of this.#known)
+      if (isGood(condition) || condition.state === 'refused') this.#enter(name, 'fault', reason, this.now());
   }
 
   /** Gets the diagnostics of all names. Faults come first, because a receiver may keep only a part. */
