@@ -20,7 +20,7 @@ public class StuckSendTests
     const int AtTheBeginning = 6;
 
     // Both limits are 6 s, and both are reached: either reason is true.
-    [TestCase(0, false, false, " for 6 s")]
+    [TestCase(0, false, false, "(nothing could be sent|received nothing) for 6 s")]
     [TestCase(ForTwoSeconds, false, false, "received nothing for 6 s")]
     [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]
     [TestCase(AtTheBeginning, true, true, "did not answer within 2 s")]
@@ -35,7 +35,7 @@ public class StuckSendTests
         using var client = new RosbridgeClient(Next, clock, new Listener(), Subscribed.ToRobot(), true, exchanges);
 
         await Soon.BecomesAsync(() => Volatile.Read(ref links) > 1, "another connection");
-        Assert.That(client.Status.Detail, Does.Contain(reason));
+        Assert.That(client.Status.Detail, Does.Match(reason));
         client.Dispose();
         await client.Ended.Bounded();
     }

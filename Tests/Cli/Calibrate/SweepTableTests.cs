@@ -27,7 +27,7 @@ public sealed class SweepTableTests : CalibrationFolder
         var path = Path.Combine(Folder, "sweep.csv.gz");
         File.WriteAllText(path, Log("HoloLens 2,60"));
 
-        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.Contains("although its name ends in .gz"));
+        Assert.That(() => SweepTable.Read(path, out _), Throws.TypeOf<InputException>().With.Message.EndsWith("although its name ends in .gz; compress or copy it again"));
     }
 
     [Test]
