@@ -10,8 +10,6 @@ public sealed class TokenList
 {
     public static readonly TokenList None = new([]);
 
-    const string Lines = TokenFileMessages.Lines;
-
     static readonly Dictionary<string, Role> Roles =
         new() { ["observer"] = Role.Observer, ["source"] = Role.Source, ["operator"] = Role.Operator };
 
@@ -63,7 +61,7 @@ public sealed class TokenList
             return Hashed(Entries(path));
         }, Settles, log);
         if (tokens.Current.Length == 0)
-            throw new InputException(TokenFileMessages.NoToken(path, Lines));
+            throw new InputException(TokenFileMessages.NoToken(path));
         return new TokenList(tokens, path) { _weak = [.. WeakEntries(path)] };
     }
 
@@ -121,7 +119,7 @@ public sealed class TokenList
     {
         var words = line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (words.Length != 2 || !Roles.TryGetValue(words[0], out var role))
-            throw new InputException(TokenFileMessages.NotALine(where, Lines));
+            throw new InputException(TokenFileMessages.NotALine(where));
         if (Encoding.UTF8.GetByteCount(words[1]) > ProtocolLimits.TokenBytes)
             throw new InputException(TokenFileMessages.TooLong(where, ProtocolLimits.TokenBytes));
         return (words[1], role);

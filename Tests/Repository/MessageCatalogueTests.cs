@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Net;
 using System.Reflection;
 using System.Text.RegularExpressions;
@@ -20,8 +21,8 @@ public sealed partial class MessageCatalogueTests
         [typeof(long?)] = _ => 7L,
         [typeof(int?)] = _ => 7,
         [typeof(ulong)] = _ => 7ul,
-        [typeof(double)] = _ => 7.0,
-        [typeof(double?)] = _ => 7.0,
+        [typeof(double)] = _ => 7.5,
+        [typeof(double?)] = _ => 7.5,
         [typeof(char)] = _ => '7',
         [typeof(IPAddress)] = _ => IPAddress.Parse("7.7.7.7"),
         [typeof(Uri)] = _ => new Uri("http://host7/"),
@@ -80,7 +81,6 @@ public sealed partial class MessageCatalogueTests
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted", "OtherType"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "WithinRange"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
-        ["TokenFileMessages"] = ["Lines"],
         ["UnityProjectMessages"] = ["Backup", "EntryKept", "NotAProject"],
         ["VlcMessages"] = ["NothingRead", "OtherSource", "OtherSweep", "Result"],
     };
@@ -108,6 +108,26 @@ public sealed partial class MessageCatalogueTests
                       select $"{method.DeclaringType.Name}.{method.Name}: {parameter.Name}";
 
         Assert.That(missing, Is.Empty);
+    }
+
+    // The programs use the invariant culture; the package runs in that of the device.
+    [TestCase("Nowpose")]
+    [TestCase("Nowpose.Unity")]
+    [TestCase("Nowpose.Editor")]
+    public void Texts_DecimalSeparatorIsAComma_AreTheSame(string assembly)
+    {
+        var catalogues = Catalogues.Where(type => type.Assembly.GetName().Name == assembly).ToList();
+        var expected = catalogues.SelectMany(TextsOf).ToList();
+        var before = CultureInfo.CurrentCulture;
+        CultureInfo.CurrentCulture = new CultureInfo("") { NumberFormat = { NumberDecimalSeparator = "," } };
+        try
+        {
+            Assert.That(catalogues.SelectMany(TextsOf).Except(expected).Select(text => $"{text.Name}: {text.Text}"), Is.Empty);
+        }
+        finally
+        {
+            CultureInfo.CurrentCulture = before;
+        }
     }
 
     [Test]

@@ -1,3 +1,4 @@
+using System;
 using System.Security.Authentication;
 using Nowpose.Protocol;
 using Nowpose.Sync;
@@ -32,7 +33,8 @@ namespace Nowpose.Messages
 
         public const string ClosedBeforeAnswer = "the gateway closed the connection before it had answered; see its log";
 
-        public static string NothingSent(double seconds) => $"nothing could be sent for {seconds} s; check the network";
+        public static string NothingSent(double seconds) =>
+            FormattableString.Invariant($"nothing could be sent for {seconds} s; check the network");
 
         public const string RosTimeZero = "the time is zero; with use_sim_time, start the node that publishes /clock";
 
@@ -43,7 +45,7 @@ namespace Nowpose.Messages
         public static string RosClockStopped(string service) => $"{service}: the clock does not advance; continue the simulation if it is paused";
 
         public static string NoAnswer(string service, double seconds) =>
-            $"{service} did not answer within {seconds} s; check the network and rosbridge";
+            FormattableString.Invariant($"{service} did not answer within {seconds} s; check the network and rosbridge");
 
         public static string UnusableAnswers(string service, int count, SyncExchangeFault fault) =>
             $"{service}: {count} unusable answers in a row, the last: {fault}; check that it is the time of ROS";
@@ -63,7 +65,8 @@ namespace Nowpose.Messages
             $"the reply is a frame of kind {kind}, expected {expected}; check that host and sync port are those of a gateway";
 
         public static string MessageTooLong(int max) => $"a message of more than {max} bytes";
-        public static string MessageTooSlow(double seconds) => $"a message that was not complete within {seconds} s";
+        public static string MessageTooSlow(double seconds) =>
+            FormattableString.Invariant($"a message that was not complete within {seconds} s");
 
         public const string TokenNotAcceptedByHttp = "the gateway does not accept this headset's token (401); pair again or correct the token";
 

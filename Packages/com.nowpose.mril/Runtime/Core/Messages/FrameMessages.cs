@@ -1,10 +1,12 @@
+using System;
+
 namespace Nowpose.Messages
 {
     /// <summary>Errors of frames, of grips and of the file of stationary frames.</summary>
     static class FrameMessages
     {
         public static string NotFinite(double time, double x, double y, double z, double order) =>
-            $"time, position and order must be finite; they are {time} s, ({x}, {y}, {z}) m, {order} s";
+            FormattableString.Invariant($"time, position and order must be finite; they are {time} s, ({x}, {y}, {z}) m, {order} s");
 
         public const string RotationLength = "the rotation has length 0; a unit quaternion is needed";
         public const string ClosedAtUnknownTime = "the gripper closed at an unknown time, so the held object is unknown; open and close it";

@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Messages
 {
     /// <summary>Errors of samples, plans and predictors.</summary>
@@ -9,15 +11,16 @@ namespace Nowpose.Messages
         public const string NegativeSeconds = "must be 0 s or more";
 
         public static string NotFinite(double time, double position, double order) =>
-            $"time, position and order must be finite; they are {time} s, {position}, {order} s";
+            FormattableString.Invariant($"time, position and order must be finite; they are {time} s, {position}, {order} s");
 
         public static string PositionCount(int positions, int times) =>
             $"{positions} positions for {times} times; the numbers must be equal and at least 1";
 
         public static string DerivativeCount(int times) => $"the numbers of velocities and accelerations must equal that of the times, {times}";
         public static string TimeOrder(int index, double time, double earlier) =>
-            $"time {index}: {time} s is not later than {earlier} s; times must increase";
-        public static string LimitOrder(double lower, double upper) => $"position limits {lower} to {upper}: lower must not exceed upper";
+            FormattableString.Invariant($"time {index}: {time} s is not later than {earlier} s; times must increase");
+        public static string LimitOrder(double lower, double upper) =>
+            FormattableString.Invariant($"position limits {lower} to {upper}: lower must not exceed upper");
 
         public const string NotPositiveSeconds = "must be more than 0 s";
 

@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Messages
 {
     /// <summary>Errors of calls that write or read messages.</summary>
@@ -12,7 +14,9 @@ namespace Nowpose.Messages
         public static string AccelerationCount(int accelerations, int joints) =>
             $"{accelerations} accelerations were passed for {joints} joints; pass one acceleration for each joint, or none";
 
-        public static string NotFinite(string name, double value) => $"{name} contains {value}, which JSON cannot represent; allowed: finite values";
+        public static string NotFinite(string name, double value) =>
+            FormattableString.Invariant($"{name} contains {value}, which JSON cannot represent; allowed: finite values");
+
         public static string TokenLength(int bytes, int max) => $"token: {bytes} bytes of UTF-8; allowed: 1 to {max}";
     }
 }
