@@ -6,8 +6,6 @@ namespace Nowpose.Gateway.Pairing;
 /// <summary>Reads and writes the file of paired headsets: text with one line per headset. It is created readable by its owner only.</summary>
 static class HeadsetFile
 {
-    const string Head = HeadsetListMessages.Head;
-
     const int Attempts = 20;
 
     static readonly TimeSpan AttemptInterval = TimeSpan.FromMilliseconds(25);
@@ -16,7 +14,7 @@ static class HeadsetFile
     /// <exception cref="InputException">The file cannot be created or read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Open(string path) => Guarded(path, () =>
     {
-        if (!File.Exists(path)) Rewrite(path, FileMode.OpenOrCreate, text => text.Length == 0 ? Head : text);
+        if (!File.Exists(path)) Rewrite(path, FileMode.OpenOrCreate, text => text.Length == 0 ? HeadsetListMessages.Head : text);
         return Load(path);
     });
 

@@ -9,8 +9,6 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Reads the frames of a video with ffmpeg, which must be installed.</summary>
 static class VideoFrames
 {
-    const string Needed = PictureMessages.FfmpegNeeded;
-
     /// <summary>
     /// The ffmpeg option that outputs each frame once, independent of its time stamp: the current name, and the name before ffmpeg 5.1.
     /// </summary>
@@ -112,7 +110,7 @@ static class VideoFrames
         }
         catch (Win32Exception e)
         {
-            throw new InputException(Needed, e);
+            throw new InputException(PictureMessages.FfmpegNeeded, e);
         }
     }
 }

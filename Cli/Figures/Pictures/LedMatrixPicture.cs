@@ -24,13 +24,11 @@ static class LedMatrixPicture
     const string Ink = "#16202c", Muted = "#55616f", Lit = "#fff", Pair = "#9ccbff", Dark = "#3a4653";
     const string Font = "font-family=\"system-ui, sans-serif\"";
 
-    const string Label = LedMatrixTexts.Label;
-
     public static string Draw()
     {
         var svg = new StringBuilder();
         Append(svg, $"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{Width}\" height=\"{Height}\" viewBox=\"0 0 {Width} {Height}\" role=\"img\" ");
-        Append(svg, $"aria-label=\"{Label}\">\n<rect width=\"{Width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
+        Append(svg, $"aria-label=\"{LedMatrixTexts.Label}\">\n<rect width=\"{Width}\" height=\"{Height}\" fill=\"#fff\"/>\n");
         DrawBoard(svg);
         Dimensions(svg);
         DrawCode(svg, "control", CodeKind.Control, ControlLeft, Diffuser, "control system, 12 345 ms");

@@ -73,9 +73,8 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
     public void Report(string adapter, IReadOnlyCollection<KeyValuePair<string, string>> values, HubSource source = null)
     {
         var reports = new Dictionary<string, AdapterReport>();
-        var uncertainties = values.Where(pair => AdapterReport.UncertainJoint(pair.Key) != null).Take(ProtocolLimits.Joints)
-            .DistinctBy(pair => AdapterReport.UncertainJoint(pair.Key))
-            .ToDictionary(pair => AdapterReport.UncertainJoint(pair.Key), pair => AdapterReport.Sentence(pair.Value));
+        var uncertainties = values.Select(pair => (Joint: AdapterReport.UncertainJoint(pair.Key), pair.Value)).Where(one => one.Joint != null)
+            .Take(ProtocolLimits.Joints).DistinctBy(one => one.Joint).ToDictionary(one => one.Joint, one => AdapterReport.Sentence(one.Value));
         if (values.Any(pair => AdapterReport.IsFormerKey(pair.Key))) LogFormerKey(adapter);
         foreach (var (key, value) in values)
         {

@@ -33,12 +33,12 @@ namespace Nowpose.Editor.Messages
 
         public static string OrNewer(Version below) => $" or newer, but older than {below}";
 
-        public const string ChoosePipeline = "choose URP or none under Project Settings, Graphics and Quality";
+        const string ChoosePipeline = "choose URP or none under Project Settings, Graphics and Quality";
         public const string BuiltIn = "built-in render pipeline; the shaders' built-in SubShader is used";
 
         public static string Urp(string asset) => $"URP ({asset}); the shaders' SubShader for URP is used";
-        public static string Hdrp(string asset, string choose) => $"HDRP ({asset}): the package has no shaders for it; {choose}";
-        public static string OtherPipeline(string asset, string choose) => $"{asset}: the package's shaders do not support it; {choose}";
+        public static string Hdrp(string asset) => $"HDRP ({asset}): the package has no shaders for it; {ChoosePipeline}";
+        public static string OtherPipeline(string asset) => $"{asset}: the package's shaders do not support it; {ChoosePipeline}";
 
         public const string ScriptingBackend = "another backend is chosen";
 

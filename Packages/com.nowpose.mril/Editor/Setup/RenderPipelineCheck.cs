@@ -13,14 +13,13 @@ namespace Nowpose.Editor.Setup
 
         public override CheckResult Look(IProjectSettings project)
         {
-            const string choose = CheckResults.ChoosePipeline;
             var asset = project.RenderPipeline;
             if (asset == null) return Good(CheckResults.BuiltIn);
             if (asset.StartsWith("UniversalRenderPipeline", StringComparison.Ordinal))
                 return Good(CheckResults.Urp(asset));
             if (asset.StartsWith("HDRenderPipeline", StringComparison.Ordinal))
-                return Missing(CheckResults.Hdrp(asset, choose));
-            return new CheckResult(CheckState.Unknown, CheckResults.OtherPipeline(asset, choose));
+                return Missing(CheckResults.Hdrp(asset));
+            return new CheckResult(CheckState.Unknown, CheckResults.OtherPipeline(asset));
         }
 
         public override string Fix(IProjectSettings project) => null;

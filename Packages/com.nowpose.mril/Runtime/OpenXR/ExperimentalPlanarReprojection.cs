@@ -24,8 +24,6 @@ namespace Nowpose.OpenXR
     [RequireComponent(typeof(ReprojectionCheck))]
     public sealed class ExperimentalPlanarReprojection : MonoBehaviour
     {
-        const string Paused = DeviceMessages.PlanarPaused;
-
         [SerializeField, Tooltip("Experiment. The rig whose tool lies in the plane. Empty: the rig on this object or a child.")]
         RobotRig _rig = null;
 
@@ -77,7 +75,7 @@ namespace Nowpose.OpenXR
         {
             if (_check.Imposed == null || Time.frameCount - _requestFrame <= 1) return;
             _check.Imposed = null;
-            Problem = Paused;
+            Problem = DeviceMessages.PlanarPaused;
         }
 
         // The rig calls this method after each computed pose: once per frame or, if the session computes the pose again right before rendering,
@@ -85,7 +83,7 @@ namespace Nowpose.OpenXR
         void Ask()
         {
             if (_isMissing) return;
-            if (Problem == Paused) Problem = null;
+            if (Problem == DeviceMessages.PlanarPaused) Problem = null;
             FollowVelocity();
             try
             {

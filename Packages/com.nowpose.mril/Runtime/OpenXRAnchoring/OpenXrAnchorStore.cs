@@ -25,8 +25,6 @@ namespace Nowpose.OpenXR
 
         const int AttemptsBeforeReport = 5;
 
-        const string LoadingAll = DeviceMessages.LoadAnchors;
-
         ArSpatialAnchors _anchors;
         Task<XRAnchorStore> _loading;
         XRAnchorStore _store;
@@ -100,7 +98,7 @@ namespace Nowpose.OpenXR
             }
             catch (Exception fault)
             {
-                Fail(LoadingAll, fault);
+                Fail(DeviceMessages.LoadAnchors, fault);
             }
         }
 
@@ -114,7 +112,7 @@ namespace Nowpose.OpenXR
                 _store = loading.Result;
                 Problem = null;
             }
-            else if (loading.Exception != null) Fail(LoadingAll, loading.Exception.GetBaseException());
+            else if (loading.Exception != null) Fail(DeviceMessages.LoadAnchors, loading.Exception.GetBaseException());
             else if (_asked == AttemptsBeforeReport) Report(DeviceMessages.NoAnchorStore);
         }
 

@@ -30,8 +30,6 @@ namespace Nowpose.Unity
             + "none.")]
         TextAsset _shipped = null;
 
-        const string NotSaved = LoaderMessages.Unkept;
-
         MrilSession _source;
         CompensationSession _calibrated;
         DisplayConditions _judged;
@@ -111,7 +109,7 @@ namespace Nowpose.Unity
             catch (InputException fault)
             {
                 Problem = fault.Message;
-                from = NotSaved;
+                from = LoaderMessages.Unkept;
             }
             Use(profile, from);
         }

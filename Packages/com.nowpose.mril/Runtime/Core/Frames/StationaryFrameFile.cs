@@ -13,7 +13,6 @@ namespace Nowpose.Frames
     static class StationaryFrameFile
     {
         const int MaxBytes = 1024 * 1024, Nesting = 6;
-        const string What = FrameMessages.List;
 
         /// <exception cref="InputException">The file cannot be read or is invalid; the message names the file, the line and the reason.</exception>
         public static TransformsMessage Load(string path)
@@ -32,7 +31,7 @@ namespace Nowpose.Frames
             using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
             RosMessageWriter.Write(json, message, RosTimeForm.Sec);
             json.Flush();
-            WholeFile.Write(path, text + "\n", What);
+            WholeFile.Write(path, text + "\n", FrameMessages.List);
         }
 
         static int LineAt(byte[] utf8, int position)

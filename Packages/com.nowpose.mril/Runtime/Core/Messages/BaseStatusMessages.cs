@@ -3,6 +3,7 @@ namespace Nowpose.Messages
     /// <summary>The state of a base and of its markers in one line, with an instruction to the user.</summary>
     static class BaseStatusMessages
     {
+        public const string Placed = "placed by hand";
         public const string BeingPlaced = "being placed by hand";
 
         public static string Conflict(string first, string second, string difference) =>

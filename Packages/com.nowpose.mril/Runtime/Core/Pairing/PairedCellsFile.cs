@@ -10,7 +10,6 @@ namespace Nowpose.Pairing
     static class PairedCellsFile
     {
         const int MaxBytes = 1024 * 1024;
-        const string What = PairedCellMessages.List;
 
         /// <summary>Loads the cells; none if the file is missing. Renames a file that cannot be used, and reports the problem.</summary>
         /// <param name="problem">The problem in one line; null if there is none.</param>
@@ -31,6 +30,6 @@ namespace Nowpose.Pairing
         }
 
         /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
-        public static void Save(string path, PairedCells cells) => WholeFile.Write(path, PairedCellsJson.Write(cells), What);
+        public static void Save(string path, PairedCells cells) => WholeFile.Write(path, PairedCellsJson.Write(cells), PairedCellMessages.List);
     }
 }

@@ -24,7 +24,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public BaseStatusText(AnchoringSettings settings) => _settings = settings;
 
-        public string Text { get; private set; } = "placed by hand";
+        public string Text { get; private set; } = BaseStatusMessages.Placed;
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
@@ -124,7 +124,7 @@ namespace Nowpose.Anchoring.Tracking
                     return subject.A == 0
                     ? BaseStatusMessages.Lost
                     : BaseStatusMessages.Elsewhere(Number(tracker.ElsewhereMetres, "0.0"), tracker.Markers.Count > 0);
-                default: return "placed by hand";
+                default: return BaseStatusMessages.Placed;
             }
         }
 
@@ -145,7 +145,7 @@ namespace Nowpose.Anchoring.Tracking
         static string Locked(BaseTracker tracker)
         {
             var locked = tracker.Lock;
-            var text = locked.Markers == 0 ? "placed by hand" : "locked by " + locked.Markers + (locked.Markers == 1 ? " marker" : " markers");
+            var text = locked.Markers == 0 ? BaseStatusMessages.Placed : "locked by " + locked.Markers + (locked.Markers == 1 ? " marker" : " markers");
             if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
                 text += ", moved by " + Number(1000 * locked.ChangeMetres, "0.0") + " mm, " + Number(Degrees(locked.ChangeRadians), "0.00") + "°";
             if (tracker.Conflict is { } conflict)
