@@ -21,7 +21,7 @@ public static class Invocation
     /// <param name="root">The command from <see cref="Root"/>. Its name precedes each error message.</param>
     /// <param name="args">The arguments of the command line.</param>
     /// <param name="whenTerminated">Exit status after a request to end other than Ctrl-C, for example by a service manager.</param>
-    /// <param name="complete">Adds arguments from a configuration file; null if there is no such file.</param>
+    /// <param name="complete">Adds arguments from a configuration file; null without such a file.</param>
     /// <param name="place">Adds the place in the configuration file to an error message; null to leave messages unchanged.</param>
     /// <returns>The exit status. Does not throw for invalid user input.</returns>
     public static async Task<int> RunAsync(

@@ -71,6 +71,6 @@ sealed class DiagnosticsBoard(TimeProvider time)
         ];
     }
 
-    // Removes the headset that has been silent for the longest time; an adapter only if there is no headset.
+    // Removes the headset that has been silent for the longest time; without a headset, the adapter that has been silent for the longest time.
     void MakeRoom() => _reports.Remove(_reports.OrderBy(report => StatusObjects.IsAdapter(report.Key)).ThenBy(report => report.Value.At).First().Key);
 }

@@ -47,7 +47,7 @@ describe('clock of a gateway', { concurrency: 2, skip: program ? false : 'the ga
 
   it('Gateway_PlantAndBridgeToABroker_UsesTheClockOfThePlant', async t => {
     const robot = await Robot.start(t, { aheadMs: 600_000 });
-    // There is no broker, because the test needs only an adapter that offers no clock.
+    // The test does not start a broker, because it needs only an adapter that offers no clock.
     const bridge = temporaryFile('publish.yaml',
       'plant:\n  kind: broker\n  name: to-broker\n  direction: publish\n  endpoint: mqtt://127.0.0.1:9\n  topic: cell\n');
     const heard = await listen(t, await start(t, ['--plant', bridge, '--plant', plant(robot)]));

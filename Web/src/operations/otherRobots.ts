@@ -41,7 +41,7 @@ export class OtherRobots implements Beside {
     }
   }
 
-  /** Returns the pose of a link in the world. The name includes the namespace. Null if there is no such link. */
+  /** Returns the pose of a link in the world. The name includes the namespace. Null for an unknown link. */
   linkOf(name: string): Matrix4 | null {
     const end = name.indexOf('/');
     return end < 0 ? null : (this.robots.get(name.slice(0, end))?.bodies?.linkOf('truth', name.slice(end + 1)) ?? null);

@@ -51,7 +51,7 @@ export function movingJoints({ root }: Robot): string[] {
     .map(([name]) => name);
 }
 
-/** Returns a link by its name; null if there is no such link. */
+/** Returns a link by its name; null for an unknown link. */
 export function linkOf({ root }: Robot, name: string): Object3D | null {
   return has(root.links, name) ? root.links[name] : null;
 }

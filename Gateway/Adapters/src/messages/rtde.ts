@@ -17,7 +17,7 @@ export const rtdeMessages = {
   refuses: (place: string, service: string) =>
     `${place} refuses the connection; start the robot's controller, and enable ${service} in PolyScope under Settings > Security > Services`,
   unknownHost: (host: string) =>
-    `there is no machine with the name ${host}; correct plant.host, or enter the robot's IP address, which PolyScope shows under Settings > Network`,
+    `the host name ${host} is unknown; correct plant.host, or enter the robot's IP address, which PolyScope shows under Settings > Network`,
   noAnswer: (place: string, code: string) => `${place} does not answer (${code}); check plant.host, the robot's network and the firewalls on the way`,
   notRtde: (place: string) => `${place} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`,
   header: (size: number, type: number) => `the data have an invalid header with size ${size} and type ${type}`,

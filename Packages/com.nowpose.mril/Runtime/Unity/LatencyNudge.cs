@@ -118,7 +118,7 @@ namespace Nowpose.Unity
         /// known render-time limit.
         /// </summary>
         /// <returns>
-        /// True if the profile was saved or there is no loader to save it; otherwise <see cref="Problem"/> gives the reason. The session uses a
+        /// True if the profile was saved or no loader exists to save it; otherwise <see cref="Problem"/> gives the reason. The session uses a
         /// result even if it could not be saved.
         /// </returns>
         public bool Apply() => Try(() =>

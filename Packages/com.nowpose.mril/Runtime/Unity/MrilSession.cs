@@ -97,7 +97,7 @@ namespace Nowpose.Unity
         /// <summary>The robot of the newest session, from the asset or as described by the gateway; null while it is unknown.</summary>
         public RobotModel Robot { get; private set; }
 
-        /// <summary>The last computed frame; null while there is no session or the robot is unknown.</summary>
+        /// <summary>The last computed frame; null without a session or while the robot is unknown.</summary>
         public DisplayFrame Frame { get; private set; }
 
         /// <summary>Reason why this component, although enabled, could not start a session, in one line; null if no problem is known.</summary>

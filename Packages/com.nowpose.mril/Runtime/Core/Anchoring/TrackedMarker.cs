@@ -39,7 +39,7 @@ namespace Nowpose.Anchoring
         /// <summary>Number of ignored sightings for each reason.</summary>
         internal SightingFaults Ignored { get; } = new SightingFaults();
 
-        /// <summary>Reason why the newest sighting was ignored; None if it was accepted, or if there is no sighting.</summary>
+        /// <summary>Reason why the newest sighting was ignored; None if it was accepted, and before the first sighting.</summary>
         internal SightingFault Fault { get; private set; }
 
         /// <summary>Time of the newest accepted sighting; null if there is none.</summary>

@@ -49,7 +49,7 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
-        /// <summary>Gets the displayed joints, up to twenty times a second; null if there are no new joints.</summary>
+        /// <summary>Gets the displayed joints, up to twenty times a second; null without new joints.</summary>
         JointStateMessage Displayed();
 
         /// <summary>Gets the headset's state, once a second; null if there is none to publish.</summary>

@@ -15,7 +15,7 @@ namespace Nowpose.Pairing
         /// <param name="codes">Codes of one cell and one gateway, oldest first.</param>
         /// <param name="token">Null before the exchange, and for a gateway that requires none.</param>
         /// <exception cref="InputException">
-        /// There are no codes or too many, they belong to several cells or gateways, or the token is invalid.
+        /// The list of codes is empty or too long, the codes belong to several cells or gateways, or the token is invalid.
         /// </exception>
         public PairedCell(IEnumerable<CellCode> codes, string token)
         {

@@ -25,11 +25,11 @@ namespace Nowpose.Unity.Rendering
         {
             switch (_state)
             {
-                // While the user places the base, there is no fade: the user must compare the displayed robot with the real robot.
+                // The robot does not fade while the user places the base: the user must compare the displayed robot with the real robot.
                 case BaseAnchorState.Searching:
                     return _isBeingPlaced
-                    ? look.Also("being placed", BaseMessages.FollowsMarker, 0)
-                    : look.Also("base not locked", BaseMessages.NotLocated, 0.8f);
+                        ? look.Also("being placed", BaseMessages.FollowsMarker, 0)
+                        : look.Also("base not locked", BaseMessages.NotLocated, 0.8f);
                 case BaseAnchorState.Restored: return look.Also("base not confirmed", BaseMessages.Restored, 0);
                 case BaseAnchorState.Moved: return look.Also(BaseMessages.MovedLabel, BaseMessages.Moved, 0.5f);
                 case BaseAnchorState.Lost: return look.Also("base lost", BaseMessages.Lost, 0.5f);

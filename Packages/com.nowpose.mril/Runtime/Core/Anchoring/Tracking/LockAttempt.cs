@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public LockAttempt(AnchoringSettings settings) => _settings = settings;
 
-        /// <summary>Markers that contradict each other in the newest attempt; null if there is no conflict.</summary>
+        /// <summary>Markers that contradict each other in the newest attempt; null without a conflict.</summary>
         public MarkerConflict Conflict { get; private set; }
 
         /// <summary>Base from the newest successful attempt, in the room frame.</summary>

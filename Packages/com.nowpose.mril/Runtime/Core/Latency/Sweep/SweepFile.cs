@@ -32,7 +32,7 @@ namespace Nowpose.Latency.Sweep
 
         public string Path { get; }
 
-        /// <summary>Error that stopped the writing, in one line; null if there is no error. Can be read on any thread.</summary>
+        /// <summary>Error that stopped the writing, in one line; null without an error. Can be read on any thread.</summary>
         public string Problem => _problem;
 
         /// <summary>

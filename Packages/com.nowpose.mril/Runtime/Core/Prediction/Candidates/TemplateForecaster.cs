@@ -7,7 +7,7 @@ namespace Nowpose.Prediction.Candidates
     /// <summary>For machines that repeat their motion: forecasts that the motion continues as it did after the last similar one.</summary>
     /// <remarks>
     /// Compares the newest samples with the history at the lags of greatest similarity, refines each lag to the best fit, and averages the
-    /// continuations of the best three, weighted by their fit. Without such a lag there is no forecast. A <see cref="CandidateGate"/>
+    /// continuations of the best three, weighted by their fit. Without such a lag, it has no forecast. A <see cref="CandidateGate"/>
     /// decides whether the forecast is used.
     /// </remarks>
     sealed class TemplateForecaster : Forecaster

@@ -57,7 +57,7 @@ namespace Nowpose.Prediction.Planning
 
         /// <summary>Returns whether the plan determines the joint's position at a time.</summary>
         /// <param name="newest">Time of the newest sample: once there are samples after the plan's end, the plan is not used.</param>
-        /// <returns>False if there is no plan at that time, or if the joint does not follow the plan.</returns>
+        /// <returns>False without a plan at that time, or if the joint does not follow the plan.</returns>
         public bool IsFollowedAt(double time, double newest)
         {
             var (plan, at) = (PlanAt(time), time - _delay.Delay);
