@@ -15,10 +15,11 @@ namespace Nowpose.Frames
         /// <summary>
         /// Parts of <c>adaptive</c> for a body. A tracker's noise makes two samples of an object at rest look like the start of a fast
         /// motion, so the rule for first moves is left out: with it, the error at rest was 1.4 times as large. An object has no drive limits,
-        /// so there are no profiles. The search for repeated moves takes 40 % of a sample's time, but with it the errors of a shuttle and of
-        /// a cam were 0.25 and 0.46 times as large.
+        /// so there are no profiles. The search for repeated moves makes the errors of a shuttle and of a cam 0.25 and 0.46 times as large;
+        /// it is sparse, because a cell has many objects (<see cref="Prediction.Candidates.SearchDensity"/>).
         /// </summary>
-        const PredictionParts Parts = PredictionParts.All & ~PredictionParts.FirstMoves & ~PredictionParts.Profiles;
+        const PredictionParts Parts =
+            PredictionParts.All & ~PredictionParts.FirstMoves & ~PredictionParts.Profiles & ~PredictionParts.DenseSearch;
 
         /// <summary>
         /// Degree and history of the polynomials in addition to <c>adaptive</c>, hold and line first: the interpolating ones, and least squares over

@@ -71,7 +71,8 @@ namespace Nowpose.Prediction
             if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ReportedPrior));
             foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
             var candidates = new List<CandidateGate>();
-            if (Has(PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits), TemplateGate));
+            var search = Has(PredictionParts.DenseSearch) ? SearchDensity.Dense : SearchDensity.Sparse;
+            if (Has(PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits, search), TemplateGate));
             if (Has(PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new CandidateGate(new ProfileForecaster(limits), ProfileGate));
             return new JointPredictor(new Mixer(limits, parts, forecasters.ToArray(), candidates.ToArray()), Kept, parts, limits, blend);

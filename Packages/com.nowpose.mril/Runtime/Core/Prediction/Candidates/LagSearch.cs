@@ -20,19 +20,8 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Maximum lag, in s: cycles of up to two minutes.</summary>
         const double MaxLag = 120;
 
-        /// <summary>
-        /// Interval between the compared grid points, in s, each of which costs a pass over all lags. With 0.15 s, the errors on recordings
-        /// are 0.1 % smaller, at a third more of that cost.
-        /// </summary>
-        const double ComparedEvery = 0.2;
-
-        /// <summary>
-        /// Maximum step between compared lags, in s: <see cref="MotionOverlay"/> finds the exact lag near them. With 0.1 s, the error of an
-        /// exact repetition at 50 ms is three times as large.
-        /// </summary>
-        const double LagStep = 0.06;
-
         readonly MotionHistory _history;
+        readonly SearchDensity _density;
 
         // Costs of the lags, preceded by an infinite cost, which is never a minimum.
         readonly double[] _costs = new double[MotionHistory.Capacity + 1];
@@ -43,7 +32,7 @@ namespace Nowpose.Prediction.Candidates
         int _step, _stride;
         double _forgettingFactor;
 
-        public LagSearch(MotionHistory history) => _history = history;
+        public LagSearch(MotionHistory history, SearchDensity density) => (_history, _density) = (history, density);
 
         /// <summary>The best lags, best first, as many as <see cref="Count"/>.</summary>
         public int[] Lags { get; } = new int[Kept];
@@ -58,8 +47,8 @@ namespace Nowpose.Prediction.Candidates
             _taken = 0;
             Count = 0;
             if (!(_history.Step > 0)) return;
-            _step = Math.Max(1, (int)(LagStep / _history.Step + 1e-6));
-            _stride = (int)Math.Ceiling(ComparedEvery / _history.Step - 1e-6);
+            _step = Math.Max(1, (int)(_density.LagStep / _history.Step + 1e-6));
+            _stride = (int)Math.Ceiling(_density.CompareInterval / _history.Step - 1e-6);
             _forgettingFactor = Math.Exp(-_stride * _history.Step / Forgetting);
         }
 

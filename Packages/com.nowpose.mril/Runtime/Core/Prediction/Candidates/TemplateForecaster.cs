@@ -36,10 +36,8 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Maximum change of the sampling interval, as a factor; a larger change starts a new history.</summary>
         const double MaxIntervalRatio = 1.6;
 
-        /// <summary>Minimum interval between searches, in s; samples in quicker succession reuse the previous matches.</summary>
-        const double MinMatchInterval = 0.035;
-
         readonly double _maximumGap;
+        readonly double _matchInterval;
         readonly MotionHistory _history = new MotionHistory();
         readonly LagSearch _search;
         readonly MotionOverlay _overlay;
@@ -57,11 +55,12 @@ namespace Nowpose.Prediction.Candidates
         double _matchedAt;
 
         /// <param name="limits">Limits with the maximum gap; a longer gap restarts the history.</param>
-        public TemplateForecaster(PredictionLimits limits)
+        public TemplateForecaster(PredictionLimits limits, SearchDensity density)
         {
             _maximumGap = Math.Min(limits.MaximumGap, MaxGap);
+            _matchInterval = density.MatchInterval;
             _overlay = new MotionOverlay(_history);
-            _search = new LagSearch(_history);
+            _search = new LagSearch(_history, density);
             Reset();
         }
 
@@ -127,7 +126,7 @@ namespace Nowpose.Prediction.Candidates
             (_newestTime, _newestPosition) = (motion.Samples.NewestTime, motion.Samples.NewestPosition);
             _history.Add(_newestTime, _newestPosition);
             _search.Update(MinLag);
-            var isSoon = _newestTime - _matchedAt < MinMatchInterval;
+            var isSoon = _newestTime - _matchedAt < _matchInterval;
             if (before > 0 && (isSoon || motion.Rest.StillSamples > LongRest)) KeepMatches(before);
             else Match(motion);
         }

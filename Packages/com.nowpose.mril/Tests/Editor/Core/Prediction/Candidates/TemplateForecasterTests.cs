@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         static JointPredictor Alone(PredictionLimits limits = null) =>
-            TestPredictors.Of(new TemplateForecaster(limits ?? PredictionLimits.Unlimited), limits);
+            TestPredictors.Of(new TemplateForecaster(limits ?? PredictionLimits.Unlimited, SearchDensity.Dense), limits);
 
         static double Position(double t)
         {
