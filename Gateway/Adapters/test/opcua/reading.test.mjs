@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
-import { StatusCodes } from 'node-opcua-client';
+import { StatusCodes } from './library.mjs';
 import { start, until } from '../program.mjs';
 import { nanoseconds } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
