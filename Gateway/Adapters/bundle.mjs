@@ -4,18 +4,10 @@ import { mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
-import { kinds, loading } from './loading.mjs';
+import { kinds, loading, requireForBundle, withoutTrial } from './loading.mjs';
 
 const adapters = dirname(fileURLToPath(import.meta.url));
 const entries = { plant: 'src/main.ts', ...Object.fromEntries(kinds.map(kind => [kind, `src/${kind}/adapter.ts`])) };
-
-// Removes a self-test of node-opcua. At each start, it takes a second to generate a 4096-bit key and tests a padding that we do not use.
-const withoutTrial = {
-  name: 'without-trial',
-  setup: ({ onLoad }) => onLoad({ filter: /node-opcua-secure-channel.*verify_pcks1\.js$/ }, () => ({
-    contents: 'export async function testRSAPKCS1V15_EncryptDecrypt() {}',
-  })),
-};
 
 // Writes a temporary file and renames it, so that a concurrent build does not read an incomplete file.
 function write(name, text) {
@@ -61,14 +53,7 @@ const { outputFiles, metafile } = await build({
   charset: 'utf8',
   // Optional packages that the bundled packages load only in configurations that the adapters do not use.
   external: ['proper-lockfile', 'bufferutil', 'utf-8-validate'],
-  // Defines require, with which bundled CommonJS packages load Node's modules.
-  banner: {
-    js: `// Contains packages by others; see adapter-licences.txt.
-import { createRequire } from 'node:module';
-import { dirname as nowposeDirname } from 'node:path';
-import { fileURLToPath as nowposePath } from 'node:url';
-const require = createRequire(import.meta.url), __filename = nowposePath(import.meta.url), __dirname = nowposeDirname(__filename);`,
-  },
+  banner: { js: `// Contains packages by others; see adapter-licences.txt.\n${requireForBundle}` },
 });
 
 mkdirSync(join(adapters, 'dist'), { recursive: true });

@@ -36,3 +36,17 @@ const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.
 export const loading = {
   loader: { '.urdf': 'text' }, plugins: [withSchemaChecks], define: { NOWPOSE_VERSION: JSON.stringify(version) },
 };
+
+// Removes a self-test of node-opcua. At each start, it takes a second to generate a 4096-bit key and tests a padding that we do not use.
+export const withoutTrial = {
+  name: 'without-trial',
+  setup: ({ onLoad }) => onLoad({ filter: /node-opcua-secure-channel.*verify_pcks1\.js$/ }, () => ({
+    contents: 'export async function testRSAPKCS1V15_EncryptDecrypt() {}',
+  })),
+};
+
+/** Defines require, with which bundled CommonJS packages load Node's modules. */
+export const requireForBundle = `import { createRequire } from 'node:module';
+import { dirname as nowposeDirname } from 'node:path';
+import { fileURLToPath as nowposePath } from 'node:url';
+const require = createRequire(import.meta.url), __filename = nowposePath(import.meta.url), __dirname = nowposeDirname(__filename);`;

@@ -6,7 +6,11 @@ namespace Nowpose.Gateway.Pairing;
 /// <summary>Reads and writes the file of paired headsets: text with one line per headset. It is created readable by its owner only.</summary>
 static class HeadsetFile
 {
-    const int Attempts = 20;
+    /// <summary>
+    /// Together 10 s. Another process holds the file only for one change, but it can make many changes in a row, and each flush to a busy disk
+    /// can take a second.
+    /// </summary>
+    const int Attempts = 400;
 
     static readonly TimeSpan AttemptInterval = TimeSpan.FromMilliseconds(25);
 

@@ -36,6 +36,21 @@ describe('silent symbols', () => {
     assert.deepEqual([cell.confirmed, cell.lost, cell.renewed], [[[0, 1]], [], []]);
   });
 
+  // Headsets show a sample for about 300 ms.
+  it('Symbols_AtRest_AreConfirmedAtLeastEvery100Ms', async t => {
+    t.mock.timers.enable({ apis: ['setTimeout'] });
+    const cell = plc(), stop = new AbortController();
+    void cell.symbols.run(stop.signal);
+
+    for (; cell.now < 1000; cell.now += 10) {
+      t.mock.timers.tick(10);
+      await new Promise(setImmediate);
+    }
+    stop.abort();
+
+    assert.ok(cell.confirmed.length >= 10, `${cell.confirmed.length} in 1 s`);
+  });
+
   it('Symbols_SlowRead_AreConfirmedAtTheStartOfTheRead', async () => {
     const cell = plc(), { actions } = cell.symbols, { read } = actions;
     actions.read = joint => {

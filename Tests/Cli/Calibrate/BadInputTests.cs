@@ -16,6 +16,12 @@ public sealed class BadInputTests : CalibrationFolder
 
     byte[] _good;
 
+    // Renders the pictures of all tests. Starting a worker takes as long as rendering twenty pictures.
+    VisionPool _renderer;
+
+    [OneTimeTearDown]
+    public void EndRenderer() => _renderer?.Dispose();
+
     [SetUp]
     public void CalibrateWell()
     {
@@ -53,8 +59,8 @@ public sealed class BadInputTests : CalibrationFolder
             [Code(CodeKind.Control, 30_040, 0.25 * scale, scale, panel: 0.02), Code(CodeKind.Headset, 30_000, 0.75 * scale, scale, panel: null)],
             Blur: 0.6, [0, 0], [], [], Noise: 1, NoiseSeed: 1);
         var path = Path.Combine(Folder, name);
-        using var pool = new VisionPool(1);
-        pool.Look([PictureRequest.Made(change?.Invoke(shot) ?? shot, path)], (_, made) => Assert.That(made.Fault, Is.Null), CancellationToken.None);
+        _renderer ??= new VisionPool(1);
+        _renderer.Look([PictureRequest.Made(change?.Invoke(shot) ?? shot, path)], (_, made) => Assert.That(made.Fault, Is.Null), CancellationToken.None);
         return path;
     }
 

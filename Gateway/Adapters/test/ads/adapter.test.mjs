@@ -54,9 +54,9 @@ describe('ads', { concurrency: 4 }, () => {
       assertMatchesPlc(await statesOf(bridge, 40), tolerance);
     });
 
-  for (const [kind, more, coarsest] of [['Notification', '', 1_000_000], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n', 5_000_000]])
+  for (const [kind, more] of [['Notification', ''], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n']])
     it(`Clock_${kind}_IsBetweenRequestAndAnswer`, async t => {
-      const plc = youBot({ cycleMs: 5, aheadMs: -7000 });
+      const CYCLE_NS = 5_000_000, plc = youBot({ cycleMs: CYCLE_NS / 1e6, aheadMs: -7000 });
       const { bridge, server } = await cell(t, { plc, more });
       await statesOf(bridge);
       await clockOf(bridge);
@@ -66,8 +66,9 @@ describe('ads', { concurrency: 4 }, () => {
         const { received, sent, resolution_ns, error_bound_ns, synchronised } = values;
 
         assert.deepEqual(received, sent);
-        assert.ok(resolution_ns > 0 && resolution_ns <= coarsest, `resolution ${resolution_ns}`);
-        if (kind === 'Variable') assert.ok(resolution_ns >= 4_900_000, `resolution ${resolution_ns}`);
+        // The adapter reads the variable once per millisecond. On a busy machine it may see only every second or third cycle.
+        if (kind === 'Variable') assert.ok(resolution_ns > 0 && resolution_ns % CYCLE_NS === 0, `resolution ${resolution_ns}`);
+        else assert.ok(resolution_ns > 0 && resolution_ns <= 1_000_000, `resolution ${resolution_ns}`);
         const late = BigInt(kind === 'Variable' ? resolution_ns + 100_000 : 0);
         assert.ok(nanoseconds(received) >= before - late && nanoseconds(received) <= after, `${before} ${nanoseconds(received)} ${after}`);
         assert.deepEqual([error_bound_ns, synchronised], [0, true]);
@@ -120,20 +121,22 @@ describe('ads', { concurrency: 4 }, () => {
   it('Adapter_AllJointsAtRest_ReadsThemAndAssumesRest', async t => {
     const still = ['one', 'two'].map(name => new PlcSymbol(`MAIN.${name}`, 'LREAL', () => 1.5));
     const joints = '  - { joint: one, symbol: MAIN.one }\n  - { joint: two, symbol: MAIN.two }\n';
-    const { bridge } = await cell(t, { plc: new Plc([...variables(), ...still], { cycleMs: 5 }), more: '  on_change: true\n', joints });
+    const { bridge, server } = await cell(t, { plc: new Plc([...variables(), ...still], { cycleMs: 5 }), more: '  on_change: true\n', joints });
     // Reads the clock repeatedly, like a gateway.
     const asked = setInterval(() => void bridge.call('/nowpose/plant_time/cell').catch(() => {}), 200);
     t.after(() => clearInterval(asked));
 
     await jointIs(bridge, 'one', 'rest');
-    const count = bridge.jointStates.length;
+    const count = bridge.jointStates.length, readsOfBoth = () => server.seen.filter(s => s.command === command.read && s.group === group.memory).length / 2;
+    const readBefore = readsOfBoth();
     await until(() => bridge.jointStates.length > count + 20, 'joints at rest to be repeated');
+    const reads = readsOfBoth() - readBefore;
 
     const repeated = bridge.jointStates.slice(count), stamps = repeated.filter(s => s.name.includes('one')).map(s => nanoseconds(s.header.stamp));
-    const gaps = stamps.slice(1).map((stamp, i) => Number(stamp - stamps[i]) / 1e6).sort((a, b) => a - b);
     assert.ok(repeated.every(s => s.position.every(position => position === 1.5)));
-    // A headset shows a sample for 300 ms. On a busy machine some gaps are longer, so only the median gap is checked.
-    assert.ok(gaps[gaps.length >> 1] < 200, `${gaps}`);
+    assert.ok(stamps.every((stamp, i) => i === 0 || stamp > stamps[i - 1]), `${stamps}`);
+    // Virtual-time tests check how often the adapter reads. Each reading must be published; the newest may be on their way.
+    assert.ok(stamps.length >= 0.75 * reads - 1, `${stamps.length} of ${reads}`);
     await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
   });
 

@@ -1,5 +1,5 @@
 // Causes faults of single variables of a YoubotServer, and repairs them.
-import { StatusCodes } from 'node-opcua-client';
+import { StatusCodes } from './library.mjs';
 
 /** Minimum speed in rad/s at which a variable freezes. No axis can stop from this speed between two samples. */
 const FAST = 0.4;

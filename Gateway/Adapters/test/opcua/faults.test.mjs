@@ -32,10 +32,13 @@ describe('faults', () => {
     assert.equal(result, false);
     assert.equal(values, clockMessages.notConnected);
     assert.match(reason, /\S/);
-    assert.equal((await state(s => s.state === 'connected')).reconnects, '1');
+    // On a busy machine, the first connection to the new server can fail.
+    const { reconnects } = await state(s => s.state === 'connected');
+    assert.ok(Number(reconnects) >= 1, reconnects);
     // The adapter writes one line for each change of state, not for each attempt.
-    assert.equal(run.err.split('\n').filter(line => line.endsWith('] connected')).length, 2, run.err);
-    assert.ok(run.err.split('\n').filter(line => line.includes('waiting')).length <= 3, run.err);
+    const changes = () => run.err.split('\n').filter(line => /\] (connected|waiting)/.test(line)).map(line => line.replace(/^.*?\] /, ''));
+    await until(() => changes().filter(line => line === 'connected').length === Number(reconnects) + 1, () => `${reconnects} reconnections: ${run.err}`);
+    assert.ok(changes().every((line, i, all) => line !== all[i - 1]), run.err);
   });
 
   it('Adapter_GatewayKilledAndRestarted_SendsTopicsClockAndSamplesAgain', async t => {

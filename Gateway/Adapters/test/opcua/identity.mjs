@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { crypto_utils as pki } from 'node-opcua-client';
+import { crypto_utils as pki } from './library.mjs';
 import { temporaryFolder } from '../temporary.mjs';
 
 /** Creates files with a key and its certificate in a temporary folder. */

@@ -1,5 +1,5 @@
 import { createHash } from 'node:crypto';
-import { StatusCodes } from 'node-opcua-client';
+import { StatusCodes } from './library.mjs';
 
 const print = certificate => createHash('sha1').update(Array.isArray(certificate) ? certificate[0] : certificate).digest('hex');
 

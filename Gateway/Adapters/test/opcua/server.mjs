@@ -3,10 +3,9 @@
 import { createServer } from 'node:net';
 import { isDeepStrictEqual } from 'node:util';
 import {
-  AttributeIds, DataType, DataValue, MessageSecurityMode, SecurityPolicy, setWarningLogger, StatusCodes, Variant, VariantArrayType,
-} from 'node-opcua-client';
-import { get_mini_nodeset_filename } from 'node-opcua-address-space/testHelpers.js';
-import { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
+  AttributeIds, DataType, DataValue, MessageSecurityMode, MonitoredItem, nodeset, OPCUAServer, SecurityPolicy, setWarningLogger,
+  StatusCodes, Subscription, Variant, VariantArrayType,
+} from './library.mjs';
 import { angle, arm, opening } from '../ads/youbot.mjs';
 import { identity } from './identity.mjs';
 import { OpenStore } from './openStore.mjs';
@@ -106,7 +105,7 @@ export class YoubotServer {
     this.store = new OpenStore(this.trusted);
     this.#server = new OPCUAServer({
       port: this.port, hostname: '127.0.0.1', host: '127.0.0.1',
-      nodeset_filename: [get_mini_nodeset_filename()],
+      nodeset_filename: [nodeset],
       serverInfo: { applicationUri: URI },
       serverCapabilities: { operationLimits: { maxNodesPerRead: this.nodesPerRead } },
       securityModes: this.security.map(mode => mode === 'none' ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt),

@@ -1,7 +1,7 @@
 // Tests how missing samples of a joint are interpreted if the OPC UA server sends only changes.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { StatusCodes } from 'node-opcua-client';
+import { StatusCodes } from './library.mjs';
 import { until } from '../program.mjs';
 import { nanoseconds } from '../rosbridge.mjs';
 import { adapterFor, OPEN, serverFor } from './plant.mjs';

@@ -14,15 +14,19 @@ static class PaperScene
 {
     public const double VisuMs = 40;
 
+    const int PicturesPerLoad = 5;
+
     static readonly YoubotSwing Swing = new(isCold: true);
 
     /// <summary>Creates a profile with a given L_visu in ms.</summary>
     public static LatencyProfile ProfileOf(double visuMs) => new(
         visuMs, 1.2, "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 120, 15, RenderTimeSourceKind.DisplayGpuTime);
 
-    /// <summary>Measures the profile from pictures of the display, as <c>demo --paper</c> does.</summary>
+    /// <summary>
+    /// Measures the profile from pictures of the display, as <c>demo --paper</c> does, but from fewer of them. Its error is therefore larger.
+    /// </summary>
     public static LatencyProfile Calibrate(int seed) =>
-        PaperCalibration.Of(PaperScenario.Of(Given(seed), Swing), PaperSession.PicturesPerLoad, CancellationToken.None).Profile;
+        PaperCalibration.Of(PaperScenario.Of(Given(seed), Swing), PicturesPerLoad, CancellationToken.None).Profile;
 
     /// <summary>Runs the scenario.</summary>
     /// <param name="profile">Latency profile of the runtime; null for a profile with the true L_visu.</param>

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 
 namespace Nowpose.Kinematics
@@ -36,8 +35,10 @@ namespace Nowpose.Kinematics
         {
             get
             {
-                var first = Array.IndexOf(_isBeyond, true);
-                return first < 0 ? null : _beyond[first];
+                // Array.IndexOf with an array of bool reads beyond its end on Mono and can end the process.
+                for (var joint = 0; joint < _isBeyond.Length; joint++)
+                    if (_isBeyond[joint]) return _beyond[joint];
+                return null;
             }
         }
 
