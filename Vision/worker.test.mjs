@@ -180,6 +180,28 @@ test('finds and reads LEDs in a narrow housing in front of a brighter board', as
   assert.equal(read.length, answers.length);
 });
 
+test('reads overexposed LEDs in a colour that is not clipped', async () => {
+  // Pairs that changed during the exposure: two lit cells, which are equal where both are clipped.
+  const changed = control.lit.map((share, cell) => (cell >= 49 && cell <= 54 ? (share === 1 ? 0.7 : 0.3) : share));
+  const overexposed = colour => ({ ...control, lit: changed, light: 4, colour });
+  const folder = mkdtempSync(join(tmpdir(), 'nowpose-'));
+  try {
+    for (const colour of [[1, 0.07, 0.03], [0.15, 1, 0.25]]) {
+      const file = join(folder, 'a.png');
+      const [{ codes: made }, , { codes: read }] = await ask(
+        { shot: shot([overexposed(colour), headset]) }, { shot: shot([overexposed(colour), headset]), to: file }, { file });
+
+      for (const codes of [made, read]) {
+        const { levels } = codes.find(code => code.kind === 'Control');
+        const contrast = (levels[49] - levels[50]) / levels[0];
+        assert.ok(Math.abs(Math.abs(contrast) - 0.4) < 0.15, `${colour}: ${contrast}`);
+      }
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
 test('continues after an interrupt signal', async () => {
   const child = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
   const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
