@@ -202,6 +202,17 @@ test('reads overexposed LEDs in a colour that is not clipped', async () => {
   }
 });
 
+test('measures the light of another board between the cells', async () => {
+  const board = { ...control, corners: square(400, 360, 130, 0.1), panel: 0.03, dot: 0.7 };
+  // Seen through the gaps of the board in front.
+  const other = { ...control, corners: square(418, 383, 120, 0.25), lit: lit('Control').map(share => 1 - share), panel: null };
+
+  const answers = await ask({ shot: shot([board, headset]) }, { shot: shot([board, other, headset]) });
+
+  const [alone, disturbed] = answers.map(({ codes }) => codes.find(code => code.kind === 'Control')?.residual ?? 1);
+  assert.ok(alone < 0.1 && disturbed > 0.16, `${alone}, ${disturbed}`);
+});
+
 test('continues after an interrupt signal', async () => {
   const child = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
   const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();

@@ -1,5 +1,5 @@
 import { candidatesIn } from './candidates';
-import { cellLight, pairDeviation, whiteShare } from './cellLight';
+import { cellLight, pairDeviation, whiteShare, type CellLight } from './cellLight';
 import { distance, isWithin, scaled, sizeOf, turned, type Quad } from './geometry';
 import { inPicture, layerFor, layersOf, smooth, type Layer } from './layers';
 import { brightened, coloursOf, lightOf, type Grey, type Light } from './levels';
@@ -10,7 +10,7 @@ import type { Kind, Pattern } from './pattern';
 import type { Fit } from './refine';
 
 /** A code in a picture. */
-export interface Found {
+export interface Found extends CellLight {
   kind: string;
   /** Corners in px. The first is the top left corner of the upright code; the others follow clockwise. */
   corners: Quad;
@@ -20,8 +20,6 @@ export interface Found {
   isWeak: boolean;
   /** Share of the cells whose middle is white. */
   white: number;
-  /** Light of each cell without the scene behind it, row by row; linear, 1 is white. */
-  levels: number[];
 }
 
 /** Maximum side of the searched picture, px. A larger one takes longer but contains no additional codes that can be read. */
@@ -113,7 +111,7 @@ export class Finder {
 
   #deviationOf({ kind, quad, hidden }: Fit, light: Light): number {
     const seen = this.#pattern.kinds[this.#matcher.kinds[kind]];
-    return pairDeviation(cellLight(light, quad, this.#pattern, seen), this.#pattern, seen, hidden!);
+    return pairDeviation(cellLight(light, quad, this.#pattern, seen).levels, this.#pattern, seen, hidden!);
   }
 
   #foundAs({ kind, quad, share }: Fit, isWeak: boolean, light: Light, grey: Grey): Found {
@@ -122,9 +120,9 @@ export class Finder {
   }
 
   /** Measures the cells in the brightest colour; if it is clipped, in the colour that is clipped least and shows the code. */
-  #cellsIn(light: Light, grey: Grey, quad: Quad, kind: Kind): Pick<Found, 'white' | 'levels'> {
+  #cellsIn(light: Light, grey: Grey, quad: Quad, kind: Kind): CellLight & Pick<Found, 'white'> {
     const { pairs, side } = this.#pattern;
-    const cellsIn = (seen: Light) => ({ white: whiteShare(seen, quad, side), levels: cellLight(seen, quad, this.#pattern, kind) });
+    const cellsIn = (seen: Light) => ({ white: whiteShare(seen, quad, side), ...cellLight(seen, quad, this.#pattern, kind) });
     let best = cellsIn(light);
     if (best.white === 0) return best;
     for (const colour of coloursOf(grey)) {
