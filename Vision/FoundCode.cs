@@ -10,6 +10,11 @@ sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyLi
     /// <summary>Share of the cells whose middle is white, 0 to 1.</summary>
     public double WhiteShare { get; init; }
 
+    /// <summary>
+    /// Residual of the light at the edges of the cells that a tenth of the edges exceeds, relative to the light of a lit cell.
+    /// </summary>
+    public double Residual { get; init; }
+
     /// <summary>Whether a better match of this kind exists, so that this one can be another object.</summary>
     public bool IsWeak { get; init; }
 

@@ -13,10 +13,14 @@ public sealed record Shot(
 /// <summary>A code as seen by the camera.</summary>
 /// <param name="Corners">x and y of each corner. The first is the top left corner of the code; the others follow clockwise.</param>
 /// <param name="Lit">Share of the exposure in which each cell is lit, 0 to 1.</param>
-/// <param name="Light">Light of a lit cell.</param>
+/// <param name="Light">Light of a lit cell; more than 1 is overexposed.</param>
 /// <param name="Dot">Diameter of round LEDs relative to a cell; 0 for complete squares.</param>
 /// <param name="Panel">Light of the panel behind the cells; null for a hologram, which only adds light to the background.</param>
-public sealed record DrawnCode(double[][] Corners, double[] Lit, double Light, double Dot, double? Panel);
+public sealed record DrawnCode(double[][] Corners, double[] Lit, double Light, double Dot, double? Panel)
+{
+    /// <summary>Red, green and blue part of the light; null for white light.</summary>
+    public double[] Colour { get; init; }
+}
 
 /// <summary>A round reflection.</summary>
 public sealed record Glare(double X, double Y, double Radius, double Light);

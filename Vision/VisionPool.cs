@@ -125,6 +125,7 @@ public sealed class VisionPool : IDisposable
         [.. code.GetProperty("corners").EnumerateArray().Select(corner => (corner[0].GetDouble(), corner[1].GetDouble()))])
     {
         WhiteShare = code.GetProperty("white").GetDouble(),
+        Residual = code.GetProperty("residual").GetDouble(),
         IsWeak = code.GetProperty("isWeak").GetBoolean(),
     };
 

@@ -180,6 +180,39 @@ test('finds and reads LEDs in a narrow housing in front of a brighter board', as
   assert.equal(read.length, answers.length);
 });
 
+test('reads overexposed LEDs in a colour that is not clipped', async () => {
+  // Pairs that changed during the exposure: two lit cells, which are equal where both are clipped.
+  const changed = control.lit.map((share, cell) => (cell >= 49 && cell <= 54 ? (share === 1 ? 0.7 : 0.3) : share));
+  const overexposed = colour => ({ ...control, lit: changed, light: 4, colour });
+  const folder = mkdtempSync(join(tmpdir(), 'nowpose-'));
+  try {
+    for (const colour of [[1, 0.07, 0.03], [0.15, 1, 0.25]]) {
+      const file = join(folder, 'a.png');
+      const [{ codes: made }, , { codes: read }] = await ask(
+        { shot: shot([overexposed(colour), headset]) }, { shot: shot([overexposed(colour), headset]), to: file }, { file });
+
+      for (const codes of [made, read]) {
+        const { levels } = codes.find(code => code.kind === 'Control');
+        const contrast = (levels[49] - levels[50]) / levels[0];
+        assert.ok(Math.abs(Math.abs(contrast) - 0.4) < 0.15, `${colour}: ${contrast}`);
+      }
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('measures the light of another board between the cells', async () => {
+  const board = { ...control, corners: square(400, 360, 130, 0.1), panel: 0.03, dot: 0.7 };
+  // Seen through the gaps of the board in front.
+  const other = { ...control, corners: square(418, 383, 120, 0.25), lit: lit('Control').map(share => 1 - share), panel: null };
+
+  const answers = await ask({ shot: shot([board, headset]) }, { shot: shot([board, other, headset]) });
+
+  const [alone, disturbed] = answers.map(({ codes }) => codes.find(code => code.kind === 'Control')?.residual ?? 1);
+  assert.ok(alone < 0.1 && disturbed > 0.16, `${alone}, ${disturbed}`);
+});
+
 test('continues after an interrupt signal', async () => {
   const child = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
   const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]();

@@ -10,14 +10,22 @@ const filled = { across: [1, 2], along: [1, 2, 3, 4, 5, 6] };
 /** Sample positions in LEDs, which leave gaps between them. */
 const dots = { across: [4], along: [3, 4] };
 
+/** Light of the cells of a code. */
+export interface CellLight {
+  /** Light of each cell without the scene behind it, row by row; 1 is white. */
+  levels: number[];
+  /** Residual of the model that a tenth of the samples exceeds, relative to the light of a lit cell. */
+  residual: number;
+}
+
 /**
- * Estimates the light of each cell without the scene behind it; 1 is white.
+ * Estimates the light of each cell without the scene behind it.
  *
  * Along the whole edge between two adjacent cells, the light changes by the difference between the cells. An edge of the scene crosses this
  * edge and affects only a few samples. The steps are therefore modelled as the cells' light plus a quadratic scene. The model is fitted with
  * the minimum sum of absolute residuals, so a few outliers have no effect, however bright they are.
  */
-export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind): number[] {
+export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind): CellLight {
   const { side } = pattern;
   const cell = cellAt(pattern, kind);
   // Order of the unknowns: light of the ring, light of the cells of pairs, five coefficients of the scene.
@@ -51,11 +59,13 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
       equations.end(difference);
     }
   });
-  const found = leastAbsolute(equations, count);
-  return Array.from({ length: side * side }, (_, i) => {
+  const { found, residuals } = leastAbsolute(equations, count);
+  const levels = Array.from({ length: side * side }, (_, i) => {
     const unknown = unknownAt(Math.floor(i / side), i % side);
     return unknown === null ? 0 : found[unknown];
   });
+  const [light] = found;
+  return { levels, residual: light > 0 ? residuals.sort()[Math.floor(0.9 * residuals.length)] / light : 1 };
 }
 
 /**

@@ -1,16 +1,16 @@
 import { candidatesIn } from './candidates';
-import { cellLight, pairDeviation, whiteShare } from './cellLight';
+import { cellLight, pairDeviation, whiteShare, type CellLight } from './cellLight';
 import { distance, isWithin, scaled, sizeOf, turned, type Quad } from './geometry';
 import { inPicture, layerFor, layersOf, smooth, type Layer } from './layers';
-import { brightened, lightOf, type Grey, type Light } from './levels';
+import { brightened, coloursOf, lightOf, type Grey, type Light } from './levels';
 import { Matcher } from './match';
 import { cv } from './opencv';
 import { clearestPart, type Placed } from './parts';
-import type { Pattern } from './pattern';
+import type { Kind, Pattern } from './pattern';
 import type { Fit } from './refine';
 
 /** A code in a picture. */
-export interface Found {
+export interface Found extends CellLight {
   kind: string;
   /** Corners in px. The first is the top left corner of the upright code; the others follow clockwise. */
   corners: Quad;
@@ -20,8 +20,6 @@ export interface Found {
   isWeak: boolean;
   /** Share of the cells whose middle is white. */
   white: number;
-  /** Light of each cell without the scene behind it, row by row; linear, 1 is white. */
-  levels: number[];
 }
 
 /** Maximum side of the searched picture, px. A larger one takes longer but contains no additional codes that can be read. */
@@ -39,6 +37,8 @@ const minShareOfSecond = 0.77;
 const minShareOfWeak = 0.7;
 /** Threshold for a weak code if no code of the other kind is found. A bright scene can make that code similar to the first kind. */
 const minShareOfOnlyKind = 0.9;
+/** Minimum light of a code in a single colour; 1 is white. Below it, noise is too large a part of the light. */
+const minLightOfColour = 0.04;
 /** Minimum agreement of a candidate before the first refinement. */
 const minShareOfGuess = 0.1;
 /** Maximum distance between the corners of candidates that count as the same, in cells. The search around a candidate covers it. */
@@ -61,7 +61,7 @@ export class Finder {
     const picture = searched(brightened(light));
     try {
       const fits = this.#search(picture, layersOf(picture, picture.cols / grey.width, this.#matcher, this.#isFilled), light);
-      return fits.map(fit => this.#foundAs(fit, isWeak(fit, fits), light));
+      return fits.map(fit => this.#foundAs(fit, isWeak(fit, fits), light, grey));
     } finally {
       picture.delete();
     }
@@ -111,19 +111,26 @@ export class Finder {
 
   #deviationOf({ kind, quad, hidden }: Fit, light: Light): number {
     const seen = this.#pattern.kinds[this.#matcher.kinds[kind]];
-    return pairDeviation(cellLight(light, quad, this.#pattern, seen), this.#pattern, seen, hidden!);
+    return pairDeviation(cellLight(light, quad, this.#pattern, seen).levels, this.#pattern, seen, hidden!);
   }
 
-  #foundAs({ kind, quad, share }: Fit, isWeak: boolean, light: Light): Found {
+  #foundAs({ kind, quad, share }: Fit, isWeak: boolean, light: Light, grey: Grey): Found {
     const name = this.#matcher.kinds[kind];
-    return {
-      kind: name,
-      corners: quad,
-      share,
-      isWeak,
-      white: whiteShare(light, quad, this.#pattern.side),
-      levels: cellLight(light, quad, this.#pattern, this.#pattern.kinds[name]),
-    };
+    return { kind: name, corners: quad, share, isWeak, ...this.#cellsIn(light, grey, quad, this.#pattern.kinds[name]) };
+  }
+
+  /** Measures the cells in the brightest colour; if it is clipped, in the colour that is clipped least and shows the code. */
+  #cellsIn(light: Light, grey: Grey, quad: Quad, kind: Kind): CellLight & Pick<Found, 'white'> {
+    const { pairs, side } = this.#pattern;
+    const cellsIn = (seen: Light) => ({ white: whiteShare(seen, quad, side), ...cellLight(seen, quad, this.#pattern, kind) });
+    let best = cellsIn(light);
+    if (best.white === 0) return best;
+    for (const colour of coloursOf(grey)) {
+      const cells = cellsIn(colour);
+      const isSeen = pairs.every(left => cells.levels[left] + cells.levels[left + 1] >= minLightOfColour);
+      if (isSeen && cells.white < best.white) best = cells;
+    }
+    return best;
   }
 }
 

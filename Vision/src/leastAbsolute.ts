@@ -57,8 +57,8 @@ export class Equations {
   }
 }
 
-/** Finds the unknowns that minimise the sum of absolute residuals, by iteratively reweighted least squares. */
-export function leastAbsolute(equations: Equations, count: number): Float64Array {
+/** Finds the unknowns that minimise the sum of absolute residuals, by iteratively reweighted least squares. Also returns these residuals. */
+export function leastAbsolute(equations: Equations, count: number): { found: Float64Array; residuals: Float64Array } {
   const [normal, right, found] = [count, 1, 1].map(columns => new cv.Mat(count, columns, cv.CV_64FC1)) as [Mat, Mat, Mat];
   const weights = new Float64Array(equations.count).fill(1);
   const residuals = new Float64Array(equations.count);
@@ -70,7 +70,7 @@ export function leastAbsolute(equations: Equations, count: number): Float64Array
       const floor = Math.max(held, noise * medianOf(residuals.slice(), residuals.length));
       for (let i = 0; i < weights.length; i++) weights[i] = 1 / Math.max(residuals[i], floor);
     }
-    return found.data64F.slice();
+    return { found: found.data64F.slice(), residuals };
   } finally {
     for (const made of [normal, right, found]) made.delete();
   }

@@ -5,6 +5,15 @@ export interface Grey {
   width: number;
   height: number;
   data: Uint8Array;
+  /** Red, green, blue and opacity of each pixel, if the picture has colours. The grey value is the brightest of the colours. */
+  colours?: Uint8Array | Uint8ClampedArray;
+}
+
+/** Uses the brightest colour channel of each pixel, because the luma of a red or blue LED is only a small part of its light. */
+export function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
+  const grey = new Uint8Array(width * height);
+  for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = Math.max(data[j], data[j + 1], data[j + 2]);
+  return { width, height, data: grey, colours: data };
 }
 
 /** Mirrors a picture horizontally. */
@@ -34,10 +43,17 @@ export interface Light {
   data: Float32Array;
 }
 
-export function lightOf({ width, height, data }: Grey): Light {
-  const light = new Float32Array(data.length);
-  for (let i = 0; i < data.length; i++) light[i] = lightOfByte[data[i]];
-  return { width, height, data: light };
+export const lightOf = ({ width, height, data }: Grey): Light => ({ width, height, data: lightOfBytes(data, 0, 1) });
+
+/** Returns the light of a picture in red, green and blue, one after another; nothing if the picture has no colours. */
+export function* coloursOf({ width, height, colours }: Grey): Generator<Light> {
+  if (colours) for (const colour of [0, 1, 2]) yield { width, height, data: lightOfBytes(colours, colour, 4) };
+}
+
+function lightOfBytes(bytes: Uint8Array | Uint8ClampedArray, first: number, stride: number): Float32Array {
+  const light = new Float32Array(bytes.length / stride);
+  for (let i = 0, j = first; i < light.length; i++, j += stride) light[i] = lightOfByte[bytes[j]];
+  return light;
 }
 
 /** Returns the light at a point, interpolated between the centres of pixels; NaN outside the picture. */

@@ -4,7 +4,7 @@ import encodeJpeg, { init as initEncoder } from '@jsquash/jpeg/encode.js';
 import decoder from '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm';
 import encoder from '@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm';
 import { PNG } from 'pngjs';
-import type { Grey } from './levels';
+import { greyOf, type Grey } from './levels';
 import { pictureMessages } from './messages';
 import { checkSize, isHeic, isJpeg, isPng } from './pictureSize';
 
@@ -52,25 +52,16 @@ export async function writePicture(path: string, grey: Grey): Promise<void> {
   if (path.endsWith('.png')) return writePng(path, grey);
   if (!isEncoding) await initEncoder(new WebAssembly.Module(encoder));
   isEncoding = true;
-  const data = new Uint8ClampedArray(4 * grey.data.length);
-  for (let i = 0; i < grey.data.length; i++) {
-    data[4 * i] = data[4 * i + 1] = data[4 * i + 2] = grey.data[i];
-    data[4 * i + 3] = 255;
-  }
-  const picture = new ImageData(data, grey.width, grey.height);
+  const data = grey.colours ?? Uint8Array.from({ length: 4 * grey.data.length }, (_, i) => (i % 4 < 3 ? grey.data[i >> 2] : 255));
+  const picture = new ImageData(new Uint8ClampedArray(data), grey.width, grey.height);
   const options = { quality: 88, color_space: 1, progressive: false, optimize_coding: false, trellis_multipass: false };
   writeFileSync(path, Buffer.from(await encodeJpeg(picture, options)));
 }
 
-function writePng(path: string, { width, height, data }: Grey): void {
+function writePng(path: string, { width, height, data, colours }: Grey): void {
   const png = new PNG({ width, height });
-  png.data = Buffer.from(data.buffer, data.byteOffset, data.length);
-  writeFileSync(path, PNG.sync.write(png, { colorType: 0, inputColorType: 0, deflateLevel: 1, filterType: 1 }));
-}
-
-/** Uses the brightest colour channel of each pixel, because the luma of a red or blue LED is only a small part of its light. */
-function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
-  const grey = new Uint8Array(width * height);
-  for (let i = 0, j = 0; i < grey.length; i++, j += 4) grey[i] = Math.max(data[j], data[j + 1], data[j + 2]);
-  return { width, height, data: grey };
+  const bytes = colours ?? data;
+  png.data = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length);
+  const format = colours ? { inputColorType: 6, colorType: 2 } : { inputColorType: 0, colorType: 0 };
+  writeFileSync(path, PNG.sync.write(png, { ...format, deflateLevel: 1, filterType: 1 } as Parameters<typeof PNG.sync.write>[1]));
 }

@@ -4,12 +4,16 @@ using Nowpose.Vision;
 namespace Nowpose.Cli.Calibrate.Simulate;
 
 /// <summary>
-/// Adds a defect to a picture: an object in front of a code, a reflection on it, a shaken camera, or a code that is partly outside.
+/// Adds a defect to a picture: an object in front of a code, a reflection on it, overexposed LEDs, a shaken camera, or a code that is
+/// partly outside.
 /// </summary>
 static class PictureDefects
 {
     static readonly (string Name, Func<Shot, RandomStream, Shot> AddTo)[] Kinds =
-        [("covered", Covered), ("glare", Dazzled), ("smeared", Smeared), ("cut off", CutOff)];
+        [("covered", Covered), ("glare", Dazzled), ("smeared", Smeared), ("cut off", CutOff), ("overexposed", Overexposed)];
+
+    /// <summary>Light of red, green and white LEDs in a camera's three colours.</summary>
+    static readonly double[][] LedColours = [[1, 0.07, 0.03], [0.15, 1, 0.25], [1, 0.95, 0.9]];
 
     public static Shot AddRandom(Shot shot, RandomStream random, out string name)
     {
@@ -45,6 +49,12 @@ static class PictureDefects
         var cut = size * (0.1 + 0.6 * random.Next());
         var by = left < shot.Width / 2 ? -left - cut : shot.Width - left - size + cut;
         return shot with { Codes = [.. shot.Codes.Select(each => each with { Corners = [.. each.Corners.Select(corner => new[] { corner[0] + by, corner[1] })] })] };
+    }
+
+    static Shot Overexposed(Shot shot, RandomStream random)
+    {
+        var leds = shot.Codes[0] with { Light = 1.5 + 4.5 * random.Next(), Colour = LedColours[(int)(random.Next() * LedColours.Length)] };
+        return shot with { Codes = [leds, .. shot.Codes.Skip(1)] };
     }
 
     static DrawnCode AnyCode(Shot shot, RandomStream random) => shot.Codes[(int)(random.Next() * shot.Codes.Count)];

@@ -18,6 +18,12 @@ sealed class CodeContrasts
     /// <summary>Minimum share of white cells from which a code is overexposed or has a bright reflection.</summary>
     const double MinWhiteShare = 0.05;
 
+    /// <summary>
+    /// Maximum residual of the control code. Another board in front of it or behind its gaps causes more, and makes times appear that no
+    /// board shows. A hologram has no limit, because the scene behind it causes residuals in any case.
+    /// </summary>
+    const double MaxResidual = 0.16;
+
     readonly double[] _contrasts = new double[TimestampCode.PairCount];
 
     public CodeContrasts(FoundCode code)
@@ -40,6 +46,7 @@ sealed class CodeContrasts
                 ? AreRowsAtEdge(dark) ? PictureFaults.PartlyDark : "partly covered"
                 : code.WhiteShare >= MinWhiteShare ? PictureFaults.Overexposed
                 : PictureFaults.Disturbed;
+        else if (code.Kind == CodeKind.Control && !code.IsWeak && code.Residual > MaxResidual) Fault = PictureFaults.Disturbed;
     }
 
     /// <summary>Brightness of a lit cell; 1 is white.</summary>

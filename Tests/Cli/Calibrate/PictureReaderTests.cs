@@ -60,6 +60,28 @@ public sealed class PictureReaderTests
         Assert.That(Read(new PictureReader(0, 0), [.. codes, other]).Fault, Is.Null);
     }
 
+    [TestCase(CodeKind.Control, 0.1, true)]
+    [TestCase(CodeKind.Control, 0.2, false)]
+    [TestCase(CodeKind.Headset, 0.2, true)]
+    public void Read_LightBetweenTheCells_IsRejectedOnlyForTheControlCode(object kind, double residual, bool isRead)
+    {
+        FoundCode[] codes = [CodeLevels.Run(10_040, 1), CodeLevels.Of(CodeKind.Headset, 10_000)];
+
+        var result = Read(new PictureReader(0, 0), [.. codes.Select(code => code.Kind == (CodeKind)kind ? code with { Residual = residual } : code)]);
+
+        Assert.That(result.IsRead, Is.EqualTo(isRead));
+    }
+
+    [Test]
+    public void Read_WeakSecondCodeBehindAnotherBoard_IsStillCounted()
+    {
+        var control = CodeLevels.Run(10_040, 1);
+
+        var result = Read(new PictureReader(0, 0), control, CodeLevels.Of(CodeKind.Headset, 10_000), control with { IsWeak = true, Residual = 0.2 });
+
+        Assert.That(result.Fault, Does.StartWith("two "));
+    }
+
     [TestCase(-4, null)]
     [TestCase(-20, "headset code partly outside the picture")]
     [TestCase(Height - 76, null)]

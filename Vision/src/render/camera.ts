@@ -1,4 +1,4 @@
-import type { Grey } from '../levels';
+import { greyOf, type Grey } from '../levels';
 import { cv } from '../opencv';
 import { addCode, type DrawnCode } from './codeLight';
 import { normals, randomOf } from './random';
@@ -38,8 +38,18 @@ const byteOfLight = Float32Array.from({ length: steps + 1 }, (_, i) => {
 const scenes = new Map<string, Mat>();
 const scenesKept = 4;
 
-/** Renders the picture that a camera takes of a scene with codes. Equal shots give equal pictures. */
+/** Renders the picture that a camera takes of a scene with codes, in colour if a code has one. Equal shots give equal pictures. */
 export function take(shot: Shot): Grey {
+  if (shot.codes.every(({ colour }) => !colour)) return takeGrey(shot);
+  const seen = [0, 1, 2].map(channel =>
+    takeGrey({ ...shot, codes: shot.codes.map(code => ({ ...code, light: code.light * (code.colour?.[channel] ?? 1) })), noiseSeed: shot.noiseSeed + channel }),
+  );
+  const colours = new Uint8Array(4 * shot.width * shot.height).fill(255);
+  seen.forEach(({ data }, channel) => data.forEach((byte, i) => (colours[4 * i + channel] = byte)));
+  return greyOf({ ...shot, data: colours });
+}
+
+function takeGrey(shot: Shot): Grey {
   const light = new cv.Mat();
   try {
     keptScene(shot).convertTo(light, -1, shot.sceneLight);

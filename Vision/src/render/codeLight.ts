@@ -8,8 +8,10 @@ export interface DrawnCode {
   corners: Quad;
   /** Share of the exposure in which each cell is lit, 0 to 1. */
   lit: number[];
-  /** Light of a lit cell; 1 is white. */
+  /** Light of a lit cell; 1 is white, and more is overexposed. */
   light: number;
+  /** Red, green and blue part of the light; absent or null for white light. */
+  colour?: number[] | null;
   /** Diameter of round LEDs relative to a cell; 0 for complete squares. */
   dot: number;
   /** Light of the panel behind the cells; null for a hologram, which only adds light to the scene behind it. */
