@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Failures and errors of demo, with remedies.</summary>
+/// <summary>Failures and errors of the command <c>demo</c>, with remedies.</summary>
 static class DemoMessages
 {
     public static string ToolNotFinite(int frame) => $"frame {frame}: the position of the displayed tool is not finite";

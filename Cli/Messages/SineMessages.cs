@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of calibrate sine, with remedies.</summary>
+/// <summary>Errors and warnings of the command <c>calibrate sine</c>, with remedies.</summary>
 static class SineMessages
 {
     public static string NoBox(string option) =>

@@ -48,7 +48,7 @@ sealed class SessionBodies
         return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
     }
 
-    /// <summary>Consecutive poses of a tracked frame with the same parent on the same time line.</summary>
+    /// <summary>Consecutive poses of a tracked frame with the same parent, without a clock step between them.</summary>
     sealed class Stretch(int timeLine, string parent, ControlTime epoch)
     {
         BodyTruth _truth;

@@ -3,7 +3,7 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Reasons for the state of a joint.</summary>
 static class JointReasons
 {
-    public static string Taken(string source) => $"the source {source} already publishes this joint; each joint has one source";
+    public static string Taken(string source) => $"the source {source} already publishes this joint; stop one of the two sources";
 
     public const string NoSample = "the adapter reports a live joint, but no sample has arrived at the gateway";
     public const string NoReport = "the adapter stopped reporting before the first sample";

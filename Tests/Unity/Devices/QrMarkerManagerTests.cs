@@ -128,7 +128,7 @@ public sealed class QrMarkerManagerTests
         _played.Cell.Player.ReportGpuTime(TimeSpan.FromMilliseconds(5));
         _played.Cell.Run(1, _played.Session);
 
-        Assert.That(before, Is.Null, "nothing tells of it before a display runs");
+        Assert.That(before, Is.Null, "nothing is reported before a display runs");
         Assert.That(manager.subsystem, Is.SameAs(codes));
         Assert.That(_played.Markers.Problem, Is.Null);
     }

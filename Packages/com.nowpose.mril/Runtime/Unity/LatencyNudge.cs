@@ -85,11 +85,11 @@ namespace Nowpose.Unity
         /// <summary>Describes the last result in one line; null before the first result.</summary>
         public string Report { get; private set; }
 
-        /// <summary>Changes the shift by a difference in mm, for a button.</summary>
+        /// <summary>Adds a length in mm to the shift. The method can be assigned to a button.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
         /// <summary>Records the current shift as a mark: the displayed and the real robot coincide now.</summary>
-        /// <remarks>The sign of the speed tells whether the mark belongs to the forward or to the backward motion.</remarks>
+        /// <remarks>The sign of the speed determines whether the mark belongs to the forward or to the backward motion.</remarks>
         /// <returns>True if the mark was accepted; otherwise <see cref="Problem"/> gives the reason.</returns>
         public bool Mark() => Try(() =>
         {

@@ -42,7 +42,7 @@ export class TrustList {
     const der = leaf(certificate);
     const prints = thumbprints(der);
     this.refusal = null;
-    if (!this.#knows(prints)) {
+    if (!this.#contains(prints)) {
       this.refusal = certificateMessages.notTrusted(prints.sha1, prints.sha256, this.#cure(der, prints.sha1));
       return StatusCodes.BadCertificateUntrusted;
     }
@@ -67,7 +67,7 @@ export class TrustList {
   async addIssuer(): Promise<void> {}
   async addRevocationList(): Promise<void> {}
 
-  #knows({ sha1, sha256 }: { sha1: string; sha256: string }): boolean {
+  #contains({ sha1, sha256 }: { sha1: string; sha256: string }): boolean {
     const { thumbprint, serverCertificate } = this.settings;
     if (thumbprint === sha1 || thumbprint === sha256) return true;
     const files = readdirSync(this.#trusted)

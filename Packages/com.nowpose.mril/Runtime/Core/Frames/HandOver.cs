@@ -12,7 +12,7 @@ namespace Nowpose.Frames
     /// </remarks>
     readonly struct HandOver
     {
-        /// <summary>Duration of the blend, in s: by then the gripper moves away, and a person does not notice a shift of some millimetres.</summary>
+        /// <summary>Duration of the blend, in s. It is so short that a person does not notice a shift of some millimetres while the gripper moves away.</summary>
         public const double Seconds = 0.15;
 
         /// <summary>Maximum differences that are ignored because they are small, in m and rad.</summary>

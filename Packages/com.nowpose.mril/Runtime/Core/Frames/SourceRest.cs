@@ -19,7 +19,7 @@ namespace Nowpose.Frames
         /// <summary>Maximum difference of two samples of one pose, relative to the mean difference of consecutive ones.</summary>
         const double MaxDifference = 6;
 
-        /// <summary>Number of consecutive samples of another pose that show a motion, if the samples have noise. A tracker has outliers.</summary>
+        /// <summary>Minimum number of consecutive samples of another pose that count as a motion if the samples have noise; a single one may be an outlier.</summary>
         const int MinConsecutive = 2;
 
         readonly ScatterDetector _positions = new ScatterDetector();

@@ -63,15 +63,15 @@ namespace Nowpose.Prediction
         public double Horizon => _motion.Horizon;
 
         /// <summary>
-        /// Number of times that the samples showed that their clock went back. All earlier samples are discarded then, and the one added is
-        /// the newest.
+        /// Number of times that the samples showed that their clock went back. All earlier samples are then discarded, and the added sample
+        /// is the newest.
         /// </summary>
         public int Restarts => _arrivals.Restarts;
 
         /// <summary>Adds a sample in any order, and solves again if the used samples have changed.</summary>
         /// <param name="displayed">
-        /// The last displayed moment, on the time line of the samples, in s: it determines the prediction horizon, and the start of the blend
-        /// to the new section. NaN if nothing is displayed.
+        /// Last display time in s, on the clock of the samples. It determines the prediction horizon and the start of the blend to the new
+        /// section. NaN if nothing is displayed.
         /// </param>
         /// <returns>
         /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> if the sample is used.

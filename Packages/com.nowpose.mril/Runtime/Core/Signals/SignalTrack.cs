@@ -80,7 +80,7 @@ namespace Nowpose.Signals
             Restarted?.Invoke(this);
         }
 
-        // The visible value is kept until the display time reaches the first late value. The other values have times before the restart.
+        // Keeps the visible value until the display time reaches the first late value. Discards the other values: their times precede the restart.
         void RestartWithLateValues()
         {
             _count = 0;

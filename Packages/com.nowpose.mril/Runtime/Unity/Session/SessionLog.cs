@@ -28,8 +28,8 @@ namespace Nowpose.Unity.Session
         public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
         /// <summary>
-        /// Logs changes of the connections, of the limits, of the conditions of the latency profile, and of the versions. Call it in each frame; it
-        /// allocates only if something has changed.
+        /// Logs changes of the connections, joints outside their limits, conditions that differ from the latency profile, and version mismatches.
+        /// Call it in each frame; it allocates only if something has changed.
         /// </summary>
         public void Follow(CompensationSession session)
         {

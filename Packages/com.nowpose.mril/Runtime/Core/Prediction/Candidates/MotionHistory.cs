@@ -10,7 +10,8 @@ namespace Nowpose.Prediction.Candidates
     sealed class MotionHistory
     {
         /// <summary>
-        /// Points kept, at least two minutes at 20 ms. A power of two: index operations use a mask instead of thousands of divisions per sample.
+        /// Maximum number of stored points: more than two minutes with a sample every 20 ms. The number is a power of two, so that index
+        /// operations use a mask instead of thousands of divisions per sample.
         /// </summary>
         public const int Capacity = 8192;
 

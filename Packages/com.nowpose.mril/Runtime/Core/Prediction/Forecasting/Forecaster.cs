@@ -24,8 +24,8 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public virtual double DeviationAt(double ahead) => double.NaN;
 
-        /// <summary>Fills a table of <see cref="ForecastTable"/> from the last solve.</summary>
-        /// <param name="table">An array that receives the table from <paramref name="start"/> on.</param>
+        /// <summary>Fills the array of a <see cref="ForecastTable"/> with forecasts from the last solve.</summary>
+        /// <param name="table">Array that receives the forecasts from index <paramref name="start"/> on.</param>
         /// <param name="points">Number of points to fill.</param>
         public virtual void Fill(double[] table, int start, int points)
         {

@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_Lan_IsNearThatOfTheReference()
+        public void Error_Lan_IsCloseToTheReference()
         {
             var error = Worst(NetworkProfile.Lan, 0, 10);
 
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_BusyWifi_IsNearThatOfTheReference()
+        public void Error_BusyWifi_IsCloseToTheReference()
         {
             var error = Worst(NetworkProfile.BusyWifi, 0.02, 10);
 
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_BusyWifiUnderLoad_IsNearThatOfTheReference()
+        public void Error_BusyWifiUnderLoad_IsCloseToTheReference()
         {
             var error = Worst(NetworkProfile.BusyWifi, 0.02, 60, SimulatedLink.Queues);
 
