@@ -12,4 +12,6 @@ static class CalibrationMessages
         + "may be wrong: repeat the load sweep";
 
     public const string NoSpeed = "--speed-mm-s is missing; allowed: 1 to 10000 mm/s";
+
+    public static string BothNames(string former, string present) => $"{former} is the former name of {present}; use only {present}";
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>The paper's claims as criteria of demo --paper, and reasons for missing results.</summary>
+/// <summary>The paper's claims as criteria of <c>demo --paper</c>, and reasons for missing results.</summary>
 static class PaperClaimTexts
 {
     public const string Offset = "The offset is known within 1 ms: P95 of its true error over all frames from 10 s on.";
