@@ -39,16 +39,16 @@ public sealed partial class MessageCatalogueTests
         "add|ask|assign|bind|build|calibrate|change|check|chmod|choose|clear|close|connect|continue|convert|copy|"
         + "correct|cover|create|delete|disable|enable|enter|evaluate|expand|export|extend|film|free|give|go|increase|"
         + "install|jog|keep|load|lock|log|look|make|mark|measure|move|name|open|pair|pass|place|print|publish|put|quote|"
-        + "raise|read|record|reduce|release|remove|rename|renew|repeat|replace|request|reset|restart|restore|revoke|run|"
+        + "raise|read|record|reduce|release|remove|rename|renew|repeat|replace|report|request|reset|restart|restore|revoke|run|"
         + "save|scale|see|select|send|set|shorten|show|simplify|stand|start|state|stop|swap|sweep|switch|tag|take|tick|"
         + "try|turn|update|use|wait|write";
 
     /// <summary>Catalogues of states, results and lines of the log, which need no remedy.</summary>
     static readonly string[] OfStatuses =
     [
-        "BaseStatusMessages", "CalibrationMessages", "BaseMessages", "ConsoleMessages", "DemoMessages", "DeviceMessages",
+        "BaseStatusMessages", "CalibrationMessages", "BaseMessages", "ConsoleMessages",
         "HeadsetMessages", "ObjectMessages", "PairingMessages", "PlantClockMessages", "PoseMessages", "SimulationMessages",
-        "StampMessages", "StatusMessages", "SweepMessages", "UnityVersionMessages", "PictureFaults",
+        "StampMessages", "StatusMessages", "UnityVersionMessages",
     ];
 
     /// <summary>

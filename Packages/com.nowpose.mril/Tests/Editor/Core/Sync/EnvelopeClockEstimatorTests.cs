@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Sync
         static SimulatedLink Link(string network, int seed, double loss = 0, bool isLoaded = false)
         {
             var skewPpm = (seed % 2 == 0 ? 1 : -1) * (5 + 25 * (seed % 4));
-            var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm, driftPpm: 2, loss, driftPeriod: 300 + 100 * (seed % 4));
+            var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm, skewVariationPpm: 2, loss, skewPeriod: 300 + 100 * (seed % 4));
             if (isLoaded) link.Load = SimulatedLink.Queues;
             return link;
         }
