@@ -155,7 +155,7 @@ public sealed class PictureReaderTests
     {
         var reader = new PictureReader(0, 0);
 
-        Assert.That(Read(reader).Fault, Is.EqualTo("no code found"));
+        Assert.That(Read(reader).Fault, Is.EqualTo(PictureFaults.NoCode));
         Assert.That(Read(reader, CodeLevels.Run(5, 1)).Fault, Is.EqualTo(PictureFaults.NoHeadsetCode));
         Assert.That(Read(reader, CodeLevels.Of(CodeKind.Headset, 5)).Fault, Is.EqualTo(PictureFaults.NoControlCode));
     }

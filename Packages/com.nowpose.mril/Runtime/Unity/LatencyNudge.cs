@@ -85,7 +85,7 @@ namespace Nowpose.Unity
         /// <summary>Describes the last result in one line; null before the first result.</summary>
         public string Report { get; private set; }
 
-        /// <summary>Adds a length in mm to the shift. The method can be assigned to a button.</summary>
+        /// <summary>Adds a length in mm to the shift. A button can call this method.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
         /// <summary>Records the current shift as a mark: the displayed and the real robot coincide now.</summary>

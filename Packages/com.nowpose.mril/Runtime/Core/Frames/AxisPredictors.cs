@@ -6,7 +6,7 @@ namespace Nowpose.Frames
     /// <summary>Three predictors of one kind, for the components of a vector.</summary>
     sealed class AxisPredictors
     {
-        // The first component always predicts: its verdicts, time and horizon are those of the vector.
+        // The first component always predicts. Its drop reasons, time and horizon apply to the whole vector.
         readonly JointPredictor _x;
         readonly AxisPredictor _y, _z;
 
@@ -43,7 +43,7 @@ namespace Nowpose.Frames
 
         public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time), _z.At(time));
 
-        /// <summary>Returns the origin of the vector at a time.</summary>
+        /// <summary>Returns how the vector at a time is determined.</summary>
         public PredictionKind KindAt(double time) => _x.At(time).Kind;
 
         public void Reset()

@@ -28,7 +28,7 @@ namespace Nowpose.Frames
         public double Factor { get; private set; }
 
         /// <summary>Adds the distance of the forecast after a sample.</summary>
-        /// <param name="interval">Time since the sample before, s.</param>
+        /// <param name="interval">Time since the previous sample, s.</param>
         /// <param name="distance">Distance from the line after one horizon, m or rad.</param>
         public void Add(double interval, double distance)
         {

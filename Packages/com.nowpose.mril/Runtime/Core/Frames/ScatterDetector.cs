@@ -4,7 +4,7 @@ namespace Nowpose.Frames
 {
     /// <summary>Detects samples that only scatter about a position, such as those of a noisy tracker whose object is at rest.</summary>
     /// <remarks>
-    /// The rule is that of <see cref="Prediction.Forecasting.RestDetector.IsOnlyNoise"/>, with lengths of vectors: for white noise, the mean
+    /// Uses the rule of <see cref="Prediction.Forecasting.RestDetector.IsOnlyNoise"/>, with lengths of vectors: for white noise, the mean
     /// second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small second
     /// differences. Three components give more evidence than one, so a shorter window is sufficient. Allocates nothing after construction.
     /// </remarks>
@@ -40,7 +40,7 @@ namespace Nowpose.Frames
         /// <summary>Mean distance of consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
         public double Noise { get; private set; }
 
-        /// <summary>Adds a sample newer than all before.</summary>
+        /// <summary>Adds a sample that is newer than all previous samples.</summary>
         public void Add(in Vector3D position)
         {
             HasLeft = Scatters && Math.Min((position - Mean()).Length, (position - _newestFirst[0]).Length) > MinStartRatio * _meanStep;
