@@ -8,8 +8,8 @@ namespace Nowpose.Cli.Replay;
 /// Replays a recorded session in virtual time, with its own samples, plans and frames and one predictor per joint.
 /// </summary>
 /// <remarks>
-/// Events are processed in the order of the file, which is the order in which the headset processed them. Limits, horizon cap and maximum
-/// gap are those of the recording. With the predictor of the recording, the replay therefore reproduces the displayed values.
+/// Events are processed in the order of the file, which is the order in which the headset processed them. Limits, horizon cap and maximum gap come
+/// from the recording. With the predictor of the recording, the replay therefore reproduces the displayed values.
 /// </remarks>
 sealed class SessionReplay
 {

@@ -110,7 +110,7 @@ public sealed partial class MessageCatalogueTests
         Assert.That(missing, Is.Empty);
     }
 
-    // The programs use the invariant culture; the package runs in that of the device.
+    // The programs use the invariant culture; the package uses the culture of the device.
     [TestCase("Nowpose")]
     [TestCase("Nowpose.Unity")]
     [TestCase("Nowpose.Editor")]

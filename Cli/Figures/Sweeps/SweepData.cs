@@ -12,7 +12,7 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
 
     public IReadOnlyList<double> RmsMm(string predictor) => rms[predictor];
 
-    /// <summary>Gets a predictor's RMS error divided by that of hold, for the value at an index.</summary>
+    /// <summary>Gets a predictor's RMS error divided by the RMS error of hold, for the value at an index.</summary>
     public double Ratio(string predictor, int index) => rms[predictor][index] / rms["hold"][index];
 
     /// <summary>Gets a predictor's RMS error for a value.</summary>

@@ -8,7 +8,7 @@ const MIN_SAMPLES = 4;
 const GAP_S = 0.3;
 const GAP_INTERVALS = 6;
 
-/** Number of last second differences that are searched for braking, and number of those from which the resolution is estimated. */
+/** Number of last second differences that are searched for braking, and number of last second differences from which the resolution is estimated. */
 const BRAKING = 2;
 const RESIDUALS = 12;
 

@@ -175,7 +175,7 @@ namespace Nowpose.Unity
             ConsoleLog.Info(this, LoadSweepMessages.Begun(_plan, Path));
         }
 
-        // Completes the session's conditions with those of the device: the session may have read them before the display reported its rate.
+        // Completes the session's conditions with the conditions of the device: the session may have read them before the display reported its rate.
         DisplayConditions Conditions
         {
             get

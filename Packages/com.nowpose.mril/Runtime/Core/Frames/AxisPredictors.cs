@@ -32,7 +32,7 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="JointPredictor.Horizon"/>
         public double Horizon => _x.Horizon;
 
-        /// <summary>Adds a sample. Samples may be added in any order. The parameters are those of <see cref="JointPredictor.Add"/>.</summary>
+        /// <summary>Adds a sample. Samples may be added in any order. For the parameters, see <see cref="JointPredictor.Add"/>.</summary>
         public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
             var reason = _x.Add(new JointSample(time, position.X, order), displayed);

@@ -150,7 +150,7 @@ namespace Nowpose.Frames
         // Returns −1 also for a robot that was added after the last arrangement.
         int RootIndexOf(int robot) => robot >= 0 && robot < _roots.Count ? _roots[robot] : -1;
 
-        /// <summary>Returns whether a name is that of a robot's link, and of no frame.</summary>
+        /// <summary>Returns whether a robot has a link with this name, and no frame has it.</summary>
         public bool IsLink(string name) => IndexOf(name) < 0 && _links.ContainsKey(name);
 
         /// <summary>Returns the root link of the robot to which a link belongs; null for a frame that is not a link.</summary>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Detects samples that only scatter about a position, such as those of a noisy tracker whose object is at rest.</summary>
+    /// <summary>Detects samples that only scatter about a position, such as the samples of a noisy tracker whose object is at rest.</summary>
     /// <remarks>
     /// Uses the rule of <see cref="Prediction.Forecasting.RestDetector.IsOnlyNoise"/>, with lengths of vectors: for white noise, the mean
     /// second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small second
@@ -34,7 +34,7 @@ namespace Nowpose.Frames
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
 
-        /// <summary>Whether a motion starts: the newest sample has left the position about which the samples before scattered.</summary>
+        /// <summary>Whether a motion starts: the newest sample has left the position about which the previous samples scattered.</summary>
         public bool HasLeft { get; private set; }
 
         /// <summary>Mean distance of consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>

@@ -19,7 +19,7 @@ namespace Nowpose.Frames
         /// <summary>Regularisation towards the prior: with 0.05 or 0.4, the maximum errors are larger.</summary>
         const double Regularisation = 0.2;
 
-        /// <summary>Weight of the prior relative to that for a joint, because successive errors of a component are similar.</summary>
+        /// <summary>Weight of the prior, relative to its weight for a joint, because successive errors of a component are similar.</summary>
         const double PriorWeight = 8;
 
         /// <summary>
@@ -87,7 +87,7 @@ namespace Nowpose.Frames
         /// <summary>The predictors of the components, which are the prior of the mixture.</summary>
         public AxisPredictors Main { get; }
 
-        /// <summary>Adds a sample. Samples may be added in any order. The parameters are those of <see cref="JointPredictor.Add"/>.</summary>
+        /// <summary>Adds a sample. Samples may be added in any order. For the parameters, see <see cref="JointPredictor.Add"/>.</summary>
         public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
             var isBlended = _blend.IsNeeded(displayed) && _recent.Count > 0;

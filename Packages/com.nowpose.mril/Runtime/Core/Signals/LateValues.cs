@@ -4,8 +4,8 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Signals
 {
     /// <summary>
-    /// Detects that the clock of a signal's source went back, by several consecutive late values: older than the newest stamp, and each newer
-    /// than the one before. Fewer late values were overtaken on the network.
+    /// Detects that the clock of a signal's source went back, by several consecutive late values: older than the newest stamp, and each newer than
+    /// the previous one. Fewer late values were overtaken on the network.
     /// </summary>
     sealed class LateValues
     {

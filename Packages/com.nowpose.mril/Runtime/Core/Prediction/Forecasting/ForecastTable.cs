@@ -29,7 +29,7 @@ namespace Nowpose.Prediction.Forecasting
                 var i = start + cell;
                 var displacement = table[i] - wanted;
                 wanted = table[i];
-                // The mean speed is that of half an interval ago, and a cell's speed is that at its middle.
+                // The mean speed applies half an interval ago, and a cell's speed applies at the middle of the cell.
                 var change = limits.Acceleration * (interval / 2 + (cell - 0.5) * Step);
                 var slowest = Math.Max(-max, speed - change);
                 var fastest = Math.Min(max, speed + change);

@@ -16,17 +16,17 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>l, in s: the correlation length of the motion. Of the values from 0.4 to 2 s, the best one for moves without noise.</summary>
         const double LengthScale = 0.6;
 
-        /// <summary>Ratio of the variance of the samples' noise to that of the motion.</summary>
+        /// <summary>Ratio of the variance of the samples' noise to the variance of the motion.</summary>
         const double Noise = 1e-7;
 
         /// <summary>Number of newest samples used.</summary>
         const int Newest = 5;
 
-        /// <summary>Variance of the level, relative to that of the motion.</summary>
+        /// <summary>Variance of the level, relative to the variance of the motion.</summary>
         const double LevelVariance = 100;
 
         /// <summary>
-        /// Variance of the trend, relative to that of the motion, per second squared: large enough that constant velocity is
+        /// Variance of the trend, relative to the variance of the motion, per second squared: large enough that constant velocity is
         /// predicted exactly.
         /// </summary>
         const double TrendVariance = 1000 / (LengthScale * LengthScale);

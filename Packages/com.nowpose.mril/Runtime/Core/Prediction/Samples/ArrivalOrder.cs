@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Distinguishes samples that were overtaken on the network from those of a clock that went back.
+    /// Distinguishes samples that were overtaken on the network from samples of a clock that went back.
     /// </summary>
     /// <remarks>
     /// In both cases the stamp is not newer than the newest. If a sample of a clock that went back is taken for an overtaken one, the
@@ -33,7 +33,7 @@ namespace Nowpose.Prediction.Samples
         double _newest = double.NegativeInfinity;
         int _readyCount;
 
-        // The waiting samples, each newer than the one before. Some are only evidence: they are used only if the clock has gone back.
+        // The waiting samples, each newer than the previous one. Some are only evidence: they are used only if the clock has gone back.
         readonly JointSample[] _late = new JointSample[MaxLate];
         readonly bool[] _isOnlyEvidence = new bool[MaxLate];
         int _lateCount, _contradicted;

@@ -11,8 +11,8 @@ namespace Nowpose.Prediction.Samples
     sealed class StampLine
     {
         /// <summary>
-        /// Forgetting factor per stamp, after the sum of the weights has reached <see cref="MaxSum"/>. The error at the newest stamp is that of
-        /// a line through 320 stamps, because 4 σ² / 320 = 1.25 (1 − 0.99) σ².
+        /// Forgetting factor per stamp, after the sum of the weights has reached <see cref="MaxSum"/>. The error at the newest stamp equals the error
+        /// of a line through 320 stamps, because 4 σ² / 320 = 1.25 (1 − 0.99) σ².
         /// </summary>
         const double ForgettingFactor = 0.99, MaxSum = 1 / (1 - ForgettingFactor);
 
