@@ -3,12 +3,13 @@ using System;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Finds how long ago the joint last moved as it does now: the lags, in whole grid steps, at which the motion resembles itself most.
+    /// Finds how long ago the joint last moved in the same way as now: the lags, in whole grid steps, at which the past motion is most similar to the
+    /// present motion.
     /// </summary>
     /// <remarks>
     /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
-    /// compared grid point. The slow forgetting distinguishes one dwell from another. The positions of an endless joint are unwrapped, so a
-    /// cycle that ends whole turns further is not recognised. Allocates nothing after construction.
+    /// compared grid point. The slow forgetting distinguishes one dwell from another. The positions of an endless joint are unwrapped, so a cycle
+    /// that ends one or more turns away from its start is not recognised. Allocates nothing after construction.
     /// </remarks>
     sealed class LagSearch
     {
@@ -21,8 +22,8 @@ namespace Nowpose.Prediction.Candidates
         const double MaxLag = 120;
 
         /// <summary>
-        /// Interval between the compared grid points, in s, each of which costs a pass over all lags. With 0.15 s, the errors on recordings
-        /// are 0.1 % smaller, at a third more of that cost.
+        /// Interval between the compared grid points, in s. Each compared point needs a pass over all lags. With 0.15 s, the errors on recordings are
+        /// 0.1 % smaller, and the passes take a third more time.
         /// </summary>
         const double ComparedEvery = 0.2;
 
@@ -45,7 +46,7 @@ namespace Nowpose.Prediction.Candidates
 
         public LagSearch(MotionHistory history) => _history = history;
 
-        /// <summary>The best lags, best first, as many as <see cref="Count"/>.</summary>
+        /// <summary>The best lags, the best first. Only the first <see cref="Count"/> elements are valid.</summary>
         public int[] Lags { get; } = new int[Kept];
 
         public int Count { get; private set; }
@@ -79,7 +80,7 @@ namespace Nowpose.Prediction.Candidates
             var lags = Math.Max(0, (longest - minLag) / _step + 1);
             var (points, costs, now, forgettingFactor, step, worst) = (_history.Points, _costs, _history[newest], _forgettingFactor, _step, Worst);
             var point = (int)newest - minLag;
-            // The costs of the two lags before, in local variables because the runtime checks each access of an array.
+            // The costs of the two previous lags are in local variables, because the runtime checks each access of an array.
             var (before, last) = (costs[0], costs[0]);
             for (var i = 1; i <= lags; i++)
             {

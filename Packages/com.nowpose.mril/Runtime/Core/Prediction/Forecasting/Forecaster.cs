@@ -1,6 +1,6 @@
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Forecasts a joint's position from its newest samples. Allocates nothing after construction; one thread.</summary>
+    /// <summary>Forecasts a joint's position from its newest samples. Allocates nothing after construction. Not thread-safe.</summary>
     abstract class Forecaster
     {
         /// <summary>
@@ -13,10 +13,10 @@ namespace Nowpose.Prediction.Forecasting
         public virtual double Span => double.PositiveInfinity;
 
         /// <summary>Solves for the newest samples.</summary>
-        /// <returns>False if it has no forecast for them.</returns>
+        /// <returns>False if there is no forecast for these samples.</returns>
         public abstract bool Solve(MotionState motion);
 
-        /// <summary>Returns the position relative to the newest sample's, from the last solve.</summary>
+        /// <summary>Returns the forecast position relative to the position of the newest sample, from the last solve.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public abstract double At(double ahead);
 

@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Mixing
         public double Threshold => _limitsErrors && _overall.Evidence >= MinEvidence
             ? OutlierThreshold * Math.Sqrt(_overall.MeanSquare(MixedForecasters.Hold)) : double.PositiveInfinity;
 
-        /// <summary>Adds the errors of all forecasters at one moment.</summary>
+        /// <summary>Adds the errors of all forecasters for one sample.</summary>
         /// <param name="errors">Limited by <see cref="Threshold"/>, one per forecaster.</param>
         /// <param name="wasAtRest">Whether the joint was at rest when the forecasts were made.</param>
         /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
@@ -68,7 +68,7 @@ namespace Nowpose.Prediction.Mixing
         {
             _hasNewErrors = wasAtRest;
             if (wasAtRest) _resting.Learn(errors, forgettingFactor);
-            // At rest without noise, all forecasts are right, and their errors say nothing about the forecasters.
+            // At rest without noise, all forecasts are correct, so they show no difference between the forecasters.
             if (Array.TrueForAll(errors, error => error == 0)) return;
             _hasNewErrors = true;
             _overall.Learn(errors, forgettingFactor);
