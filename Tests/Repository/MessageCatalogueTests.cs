@@ -45,11 +45,7 @@ public sealed partial class MessageCatalogueTests
 
     /// <summary>Catalogues of states, results and lines of the log, which need no remedy.</summary>
     static readonly string[] OfStatuses =
-    [
-        "BaseStatusMessages", "CalibrationMessages", "BaseMessages", "ConsoleMessages",
-        "HeadsetMessages", "ObjectMessages", "PairingMessages", "PlantClockMessages", "PoseMessages", "SimulationMessages",
-        "StampMessages", "StatusMessages", "UnityVersionMessages",
-    ];
+        ["BaseStatusMessages", "ConsoleMessages", "PlantClockMessages", "PoseMessages", "StampMessages", "StatusMessages"];
 
     /// <summary>
     /// Texts of the other catalogues that need no remedy: statuses, results, names, and parts of a message that contains the remedy elsewhere.
@@ -59,6 +55,8 @@ public sealed partial class MessageCatalogueTests
         ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "Token", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
+        ["BaseMessages"] = ["FollowsMarker", "Lost", "MovedLabel", "NotLocated"],
+        ["CalibrationMessages"] = ["Of"],
         ["CellMessageFaults"] = ["OwnParent", "SignalTwice", "SignalValue", "StampZero"],
         ["ComponentMessages"] = ["GripperWithoutJoint"],
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
@@ -68,22 +66,27 @@ public sealed partial class MessageCatalogueTests
         ["DryRunMessages"] = ["MissingJoints", "PortInUse"],
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
         ["FrameMessages"] = ["List"],
+        ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
         ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "NoMovingJoint", "Title", "UnknownJoint"],
         ["LoadSweepMessages"] = ["Building", "WaitingForClock"],
         ["LoaderMessages"] = ["Unkept"],
         ["ManifestMessages"] = ["TooDeep"],
+        ["ObjectMessages"] = ["ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],
         ["PairingCodeMessages"] = ["OtherBegin"],
+        ["PairingMessages"] = ["Exchanging", "Known", "MarkerFirst", "Paired"],
         ["PairingServiceMessages"] = ["TokenGiven", "WrongCodeLog"],
         ["ProfileMessages"] = ["OtherKind"],
         ["RecorderMessages"] = ["Deleted", "DiskTooSlow", "FolderNotChecked", "UnknownName"],
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted", "OtherType"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "WithinRange"],
+        ["SimulationMessages"] = ["Error", "Read", "Written"],
         ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
         ["UnityProjectMessages"] = ["Backup", "EntryKept", "NotAProject"],
+        ["UnityVersionMessages"] = ["Compiled2022", "NotTestedOnDevice"],
         ["VlcMessages"] = ["NothingRead", "OtherSource", "OtherSweep", "Result"],
     };
 
