@@ -22,7 +22,12 @@ static class UnityProjectMessages
 
     public static string IsAFile(string path) => $"{path}: is a file; enter the folder of a Unity project";
     public static string NoFolder(string path) => $"{path}: folder not found; enter the folder of a Unity project";
-    public static string NotAProject(string path, string missing, string hint) => $"{path}: is not a Unity project: {missing} is missing{hint}";
+
+    /// <param name="project">The project that contains the folder; null if none does.</param>
+    public static string NotAProject(string path, string missing, string project) =>
+        $"{path}: is not a Unity project: {missing} is missing; enter "
+        + (project == null ? "the folder that contains Assets, Packages and ProjectSettings" : $"the project's folder {project}");
+
     public static string NoVersion(string file) =>
         $"{file}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1; open the project in Unity once";
 }

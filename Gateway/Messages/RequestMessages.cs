@@ -5,7 +5,7 @@ static class RequestMessages
 {
     public static string ClosedForRate(Closure why) => $"websocket: closed a connection (reason: {why})";
     public static string NotAccepted(string kind, string reason) => $"websocket: a connection could not be accepted ({kind}: {reason})";
-    public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}";
+    public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}; use {type}";
 
     public const string NotAWebSocket = "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client";
 

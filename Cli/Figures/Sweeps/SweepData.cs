@@ -28,7 +28,7 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
     public string Best(int index, params string[] among) => among.MinBy(name => rms[name][index]);
 
     /// <summary>
-    /// Gets the interpolated value from which on one predictor is better than another for all larger values; null if it is not better for the
+    /// Gets the interpolated value above which one predictor is always better than another; null if it is not better for the
     /// last value.
     /// </summary>
     public double? Crossover(string winner, string loser)

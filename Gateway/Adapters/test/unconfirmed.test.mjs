@@ -66,7 +66,7 @@ describe('a source that cannot confirm', () => {
     assert.deepEqual([stateOf('x'), stateOf('y')], ['rest', 'live']);
   });
 
-  it('SilentJoint_FaultAfterConfigured_RestIsCertainUntilThen', async () => {
+  it('SilentJoint_FaultAfterConfigured_RestIsCertainUntilTheFault', async () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 4, 5000);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['rest', 0, undefined]);

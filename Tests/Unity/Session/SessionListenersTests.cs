@@ -117,7 +117,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Hidden_ListenerDisablesTheSession_StartsNoSession()
+    public void HiddenEvent_ListenerDisablesTheSession_StartsNoSession()
     {
         Begin();
         _session.Hidden += () => _session.enabled = false;

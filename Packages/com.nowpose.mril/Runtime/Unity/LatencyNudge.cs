@@ -72,7 +72,7 @@ namespace Nowpose.Unity
         /// <summary>Speed of the displayed tool along the axis in mm/s, negative for backward motion; null while it is unknown.</summary>
         public double? SpeedMmPerS => _speed.MmPerS;
 
-        /// <summary>Whether the tool moves at constant speed. Only then a mark is accepted.</summary>
+        /// <summary>Whether the tool moves at constant speed. A mark is accepted only then.</summary>
         public bool IsSteady => _speed.IsConstant;
 
         public int ForwardCount => _marks?.ForwardCount ?? 0;

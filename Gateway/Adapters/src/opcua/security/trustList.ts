@@ -6,7 +6,7 @@ import type { SecuritySettings } from '../settings';
 import { certificateMessages } from '../../messages/opcua';
 
 /** Maximum number of rejected certificates that are stored. The limit prevents an attacker from filling the disk. */
-const MOST_REJECTED = 16;
+const MAX_REJECTED = 16;
 
 const hash = (algorithm: string, der: Buffer): string => createHash(algorithm).update(der).digest('hex');
 
@@ -90,7 +90,7 @@ export class TrustList {
   #forgetOldest(): void {
     const files = readdirSync(this.#rejected).map(name => join(this.#rejected, name));
     const newestFirst = files.map(file => ({ file, time: statSync(file).mtimeMs })).sort((a, b) => b.time - a.time);
-    for (const { file } of newestFirst.slice(MOST_REJECTED)) rmSync(file, { recursive: true });
+    for (const { file } of newestFirst.slice(MAX_REJECTED)) rmSync(file, { recursive: true });
   }
 }
 

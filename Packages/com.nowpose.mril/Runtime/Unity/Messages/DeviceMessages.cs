@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Problems of devices with anchors, markers, display times and depth, with what to do.</summary>
+    /// <summary>Problems of devices with anchors, markers, display times and depth, with a remedy.</summary>
     static class DeviceMessages
     {
         public const string NoStoreComponent =
