@@ -37,7 +37,7 @@ const minShareOfCertain = 0.88;
  */
 const minShareOfSecond = 0.77;
 const minShareOfWeak = 0.7;
-/** Like minShareOfSecond, if all found codes are of one kind. In a bright scene, one of them may be a code of the other kind. */
+/** Like minShareOfSecond, if all found codes have the same kind. In a bright scene, one of them may be a code of the other kind. */
 const minShareOfOnlyKind = 0.9;
 /** Minimum agreement of a candidate before the first refinement. */
 const minShareOfGuess = 0.1;

@@ -152,7 +152,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Hidden_ListenerEnablesTheDisabledSession_KeepsItsProblem()
+    public void HiddenEvent_ListenerEnablesTheDisabledSession_KeepsItsProblem()
     {
         Begin();
         _session.Hidden += () =>

@@ -8,19 +8,19 @@ namespace Nowpose.Unity.Messages
         public const string NoStoreComponent =
             "anchors are lost at the next start, because the object of the Spatial Anchors has no Anchor Store; add this component to it";
 
-        public const string NotStoredYet = "the device has not stored it yet";
+        public const string NotStoredYet = "the device has not stored the anchor yet";
 
         /// <param name="problem">Problem of the store; null for none.</param>
         public static string NotStored(string anchor, string problem) => problem == null
-            ? $"the device could not store it as '{anchor}'; it is lost at the next start, so place it again then"
-            : $"the device could not store it as '{anchor}': {problem}; it is lost at the next start, so place it again then";
+            ? $"the device could not store the anchor as '{anchor}'; it is lost at the next start, so place the base again then"
+            : $"the device could not store the anchor as '{anchor}': {problem}; it is lost at the next start, so place the base again then";
 
         public const string AnchorWithoutName = "an anchor without a name cannot be stored; enter a name for the cell";
 
         public static string AnchorNameTooLong(int length, int max) =>
             $"the name of an anchor has {length} characters; the maximum is {max}; shorten the name of the cell";
 
-        public const string AnchorRemoved = "the device has removed it; lock or place the base again";
+        public const string AnchorRemoved = "the device has removed the anchor; lock or place the base again";
         public const string NoAnchors = "the device has no anchors; lock or place the base again";
         public const string AnchorNotCreated = "the device cannot create an anchor here; look around, so that it maps the room, and lock or place the base again";
         public const string AnchorNeeds = "it needs a device that holds anchors";
@@ -40,7 +40,7 @@ namespace Nowpose.Unity.Messages
 
         public static string ManagerOff(string manager) => $"the {manager} on the XR Origin is switched off; switch it on";
 
-        public static string NotOffered(string need) => $"the device's XR runtime does not offer it or does not run: {need}";
+        public static string NotOffered(string need) => $"the device's XR runtime does not run, or does not offer this function: {need}";
 
         public const string NoArSession = "the scene has no AR Session; add one (XR > AR Session)";
 
