@@ -120,7 +120,7 @@ public sealed record GatewayOptions
     /// <inheritdoc cref="RoleOf(string)"/>
     /// <param name="tokenHash">Hash from <see cref="TokenList.HashOf"/>.</param>
     internal Role? RoleOf(byte[] tokenHash) =>
-        _adapters.RoleOf(tokenHash) ?? Tokens.RoleOf(tokenHash) ?? (Headsets?.Knows(tokenHash) == true ? Role.Observer : null);
+        _adapters.RoleOf(tokenHash) ?? Tokens.RoleOf(tokenHash) ?? (Headsets?.Contains(tokenHash) == true ? Role.Observer : null);
 
     /// <summary>The token of the adapters that this gateway starts. It has the role of a source and is generated at each start.</summary>
     internal string AdapterToken { get; } = Convert.ToHexString(RandomNumberGenerator.GetBytes(32));

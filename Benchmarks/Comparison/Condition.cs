@@ -7,7 +7,7 @@ namespace Nowpose.Benchmarks.Comparison;
 /// <param name="Motion">Creates the motion from a seed.</param>
 public sealed record Condition(string Name, Func<int, AxisMotion> Motion, StudySettings Settings)
 {
-    /// <summary>Gets the RMS error over all seeds divided by that of hold.</summary>
+    /// <summary>Gets the RMS error over all seeds, divided by the RMS error of hold.</summary>
     public double Ratio(Candidate candidate, IEnumerable<int> seeds)
     {
         var (predicted, held) = (0.0, 0.0);

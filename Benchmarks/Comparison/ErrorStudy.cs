@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Comparison;
 
-/// <summary>Computes the RMS error of each candidate under each condition, divided by that of hold.</summary>
+/// <summary>Computes the RMS error of each candidate under each condition, divided by the RMS error of hold.</summary>
 public sealed class ErrorStudy
 {
     readonly Dictionary<(string Candidate, string Condition), double> _ratios;

@@ -9,7 +9,8 @@ namespace Nowpose.Cli.Calibrate;
 static class NudgeVerb
 {
     static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");
-    static readonly Option<double> Configured = NumberOption.Create("--told-ms", "L_visu that the headset used", 40.0, 0, 500, "ms");
+    static readonly Option<double> Configured = NumberOption.Create("--visu-ms", "L_visu that the headset used", 40.0, 0, 500, "ms");
+    static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<double[]> Forward = Offsets("--forward-mm", "forwards");
     static readonly Option<double[]> Backward = Offsets("--backward-mm", "backwards");
     static readonly Option<string> Earlier = EarlierProfile.Option();
@@ -21,7 +22,7 @@ static class NudgeVerb
     {
         var verb = new Command("nudge", "Determine L_visu by eye, from the offsets at which hologram and robot coincide in both directions of motion. Without options: print the instructions.")
         {
-            Speed, Configured, Forward, Backward, Earlier, Output, Json,
+            Speed, Configured, Former, Forward, Backward, Earlier, Output, Json,
         };
         Device.AddTo(verb);
         verb.SetAction(Run);
@@ -36,7 +37,8 @@ static class NudgeVerb
             return ExitStatus.Done;
         }
         if (parsed.GetResult(Speed)?.Implicit != false) throw new InputException(CalibrationMessages.NoSpeed);
-        var marks = new NudgeMarks(parsed.GetValue(Speed), parsed.GetValue(Configured), parsed.GetValue(Forward), parsed.GetValue(Backward));
+        var configuredMs = parsed.GetValue(Former) ?? parsed.GetValue(Configured);
+        var marks = new NudgeMarks(parsed.GetValue(Speed), configuredMs, parsed.GetValue(Forward), parsed.GetValue(Backward));
         var result = marks.Result();
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));

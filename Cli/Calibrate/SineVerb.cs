@@ -30,7 +30,8 @@ static class SineVerb
     static readonly Option<double> Sampling = NumberOption.Create(
         "--sampling-ms", "With --app-ms: sampling interval T_s; half of it is subtracted, too", 50.0, 1, 1000, "ms");
     static readonly Option<double?> Configured = NumberOption.CreateOptional(
-        "--told-ms", "Compensation on (the gripper): L_visu that the headset used; the measured lag is the error of this value", 0.0, 500, "ms");
+        "--visu-ms", "Compensation on (the gripper): L_visu that the headset used; the measured lag is the error of this value", 0.0, 500, "ms");
+    static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly Option<string> Output = OutOption.Create();
     static readonly Option<bool> Json = OutOption.Json();
@@ -40,7 +41,7 @@ static class SineVerb
     {
         var verb = new Command("sine", "Estimate the end-to-end latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
-            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Earlier, Output, Json,
+            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Former, Earlier, Output, Json,
         };
         Device.AddTo(verb);
         // Runs on a separate thread, so that Ctrl-C can cancel it.
@@ -51,7 +52,7 @@ static class SineVerb
     static int Run(ParseResult parsed, CancellationToken cancel)
     {
         var path = parsed.GetValue(Recording);
-        var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured));
+        var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured) ?? parsed.GetValue(Former));
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
         var tracks = Tracks(parsed, path, cancel);
         if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };

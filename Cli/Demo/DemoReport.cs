@@ -7,7 +7,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Collects the data of report.html. The fields are those of <c>Web/src/data.ts</c>.</summary>
+/// <summary>Collects the data of report.html. <c>Web/src/data.ts</c> declares its fields.</summary>
 static class DemoReport
 {
     const double MsPerSecond = 1000;

@@ -6,7 +6,7 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Writes the data of figures.html. The fields are those of <c>Web/src/paper/data.ts</c>.</summary>
+/// <summary>Writes the data of figures.html. <c>Web/src/paper/data.ts</c> declares their fields.</summary>
 static class FiguresJson
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
@@ -46,7 +46,7 @@ static class FiguresJson
 
     static string Ms(double seconds) => (1000 * seconds).ToString("0.###", CultureInfo.InvariantCulture) + " ms";
 
-    /// <summary>Gets the data of one figure. The fields are those of <c>FigureData</c>.</summary>
+    /// <summary>Gets the data of one figure. <c>FigureData</c> declares the fields.</summary>
     public static object Of(Figure figure) => new
     {
         figure.Number,

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of calibrate about options and profiles, with remedies.</summary>
+/// <summary>Errors and warnings of the command <c>calibrate</c> about options and profiles, with remedies.</summary>
 static class CalibrationMessages
 {
     public static string OtherSweep(string label, string calibrated, string actual) =>
@@ -12,4 +12,6 @@ static class CalibrationMessages
         + "may be wrong: repeat the load sweep";
 
     public const string NoSpeed = "--speed-mm-s is missing; allowed: 1 to 10000 mm/s";
+
+    public static string BothNames(string former, string present) => $"{former} is the former name of {present}; use only {present}";
 }

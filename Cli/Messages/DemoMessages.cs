@@ -1,19 +1,21 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Failures and errors of demo, with remedies.</summary>
+/// <summary>Failures and errors of the command <c>demo</c>, with remedies.</summary>
 static class DemoMessages
 {
-    public static string ToolNotFinite(int frame) => $"frame {frame}: the position of the displayed tool is not finite";
-    public static string GhostNotFinite(int frame) => $"frame {frame}: the position of the ghost's tool is not finite";
-    public static string JointNotFinite(int frame, int joint) => $"frame {frame}: the position of moving joint {joint} is not finite";
-    public static string ClockNotFinite(int frame) => $"frame {frame}: the clock offset is not finite";
+    const string Report = "this is a fault of Nowpose; report it with the command line and the version";
+
+    public static string ToolNotFinite(int frame) => $"frame {frame}: the position of the displayed tool is not finite; {Report}";
+    public static string GhostNotFinite(int frame) => $"frame {frame}: the position of the ghost's tool is not finite; {Report}";
+    public static string JointNotFinite(int frame, int joint) => $"frame {frame}: the position of moving joint {joint} is not finite; {Report}";
+    public static string ClockNotFinite(int frame) => $"frame {frame}: the clock offset is not finite; {Report}";
     public static string Links(Network.LinkStatus joints, Network.LinkStatus clock) => $"joint positions {joints}; clock sync {clock}";
-    public static string NoSample(long dropped, string links) => $"no sample was used, and {dropped} were dropped; {links}";
+    public static string NoSample(long dropped, string links) => $"no sample was used, and {dropped} were dropped: check that no other program uses the ports, and run longer (--seconds); {links}";
 
     public static string NoClock(string state, double seconds, string links) =>
         FormattableString.Invariant($"the clock was still {state} after {seconds} s: run longer (--seconds); {links}");
 
-    public static string SceneError(string error) => $"the scene logged an error: {error}";
+    public static string SceneError(string error) => $"the scene logged an error: {error}; {Report}";
 
     public static string NotWithPaper(string options) =>
         $"{options}: cannot be combined with --paper, which sets the paper's robot, motion, predictor, clock estimator, sampling interval "
@@ -30,5 +32,5 @@ static class DemoMessages
         + "runs at 60 Hz";
 
     public static string NoCalibration(int read, int pictures) =>
-        $"the calibration found no display latency: {read} of {pictures} pictures could be read";
+        $"the calibration found no display latency: {read} of {pictures} pictures could be read; run longer (--seconds)";
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Labels and values in the table and the report of demo.</summary>
+/// <summary>Labels and values in the table and the report of the command <c>demo</c>.</summary>
 static class DemoTexts
 {
     public const string MovingWorkpieces = "workpieces while they move";

@@ -17,7 +17,7 @@ static class Figure08Texts
     public const string SkewCriterion = "The skew error over the last quarter of the run is less than half of the error from 2 to 10 s.";
 
     public const string RoundTripCriterion =
-        "The error of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).";
+        "In the quarter with the shortest round trips, P95 of the error is less than half of P95 in the quarter with the longest.";
 
     public const string OffsetPlot = "Error of the offset";
     public const string SkewPlot = "Skew of all estimators";
@@ -32,7 +32,7 @@ static class Figure08Texts
         + "quarter), and from the third quarter to the last its mean changes by less than a quarter of that.";
 
     public const string ShortRoundTrips =
-        "|ε| of the quarter with the shortest round trips is less than half of that of the quarter with the longest (P95).";
+        "In the quarter with the shortest round trips, P95 of |ε| is less than half of P95 in the quarter with the longest.";
 
     public static string TooFewExchanges(int exchanges, int min) => $"{exchanges} usable exchanges after 10 s; {min} are needed";
 

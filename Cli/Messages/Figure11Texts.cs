@@ -31,7 +31,7 @@ static class Figure11Texts
     public const string AtRenderTimes = "At render times above the limit, in steps of 1 ms and each about its mean,";
 
     public static string Deviation(string where, double factor) =>
-        $"{where} the standard deviation of L_visu is at least {factor} times that within the range, each of the middle 95 %.";
+        $"{where} the standard deviation of L_visu is at least {factor} times as large as within the range; both are computed from the middle 95 %.";
 
     public static string Spread(string where, string share, string intervalMs) =>
         $"{where} the middle 95 % of L_visu extend over at least {share} of a refresh interval, {intervalMs} ms.";

@@ -1,13 +1,13 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Failures and states of headset, with remedies.</summary>
+/// <summary>Failures and states of the command <c>headset</c>, with remedies.</summary>
 static class HeadsetMessages
 {
     public static string NoRobot(double seconds, string reason) =>
         $"--robot: missing, and the gateway did not describe a robot within {seconds} s ({reason}); name youbot, ur5 or a .urdf file";
 
-    public static string NoClock(string reason) => $"the clock was never synchronised: {reason}";
-    public static string NoJoints(string reason) => $"no joint positions arrived: {reason}";
+    public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";
+    public static string NoJoints(string reason) => $"no joint positions arrived: {reason}; check that a source publishes them to the gateway";
     public static string AtEnd(string state) => $"at the end the pose is {state}";
     public static string NeverCurrent(string reason) => $"the pose was never current; {reason}";
 

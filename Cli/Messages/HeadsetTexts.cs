@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Labels and values in the table of headset.</summary>
+/// <summary>Labels and values in the table of the command <c>headset</c>.</summary>
 static class HeadsetTexts
 {
     public static string Title(string robot) => $"{robot}: results of a headset at this gateway";

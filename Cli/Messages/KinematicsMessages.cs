@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and notes of kinematics, with the allowed values.</summary>
+/// <summary>Errors and notes of the command <c>kinematics</c>, with the allowed values.</summary>
 static class KinematicsMessages
 {
     public static string BeyondLimits(string joint, double value, string unit, double lower, double upper) =>
@@ -10,7 +10,7 @@ static class KinematicsMessages
     public static string FixedJoint(string joint) => $"{joint} is a fixed joint";
     public static string UnknownJoint(string joint) => $"the robot has no joint {joint}";
 
-    public const string NoMovingJoint = "this robot has no moving joint";
+    public const string NoMovingJoint = "this robot has no moving joint; remove --joints";
 
     public static string NotANumber(string joint, string text, string unit) =>
         $"--joints: {joint}: '{text}' is not a finite number in {unit}; the decimal separator is a point";

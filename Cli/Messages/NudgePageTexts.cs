@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Titles, labels and sentences of the page of calibrate nudge.</summary>
+/// <summary>Titles, labels and sentences of the page of the command <c>calibrate nudge</c>.</summary>
 static class NudgePageTexts
 {
     public static string Result(double visuMs, double spreadMs, double offsetMm) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>The paper's claims as criteria of demo --paper, and reasons for missing results.</summary>
+/// <summary>The paper's claims as criteria of <c>demo --paper</c>, and reasons for missing results.</summary>
 static class PaperClaimTexts
 {
     public const string Offset = "The offset is known within 1 ms: P95 of its true error over all frames from 10 s on.";
@@ -15,10 +15,11 @@ static class PaperClaimTexts
         + "than half of that of the uncompensated signal.";
 
     public const string CurvedPhases =
-        "Only the curved phases are hard to predict: the RMS error at constant velocity is at most two thirds of that elsewhere in motion.";
+        "Only the curved phases are hard to predict: the RMS error at constant velocity is at most two thirds of the RMS error in the rest "
+        + "of the motion.";
 
     public const string Latency =
-        "The end-to-end latency L is known within 4 ms: P95 of |ε_L|, assumed minus true control time of the light, over all frames from 10 "
+        "The end-to-end latency L is known within 4 ms: P95 of |ε_L|, assumed minus true display time, over all frames from 10 "
         + "s on.";
 
     public const string Reduction = "About 80 % of the error is removed for t < 1.5 s: 1 − RMS with / RMS without compensation; 75 % or more.";

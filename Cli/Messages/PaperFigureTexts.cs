@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Conditions of the figures of demo --paper.</summary>
+/// <summary>Conditions of the figures of <c>demo --paper</c>.</summary>
 static class PaperFigureTexts
 {
     public const string FirstSwing = "The plots show the first whole swing after 10 s; the numbers include all whole swings of all repeats.";

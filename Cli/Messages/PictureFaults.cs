@@ -3,28 +3,37 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Reasons why a picture gives no L_visu, with remedies.</summary>
 static class PictureFaults
 {
-    public const string PartlyDark = "partly dark: covered, or only a part was lit during the exposure";
-    public const string Overexposed = "overexposed, or with a reflection on it";
-    public const string Disturbed = "disturbed by a bright background or a reflection";
+    const string Unclear = "; use a plain background behind the hologram, or a shorter exposure";
+
+    public const string PartlyDark = "partly dark: covered, or only a part was lit during the exposure; remove what covers it, or use the exposure for scanning displays";
+    public const string Overexposed = "overexposed, or with a reflection on it; shorten the exposure, or move the lamp";
+    public const string Disturbed = "disturbed by a bright background or a reflection; use a plain dark background, or move the lamp";
     public const string Mirrored = "mirrored: switch off mirroring in the camera's settings";
 
     public static string ControlCodes(string count) => $"{count} control codes: show one only";
     public static string HeadsetCodes(string count) => $"{count} headset codes: show one only";
 
-    public const string NoControlCode = "no control code found";
-    public const string NoHeadsetCode = "no headset code found";
-    public const string ControlCodeCutOff = "control code partly outside the picture";
-    public const string HeadsetCodeCutOff = "headset code partly outside the picture";
-    public const string Ambiguous = "two codes equally likely";
-    public const string Moved = "taken while the headset moved";
+    public const string PartlyCovered = "partly covered; remove what is in front of it, or give it a black margin";
+    public const string Undecided = "undecided" + Unclear;
+    public const string WrongParity = "wrong parity" + Unclear;
+    public const string Inconsistent = "inconsistent" + Unclear;
+    public const string TooWeak = "too weak" + Unclear;
+    public const string AmbiguousTime = "ambiguous" + Unclear;
+    public const string NoCode = "no code found; show both codes in focus, each at least a tenth as high as the picture";
+    public const string NoControlCode = "no control code found; show both codes in focus, each at least a tenth as high as the picture";
+    public const string NoHeadsetCode = "no headset code found; show both codes in focus, each at least a tenth as high as the picture";
+    public const string ControlCodeCutOff = "control code partly outside the picture; move the camera";
+    public const string HeadsetCodeCutOff = "headset code partly outside the picture; move the camera";
+    public const string Ambiguous = "two codes equally likely, because the frame changed during the exposure; take more pictures";
+    public const string Moved = "taken while the headset moved; put headset and camera on a stand";
 
-    public static string FarApart(double maxMs) => FormattableString.Invariant($"codes more than {maxMs} ms apart");
+    public static string FarApart(double maxMs) => FormattableString.Invariant($"codes more than {maxMs} ms apart; check that both show the same clock");
 
     public static string HeadsetAhead(double minMs) =>
         FormattableString.Invariant($"headset code more than {minMs} ms ahead of the control code: if the control code is displayed late, ")
         + "state the delay with --control-delay-ms";
 
-    public const string Stray = "far from the others, probably misread";
+    public const string Stray = "far from the others, probably misread; take more pictures";
 
     public static string OtherSize(int width, int height, int mostWidth, int mostHeight) =>
         $"{width}x{height} px, but most pictures have {mostWidth}x{mostHeight} px: evaluate each camera's pictures separately";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Titles, labels and sentences of the page of calibrate range.</summary>
+/// <summary>Titles, labels and sentences of the page of the command <c>calibrate range</c>.</summary>
 static class RangePageTexts
 {
     public const string OverPictures = "Render time and L_visu from picture to picture";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Captions of the table of replay.</summary>
+/// <summary>Captions of the table of the command <c>replay</c>.</summary>
 static class ReplayTexts
 {
     public const string Units = "errors in the unit of the file's columns";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of calibrate sine, with remedies.</summary>
+/// <summary>Errors and warnings of the command <c>calibrate sine</c>, with remedies.</summary>
 static class SineMessages
 {
     public static string NoBox(string option) =>
@@ -27,11 +27,11 @@ static class SineMessages
         FormattableString.Invariant($"recording: the motion repeats after {periodSeconds:0.00} s, so the lag is ambiguous; jog more ")
         + "slowly, with a period of 2 s or more";
 
-    public const string NoProfile = "no profile was written: state which part of the lag is L_visu with --app-ms or --told-ms";
+    public const string NoProfile = "no profile was written: state which part of the lag is L_visu with --app-ms or --visu-ms";
 
     public static string SteppedGhost(double? heldMs, double errorMs) =>
         FormattableString.Invariant($"the ghost moves every {heldMs:0.##} ms, synchronously with the pictures: the result may be wrong by ")
-        + FormattableString.Invariant($"up to {errorMs:0.0} ms; film the gripper instead (--told-ms), or film at another frame rate");
+        + FormattableString.Invariant($"up to {errorMs:0.0} ms; film the gripper instead (--visu-ms), or film at another frame rate");
 
     public static string StandardError(double deviationMs) =>
         FormattableString.Invariant($"the standard error is {deviationMs:0.0} ms: jog farther or faster, or film longer, to get below ± 3 ms");
@@ -50,7 +50,7 @@ static class SineMessages
         + "are better";
 
     public const string BothWays =
-        "--app-ms and --told-ms exclude each other: film either the ghost, which is not compensated, or the gripper, which is";
+        "--app-ms and --visu-ms exclude each other: film either the ghost, which is not compensated, or the gripper, which is";
 
     public static string PatchLost(string path, int picture, bool isRobot, double match, double min) => FormattableString.Invariant(
         $"{path}: picture {picture}: the {(isRobot ? "robot's" : "hologram's")} patch is lost (match {match:0.00}, at least {min} is needed); ")

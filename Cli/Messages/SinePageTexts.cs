@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Titles, labels and sentences of the page of calibrate sine.</summary>
+/// <summary>Titles, labels and sentences of the page of the command <c>calibrate sine</c>.</summary>
 static class SinePageTexts
 {
     public const string Tracking = "following robot and hologram";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Steps in Unity after the verb unity.</summary>
+/// <summary>Steps in Unity after the command <c>unity</c>.</summary>
 static class UnityNextSteps
 {
     public const string InUnity =

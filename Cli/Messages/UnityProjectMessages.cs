@@ -2,7 +2,7 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors of unity about the project, with remedies.</summary>
+/// <summary>Errors of the command <c>unity</c> about the project, with remedies.</summary>
 static class UnityProjectMessages
 {
     public static string TooOldForMrtk3(string file, UnityVersion version, Version oldest) =>
@@ -18,11 +18,16 @@ static class UnityProjectMessages
     public static string EntryKept(string conflict) => $"{conflict}; the entry is kept";
 
     public const string Backup = "Backup of the manifest: ";
-    public const string NoPath = "PATH is empty; the folder of a Unity project is needed";
+    public const string NoPath = "PATH is empty; enter the folder of a Unity project";
 
-    public static string IsAFile(string path) => $"{path}: is a file; the folder of a Unity project is needed";
-    public static string NoFolder(string path) => $"{path}: folder not found; the folder of a Unity project is needed";
-    public static string NotAProject(string path, string missing, string hint) => $"{path}: is not a Unity project: {missing} is missing{hint}";
+    public static string IsAFile(string path) => $"{path}: is a file; enter the folder of a Unity project";
+    public static string NoFolder(string path) => $"{path}: folder not found; enter the folder of a Unity project";
+
+    /// <param name="project">The project that contains the folder; null if none does.</param>
+    public static string NotAProject(string path, string missing, string project) =>
+        $"{path}: is not a Unity project: {missing} is missing; enter "
+        + (project == null ? "the folder that contains Assets, Packages and ProjectSettings" : $"the project's folder {project}");
+
     public static string NoVersion(string file) =>
         $"{file}: no line 'm_EditorVersion: VERSION' with a version of Unity, such as 2022.3.62f1; open the project in Unity once";
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Warnings and results of calibrate vlc, with remedies.</summary>
+/// <summary>Warnings and results of the command <c>calibrate vlc</c>, with remedies.</summary>
 static class VlcMessages
 {
     public static string MovedPictures(int moving, int pictures) =>
@@ -11,7 +11,7 @@ static class VlcMessages
         $"--sweep: the log has the frames of only {joined} of {pictures} pictures; {reason}";
 
     public static string NotInSweep(int missing, int pictures) =>
-        $"{missing} of {pictures} pictures show a frame that is not in the sweep log; use the log of their sweep";
+        $"{missing} of {pictures} pictures show a frame that is not in the sweep log; use the log of the sweep in which they were taken";
 
     public static string OtherSource(int others, int all, string source) =>
         $"{others} of {all} render times of the sweep were measured with a source other than {source} and are not used";

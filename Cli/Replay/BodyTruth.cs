@@ -28,7 +28,7 @@ sealed class BodyTruth
         _rotations = [.. samples.Select(sample => sample.Rotation)];
     }
 
-    /// <summary>Gets the interval between the samples before and after a time, s; infinite outside the recording.</summary>
+    /// <summary>Gets the interval between the last sample before a time and the first sample after it, s; infinite outside the recording.</summary>
     public double GapAt(double time) => time < _times[0] || time > _times[^1] ? double.PositiveInfinity : _times[RowAfter(time)] - _times[RowAfter(time) - 1];
 
     /// <summary>Gets the pose at a time since the start of the recording, s. Outside the recording, returns the first or the last pose.</summary>

@@ -6,8 +6,8 @@ namespace Nowpose.Cli.Replay;
 
 /// <summary>Replays the tracked frames of a recorded session in virtual time, with one predictor per frame.</summary>
 /// <remarks>
-/// Events are processed in the order of the file, as for joints. The truth is interpolated between the samples before and after the
-/// display time. It is unknown across a change of the parent and across gaps. Displayed frames in which an object does not move are not
+/// Events are processed in the order of the file, as for joints. The truth is interpolated between the last sample before the display time and the
+/// first sample after it. It is unknown across a change of the parent and across gaps. Displayed frames in which an object does not move are not
 /// scored.
 /// </remarks>
 sealed class SessionBodies
@@ -48,7 +48,7 @@ sealed class SessionBodies
         return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
     }
 
-    /// <summary>Consecutive poses of a tracked frame with the same parent on the same time line.</summary>
+    /// <summary>Consecutive poses of a tracked frame with the same parent, without a clock step between them.</summary>
     sealed class Stretch(int timeLine, string parent, ControlTime epoch)
     {
         BodyTruth _truth;

@@ -8,8 +8,8 @@ namespace Nowpose.Cli.Replay;
 /// Replays a recorded session in virtual time, with its own samples, plans and frames and one predictor per joint.
 /// </summary>
 /// <remarks>
-/// Events are processed in the order of the file, which is the order in which the headset processed them. Limits, horizon cap and maximum
-/// gap are those of the recording. With the predictor of the recording, the replay therefore reproduces the displayed values.
+/// Events are processed in the order of the file, which is the order in which the headset processed them. Limits, horizon cap and maximum gap come
+/// from the recording. With the predictor of the recording, the replay therefore reproduces the displayed values.
 /// </remarks>
 sealed class SessionReplay
 {
@@ -86,7 +86,7 @@ sealed class SessionReplay
         else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed) Show(next);
     }
 
-    // Discards all samples if the event belongs to another time line.
+    // Discards all samples if the clock has stepped since the last event, so that earlier times cannot be compared with it.
     void StartTimeLine(in RecordedSession.Event next)
     {
         if (next.TimeLine != _timeLine)

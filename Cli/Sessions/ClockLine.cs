@@ -2,6 +2,6 @@ namespace Nowpose.Cli.Sessions;
 
 /// <summary>A change of the clock model.</summary>
 /// <param name="IsNewStart">
-/// Whether the session discarded all samples, because their time stamps are on another time line or were never checked.
+/// Whether the session discarded all samples, because their time stamps precede a clock step or were never checked.
 /// </param>
 sealed record ClockLine(bool IsNewStart) : SessionLine;

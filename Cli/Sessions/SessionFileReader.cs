@@ -30,7 +30,7 @@ sealed class SessionFileReader : IDisposable
 
     public SessionHeader Header { get; }
 
-    /// <summary>Gets whether the extension of a path is that of a session file.</summary>
+    /// <summary>Gets whether a path has the extension of a session file.</summary>
     public static bool IsSession(string path) => path != null
         && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
 

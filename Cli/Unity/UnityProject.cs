@@ -30,7 +30,7 @@ sealed class UnityProject
         if (!Directory.Exists(root)) throw new InputException(UnityProjectMessages.NoFolder(path));
         foreach (var needed in new[] { VersionIn(root), ManifestIn(root) })
             if (!File.Exists(needed))
-                throw new InputException(UnityProjectMessages.NotAProject(path, Path.GetRelativePath(root, needed), Hint(root)));
+                throw new InputException(UnityProjectMessages.NotAProject(path, Path.GetRelativePath(root, needed), ProjectAbove(root)));
 
         var version = UnityVersion.InProjectFile(File.ReadAllText(VersionIn(root)));
         return new UnityProject(root, version ?? throw new InputException(UnityProjectMessages.NoVersion(VersionIn(root))));
@@ -43,10 +43,10 @@ sealed class UnityProject
 
     static string ManifestIn(string root) => Path.Combine(root, "Packages", "manifest.json");
 
-    // If the user gives the folder Assets or Packages, suggests the parent folder.
-    static string Hint(string root)
+    // The user may have given the folder Assets or Packages of a project.
+    static string ProjectAbove(string root)
     {
         var parent = Path.GetDirectoryName(root);
-        return parent != null && File.Exists(VersionIn(parent)) ? $"; the project is {parent}" : "";
+        return parent != null && File.Exists(VersionIn(parent)) ? parent : null;
     }
 }

@@ -6,8 +6,8 @@ using Nowpose.Gateway.Security;
 namespace Nowpose.Gateway.Codes;
 
 /// <summary>
-/// Serves the page that shows the control time as a code for cameras, for calibration with a monitor instead of LEDs, and the time that the
-/// page requests.
+/// Serves a page that shows the control time as a code for cameras, for calibration with a monitor instead of LEDs. Answers the page's
+/// requests for the time.
 /// </summary>
 /// <remarks>
 /// The page contains no data and needs no token, because a browser that opens an address cannot send a token. A request for the time needs

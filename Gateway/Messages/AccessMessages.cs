@@ -3,7 +3,7 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Answers to clients without access, and lines about them in the log.</summary>
 static class AccessMessages
 {
-    public static string OtherOrigin(string allowed) => $"the Origin is not that of the gateway; allowed: {allowed}";
+    public static string OtherOrigin(string allowed) => $"the Origin header does not name a page of the gateway; allowed: {allowed}";
 
     public const string OperatorOnly =
         "this needs the role operator; log in with a token of a line \"operator TOKEN\". Without tokens, use a browser on the gateway's machine";

@@ -5,7 +5,7 @@ static class EventTexts
 {
     public static string SourceEnded(string source) => $"its source {source} has ended";
 
-    public const string OtherTimeLine = "time stamps from before the step are on another time line";
+    public const string NotComparable = "time stamps from before the step cannot be compared with later ones";
 
     public static string ClockStepped(string clock) => $"the control clock {clock} was stepped";
 

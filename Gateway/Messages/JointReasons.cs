@@ -3,14 +3,14 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Reasons for the state of a joint.</summary>
 static class JointReasons
 {
-    public static string Taken(string source) => $"the source {source} already publishes this joint; each joint has one source";
+    public static string Taken(string source) => $"the source {source} already publishes this joint; stop one of the two sources";
 
-    public const string NoSample = "the adapter reports a live joint, but no sample has arrived at the gateway";
+    public const string NoSample = "the adapter reports the joint as live, but no sample has arrived at the gateway";
     public const string NoReport = "the adapter stopped reporting before the first sample";
 
     public static string Silent(string adapter) => $"samples stopped arriving, and the adapter {adapter} does not report";
 
-    public const string SamplesStopped = "samples stopped arriving; the adapter reports a live joint";
+    public const string SamplesStopped = "samples stopped arriving, although the adapter reports the joint as live";
     public const string NotPublished = "the robot description has this joint, but no source publishes it";
     public const string NoSource = "no source publishes joint positions yet";
 

@@ -8,7 +8,7 @@ static class PlantMessages
     public static string AcquisitionTime(TimeSpan max) => $"must be from 0 to the maximum, {max}";
 
     public static string ColumnCount(int columns, string names, string robot, int joints) =>
-        $"the recording has {columns} columns ({names}), robot {robot} has {joints} joints that move independently; choose a robot with "
+        $"the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; choose a robot with "
         + "this number of columns";
 
     public static string NoRobot(string allowed) => $"no robot is named; {allowed}";

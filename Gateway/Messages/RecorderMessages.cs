@@ -7,7 +7,8 @@ static class RecorderMessages
     public const string NoFolder = "recording: no folder is configured; start the gateway with --recordings FOLDER";
 
     public static string DiskTooSlow(string path, double seconds) =>
-        FormattableString.Invariant($"recording {path}: the disk did not store the data within {seconds:0} s; the remaining lines are lost");
+        FormattableString.Invariant(
+            $"recording {path}: the disk did not store the data within {seconds:0} s; the remaining lines are lost; use a faster disk");
 
     public const string OnField = "on: must be \"true\" or \"false\"";
     public const string UnknownName = "no recording in the folder has this name; /operations/recordings lists the names";

@@ -5,7 +5,7 @@ static class RequestMessages
 {
     public static string ClosedForRate(Closure why) => $"websocket: closed a connection (reason: {why})";
     public static string NotAccepted(string kind, string reason) => $"websocket: a connection could not be accepted ({kind}: {reason})";
-    public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}";
+    public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}; use {type}";
 
     public const string NotAWebSocket = "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client";
 
@@ -14,7 +14,7 @@ static class RequestMessages
     public static string NoPong(string address, double kiloBytesPerSecond) =>
         FormattableString.Invariant($"websocket: {address} does not answer pings, so it receives at most {kiloBytesPerSecond:0} kB/s");
 
-    public static string NoSlash(string topic) => $"a topic name begins with a slash: /{topic}";
+    public static string NoSlash(string topic) => $"a topic name must begin with a slash: use /{topic}";
 
     public static string NotPublished(string topics) =>
         $"receives no messages, because the gateway never publishes this topic. Its topics: {topics}";

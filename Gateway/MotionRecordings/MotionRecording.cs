@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.MotionRecordings;
 
 /// <summary>Joint positions over time from a user's file, with linear interpolation between rows.</summary>
 /// <remarks>
-/// Units are those of the file (rad, m). Times are seconds relative to the first row, because a double cannot hold seconds since 1970
+/// Units are as in the file (rad, m). Times are seconds relative to the first row, because a double cannot hold seconds since 1970
 /// precisely. Immutable and thread-safe.
 /// </remarks>
 public sealed class MotionRecording

@@ -38,12 +38,12 @@ public sealed class HeadsetList
 
     internal string Path => _path;
 
-    /// <inheritdoc cref="Knows(byte[])"/>
-    public bool Knows(string token) => Knows(TokenList.HashOf(token ?? ""));
+    /// <inheritdoc cref="Contains(byte[])"/>
+    public bool Contains(string token) => Contains(TokenList.HashOf(token ?? ""));
 
     /// <summary>Whether the token belongs to a paired headset. The check takes the same time for all tokens.</summary>
     /// <param name="hash">Hash from <see cref="TokenList.HashOf"/>.</param>
-    public bool Knows(byte[] hash)
+    public bool Contains(byte[] hash)
     {
         var isKnown = false;
         foreach (var headset in _headsets.Current)

@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Sync;
 
 /// <summary>Answers sync exchanges over TCP. Each connection has its own thread.</summary>
 /// <remarks>
-/// The operating system wakes a thread that blocks in receive at once. A busy thread pool would read t2 late, which a headset cannot
+/// The operating system immediately wakes a thread that blocks in receive. A busy thread pool would read t2 late, which a headset cannot
 /// distinguish from a slow network.
 /// </remarks>
 sealed class SyncServer : IDisposable
@@ -117,7 +117,7 @@ sealed class SyncServer : IDisposable
         }
         catch (Exception e) when (e is OutOfMemoryException or ThreadStartException)
         {
-            // The system cannot start another thread. It may be able to for a later connection.
+            // The system cannot start another thread. It may be able to start one for a later connection.
             place.Dispose();
             Ended(connection, Closure.Failure, e);
             connection.Stop(Closure.Failure);

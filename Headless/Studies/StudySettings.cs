@@ -1,6 +1,6 @@
 namespace Nowpose.Studies;
 
-/// <summary>Conditions of a prediction. The defaults are those of the paper: T_s 50 ms, L 100 ms, 60 frames per second.</summary>
+/// <summary>Conditions of a prediction. The defaults are the paper's values: T_s 50 ms, L 100 ms, 60 frames per second.</summary>
 public sealed record StudySettings
 {
     /// <summary>Sampling interval T_s, s.</summary>

@@ -4,7 +4,9 @@ using System.Text;
 namespace Nowpose.Headless.Tests.Autobahn;
 
 /// <summary>Builds the bytes that a case sends, and the payloads that it expects in return.</summary>
-/// <param name="isMasked">Whether frames have a mask, as those of a client. The mask is zero, so payloads do not change (RFC 6455, 5.3).</param>
+/// <param name="isMasked">
+/// Whether frames have a mask, like the frames of a client. The mask is zero, so payloads do not change (RFC 6455, 5.3).
+/// </param>
 /// <param name="before">Part of an accepted message before the inner text.</param>
 /// <param name="after">Part of an accepted message after the inner text.</param>
 sealed class CaseScript(bool isMasked, string before, string after)

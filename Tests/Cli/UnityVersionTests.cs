@@ -71,8 +71,8 @@ public class UnityVersionTests
         using var project = new UnityProjectFolder(Empty);
         Directory.CreateDirectory(project.At("Assets"));
 
-        AssertRefused(await CliRun.OfAsync("unity", project.At("Assets")), "; the project is " + project.Root);
-        AssertRefused(await CliRun.OfAsync("unity", project.At("Packages/manifest.json")), "is a file; the folder of a Unity project is needed");
+        AssertRefused(await CliRun.OfAsync("unity", project.At("Assets")), "; enter the project's folder " + project.Root);
+        AssertRefused(await CliRun.OfAsync("unity", project.At("Packages/manifest.json")), "is a file; enter the folder of a Unity project");
         AssertRefused(await CliRun.OfAsync("unity", project.At("nowhere")), "folder not found");
         AssertRefused(await CliRun.OfAsync("unity", ""), "PATH is empty");
         AssertRefused(await CliRun.OfAsync("unity"), "argument");

@@ -49,7 +49,7 @@ sealed class FakeTcpServer : IDisposable
         }
         catch (IOException)
         {
-            // The client disconnected; continue with the next one.
+            // The client disconnected; the server continues with the next one.
         }
     }
 }

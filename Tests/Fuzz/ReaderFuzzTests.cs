@@ -54,7 +54,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void SyncFrame_DamagedFrames_AcceptsOnlyThoseThatRoundTrip()
+    public void SyncFrame_DamagedFrames_AcceptsOnlyFramesThatRoundTrip()
     {
         var accepted = new FuzzRun("sync frames", 2, Frames).Feed<byte[]>(() => FrameMutator.Next, () => bytes =>
         {

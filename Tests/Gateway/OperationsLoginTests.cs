@@ -85,7 +85,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Logout_OpenWebSockets_ClosesOnlyThoseOfTheSession()
+    public async Task Logout_OpenWebSockets_ClosesOnlyTheSocketsOfTheSession()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var answer = await LoginAsync(gateway, Gateways.OperatorToken);

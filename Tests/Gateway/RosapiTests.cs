@@ -38,9 +38,9 @@ public class RosapiTests
     [TestCase("""{"op":"subscribe","topic":"/nowpose/joint_status","type":"std_msgs/String"}""", "error", "has the type diagnostic_msgs/DiagnosticArray")]
     [TestCase("""{"op":"advertise","topic":"/nowpose/joint_status","type":"diagnostic_msgs/DiagnosticArray"}""", "error", "UnknownTopic")]
     [TestCase("""{"op":"publish","topic":"/nowpose/joint_status","msg":{"status":[{"hardware_id":"gateway","values":[]}]}}""", "error", "UnknownTopic")]
-    [TestCase("""{"op":"subscribe","topic":"joint_states"}""", "error", "begins with a slash: /joint_states")]
-    [TestCase("""{"op":"advertise","topic":"joint_states","type":"sensor_msgs/JointState"}""", "error", "begins with a slash")]
-    [TestCase("""{"op":"publish","topic":"joint_states","msg":{}}""", "error", "begins with a slash")]
+    [TestCase("""{"op":"subscribe","topic":"joint_states"}""", "error", "must begin with a slash: use /joint_states")]
+    [TestCase("""{"op":"advertise","topic":"joint_states","type":"sensor_msgs/JointState"}""", "error", "must begin with a slash")]
+    [TestCase("""{"op":"publish","topic":"joint_states","msg":{}}""", "error", "must begin with a slash")]
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error",
         "advertise /joint_states dropped: /joint_states has the type sensor_msgs/JointState, not std_msgs/String")]
     [TestCase("""{"op":"subscribe"}""", "error", "subscribe dropped: a field is missing or empty")]

@@ -18,7 +18,7 @@ public class LoadMeasureTests
     [TestCase(1000)]
     public void FrameReader_PiecesOfAnyLength_ReadsAllFrames(int pieceLength)
     {
-        // The frames have no mask, as those of a server.
+        // The frames have no mask, like the frames of a server.
         byte[] frame = [0x81, (byte)126, (byte)(Message.Length >> 8), (byte)Message.Length, .. Message];
         byte[] stream = [.. frame, 0x89, 2, 1, 2, .. frame];
         var reader = new FrameReader();

@@ -13,7 +13,7 @@ public class StuckSendTests
 {
     const string Text = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1]}}""";
 
-    /// <summary>Number of messages that is larger than that sent within two seconds.</summary>
+    /// <summary>Number of messages, higher than the number that is sent within two seconds.</summary>
     const int ForTwoSeconds = 45;
 
     /// <summary>Number of subscriptions and advertisements, which are sent first.</summary>

@@ -39,17 +39,13 @@ public sealed partial class MessageCatalogueTests
         "add|ask|assign|bind|build|calibrate|change|check|chmod|choose|clear|close|connect|continue|convert|copy|"
         + "correct|cover|create|delete|disable|enable|enter|evaluate|expand|export|extend|film|free|give|go|increase|"
         + "install|jog|keep|load|lock|log|look|make|mark|measure|move|name|open|pair|pass|place|print|publish|put|quote|"
-        + "raise|read|record|reduce|release|remove|rename|renew|repeat|replace|request|reset|restart|restore|revoke|run|"
+        + "raise|read|record|reduce|release|remove|rename|renew|repeat|replace|report|request|reset|restart|restore|revoke|run|"
         + "save|scale|see|select|send|set|shorten|show|simplify|stand|start|state|stop|swap|sweep|switch|tag|take|tick|"
         + "try|turn|update|use|wait|write";
 
     /// <summary>Catalogues of states, results and lines of the log, which need no remedy.</summary>
     static readonly string[] OfStatuses =
-    [
-        "BaseStatusMessages", "CalibrationMessages", "BaseMessages", "ConsoleMessages", "DemoMessages", "DeviceMessages",
-        "HeadsetMessages", "ObjectMessages", "PairingMessages", "PlantClockMessages", "PoseMessages", "SimulationMessages",
-        "StampMessages", "StatusMessages", "SweepMessages", "UnityVersionMessages", "PictureFaults",
-    ];
+        ["BaseStatusMessages", "ConsoleMessages", "PlantClockMessages", "PoseMessages", "StampMessages", "StatusMessages"];
 
     /// <summary>
     /// Texts of the other catalogues that need no remedy: statuses, results, names, and parts of a message that contains the remedy elsewhere.
@@ -59,29 +55,38 @@ public sealed partial class MessageCatalogueTests
         ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "Token", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
+        ["BaseMessages"] = ["FollowsMarker", "Lost", "MovedLabel", "NotLocated"],
+        ["CalibrationMessages"] = ["Of"],
         ["CellMessageFaults"] = ["OwnParent", "SignalTwice", "SignalValue", "StampZero"],
         ["ComponentMessages"] = ["GripperWithoutJoint"],
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
         ["ConnectionMessages"] = ["Closed", "JointsClosed", "Lost", "MessageTooLong", "MessageTooSlow"],
+        ["DeviceMessages"] = ["CountersPaired", "DepthAgain", "MarkerMode", "NoDisplayTime", "NotStoredYet"],
         ["DropMessages"] = ["Of"],
         ["DryRunMessages"] = ["MissingJoints", "PortInUse"],
         ["FigureErrors"] = ["NotAValue", "NotFinite"],
         ["FrameMessages"] = ["List"],
+        ["HeadsetMessages"] = ["AtEnd", "CurrentAgain", "NeverCurrent", "Pose"],
         ["KeyFileMessages"] = ["Renewed"],
-        ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "NoMovingJoint", "Title", "UnknownJoint"],
+        ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
         ["LoadSweepMessages"] = ["Building", "WaitingForClock"],
         ["LoaderMessages"] = ["Unkept"],
         ["ManifestMessages"] = ["TooDeep"],
+        ["ObjectMessages"] = ["ParentNotCurrent", "ParentUnknown", "PosesStopped", "RobotUnknown"],
         ["OperationsMessages"] = ["LoggedIn", "NoTokenNeeded", "UnknownTokenLog"],
         ["PairedCellMessages"] = ["Field", "List", "Unusable"],
         ["PairingCodeMessages"] = ["OtherBegin"],
+        ["PairingMessages"] = ["Exchanging", "Known", "MarkerFirst", "Paired"],
         ["PairingServiceMessages"] = ["TokenGiven", "WrongCodeLog"],
         ["ProfileMessages"] = ["OtherKind"],
-        ["RecorderMessages"] = ["Deleted", "DiskTooSlow", "FolderNotChecked", "UnknownName"],
-        ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted", "OtherType"],
+        ["RecorderMessages"] = ["Deleted", "FolderNotChecked", "UnknownName"],
+        ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
         ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "WithinRange"],
+        ["SimulationMessages"] = ["Error", "Read", "Written"],
+        ["SweepMessages"] = ["Responds"],
         ["SyncServerMessages"] = ["Closed", "NotAccepted"],
-        ["UnityProjectMessages"] = ["Backup", "EntryKept", "NotAProject"],
+        ["UnityProjectMessages"] = ["Backup", "EntryKept"],
+        ["UnityVersionMessages"] = ["Compiled2022", "NotTestedOnDevice"],
         ["VlcMessages"] = ["NothingRead", "OtherSource", "OtherSweep", "Result"],
     };
 
@@ -110,7 +115,7 @@ public sealed partial class MessageCatalogueTests
         Assert.That(missing, Is.Empty);
     }
 
-    // The programs use the invariant culture; the package runs in that of the device.
+    // The programs use the invariant culture; the package uses the culture of the device.
     [TestCase("Nowpose")]
     [TestCase("Nowpose.Unity")]
     [TestCase("Nowpose.Editor")]

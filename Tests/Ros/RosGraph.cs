@@ -49,7 +49,7 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
     }
 
     /// <summary>Registers a topic with its type. If the topic is known, checks that the type is the same.</summary>
-    /// <exception cref="RosException">The type differs. The message is that of rosbridge.</exception>
+    /// <exception cref="RosException">The type differs. The message is the same as in rosbridge.</exception>
     public void Establish(string topic, string type)
     {
         lock (_types)

@@ -23,7 +23,7 @@ static class Glslang
     public static IReadOnlyList<string> Compile(PassProgram program)
     {
         using var folder = new TemporaryFolder();
-        // Adds empty lines before the program, so that line numbers are those of the shader's file.
+        // Adds empty lines before the program, so that line numbers are the same as in the shader's file.
         var file = Path.GetFileName(program.Shader.Path);
         File.WriteAllText(Path.Combine(folder.Path, file), new string('\n', program.Pass.Program.Line - 1) + program.Pass.Program.Text);
         return program.Variants

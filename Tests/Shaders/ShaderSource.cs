@@ -7,7 +7,7 @@ public sealed record ShaderSource(string Path, string Name, IReadOnlyList<Shader
     public override string ToString() => System.IO.Path.GetFileName(Path);
 }
 
-/// <summary>A material property of the shader. The type is that of ShaderLab, for example Color, Range or 2D.</summary>
+/// <summary>A material property of the shader. The type is a type of ShaderLab, for example Color, Range or 2D.</summary>
 public sealed record ShaderProperty(string Name, string Type, int Line);
 
 /// <param name="Requirements">Packages without which Unity skips the SubShader; empty if there are none.</param>

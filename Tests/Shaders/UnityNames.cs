@@ -32,7 +32,7 @@ static class UnityNames
         return lists;
     }
 
-    /// <summary>Gets the names that a substitute declares, without the names of its own, which begin with NOWPOSE_.</summary>
+    /// <summary>Gets the names that a substitute declares, except the names that only the substitute uses, which begin with NOWPOSE_.</summary>
     public static IEnumerable<string> DeclaredBy(string text) => Declarations.Matches(Comments.Replace(text, ""))
         .Select(m => m.Groups["name"].Value).Where(n => !n.StartsWith("NOWPOSE_", StringComparison.Ordinal)).Distinct();
 

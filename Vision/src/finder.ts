@@ -35,7 +35,7 @@ const minShareOfCertain = 0.88;
  */
 const minShareOfSecond = 0.77;
 const minShareOfWeak = 0.7;
-/** Threshold for a weak code if no code of the other kind is found. A bright scene can make that code similar to the first kind. */
+/** Like minShareOfSecond, if all found codes have the same kind. In a bright scene, one of them may be a code of the other kind. */
 const minShareOfOnlyKind = 0.9;
 /** Minimum light of a code in a single colour; 1 is white. Below it, noise is too large a part of the light. */
 const minLightOfColour = 0.04;

@@ -58,7 +58,7 @@ export function grownBy(q: Quad, factor: number): Quad {
   return q.map(p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]) as Quad;
 }
 
-/** Returns whether a quad is convex and clockwise (y down), and its sides differ no more than those of a code that is seen at an angle. */
+/** Returns whether a quad is convex and clockwise (y down), and its sides differ no more than the sides of a code that is seen at an angle. */
 export function isPlausible(q: Quad, minSide: number): boolean {
   const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));
   if (Math.min(...sides) < minSide || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;
@@ -70,7 +70,7 @@ export function isPlausible(q: Quad, minSide: number): boolean {
   });
 }
 
-/** Moves one side of a quad so that the adjacent sides become longer by a factor. The index of the side is that of its first corner. */
+/** Moves one side of a quad so that the adjacent sides become longer by a factor. The side has the index of its first corner. */
 export function extendedBy(q: Quad, side: number, factor: number): Quad {
   const moved = (corner: number, fixed: number): Point => [
     q[fixed][0] + factor * (q[corner][0] - q[fixed][0]),

@@ -1,6 +1,8 @@
 import { pictureMessages } from './messages';
 
-/** Maximum size, which is that of phone cameras. A decoded picture takes four bytes per pixel, and there are several workers. */
+/**
+ * Maximum size of a picture: the size of pictures from phone cameras. A decoded picture takes four bytes per pixel, and there are several workers.
+ */
 const maxMegapixels = 110;
 
 /** Throws an error if the header of a PNG or JPEG file states too large a size, or if the file is truncated. */

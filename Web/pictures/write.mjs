@@ -1,5 +1,5 @@
 // Takes the manual's pictures of pages and writes the texts that the test compares. Run by `npm run pictures`.
-// `npm run pictures -- --record` first replaces the stored data with those of new runs of `demo` and `calibrate`.
+// `npm run pictures -- --record` first replaces the stored data with the data of new runs of `demo` and `calibrate`.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,7 +11,7 @@ import { settled } from '../test/inks.mjs';
 import { picture } from '../test/pixels.mjs';
 import { openOperations, path, PICTURES, setState, stored, textsOf } from './screens.mjs';
 
-/** Replaces the stored data with those of new runs of `demo` and `calibrate vlc`. */
+/** Replaces the stored data with the data of new runs of `demo` and `calibrate vlc`. */
 function record() {
   const folder = mkdtempSync(join(tmpdir(), 'nowpose-pictures-'));
   const stdio = ['ignore', 'inherit', 'inherit'];

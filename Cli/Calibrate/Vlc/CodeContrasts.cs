@@ -43,7 +43,7 @@ sealed class CodeContrasts
         }
         if (dark.Count + brighter > 0)
             Fault = dark.Count >= brighter
-                ? AreRowsAtEdge(dark) ? PictureFaults.PartlyDark : "partly covered"
+                ? AreRowsAtEdge(dark) ? PictureFaults.PartlyDark : PictureFaults.PartlyCovered
                 : code.WhiteShare >= MinWhiteShare ? PictureFaults.Overexposed
                 : PictureFaults.Disturbed;
         else if (code.Kind == CodeKind.Control && !code.IsWeak && code.Residual > MaxResidual) Fault = PictureFaults.Disturbed;

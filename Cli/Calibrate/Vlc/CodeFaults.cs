@@ -17,7 +17,7 @@ static class CodeFaults
         var (controls, headsets) = (seen.CodesOf(CodeKind.Control), seen.CodesOf(CodeKind.Headset));
         if (controls.Count > 1) return PictureFaults.ControlCodes(Words(controls.Count));
         if (headsets.Count > 1) return PictureFaults.HeadsetCodes(Words(headsets.Count));
-        if (seen.Codes.Count == 0) return "no code found";
+        if (seen.Codes.Count == 0) return PictureFaults.NoCode;
         if (controls.Count == 0) return PictureFaults.NoControlCode;
         if (headsets.Count == 0) return PictureFaults.NoHeadsetCode;
         if (IsCutOff(controls[0], seen)) return PictureFaults.ControlCodeCutOff;

@@ -1,3 +1,4 @@
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
@@ -22,7 +23,7 @@ static class ControlCode
     /// <summary>Maximum difference between two runs that count as the same reading, ms.</summary>
     const double Alike = 2;
 
-    /// <summary>Maximum time of another code that is ignored, ms.</summary>
+    /// <summary>Maximum time for which a further code can be visible without being counted, ms.</summary>
     const double Same = 0.05;
 
     static readonly double[] Lengths = [0.25, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24];
@@ -34,7 +35,7 @@ static class ControlCode
         if (contrasts.Fault is string fault) return Reading.Not(fault);
         var mask = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++) mask = mask << 1 | (Math.Abs(contrasts[pair]) > Decided ? 1 : 0);
-        if (TimestampCode.PairCount - int.PopCount(mask) > MaxUndecided) return Reading.Not("undecided");
+        if (TimestampCode.PairCount - int.PopCount(mask) > MaxUndecided) return Reading.Not(PictureFaults.Undecided);
         Run best = default, other = default;
         best.Rest = other.Rest = double.MaxValue;
         foreach (var value in CodeWords.Matching(contrasts.Word(), mask))
@@ -49,10 +50,10 @@ static class ControlCode
                     }
                     else if (run.Rest < other.Rest && !IsSame(run, best)) other = run;
                 }
-        if (best.Rest == double.MaxValue) return Reading.Not("wrong parity");
-        if (best.Rest > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
-        if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");
-        if (other.Rest < Margin * Math.Max(best.Rest, MinResidual)) return Reading.Not("ambiguous");
+        if (best.Rest == double.MaxValue) return Reading.Not(PictureFaults.WrongParity);
+        if (best.Rest > MaxResidual * best.Amplitude) return Reading.Not(PictureFaults.Inconsistent);
+        if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not(PictureFaults.TooWeak);
+        if (other.Rest < Margin * Math.Max(best.Rest, MinResidual)) return Reading.Not(PictureFaults.AmbiguousTime);
         // Value v is shown from v to v + 1, so the mean of the values is half a millisecond below the mean time.
         return Reading.Of(Wrap(MiddleOf(Refined(contrasts, delaysMs, best)) - 0.5));
     }

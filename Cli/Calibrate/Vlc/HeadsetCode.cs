@@ -29,13 +29,13 @@ static class HeadsetCode
     {
         if (contrasts.Fault is string fault) return Reading.Not(fault);
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
-            if (Math.Abs(contrasts[pair]) < MinContrast) return Reading.Not("undecided");
+            if (Math.Abs(contrasts[pair]) < MinContrast) return Reading.Not(PictureFaults.Undecided);
         var value = CodeWords.ValueOf(contrasts.Word());
-        if (value < 0) return Reading.Not("wrong parity");
+        if (value < 0) return Reading.Not(PictureFaults.WrongParity);
         var best = Enumerable.Range(minStep, MaxStep - minStep + 1).SelectMany(step => new[] { step, -step })
             .Select(step => Fit(contrasts, value, value + step)).Append(Fit(contrasts, value, value)).MinBy(fit => fit.Unexplained);
-        if (best.Unexplained > MaxResidual * best.Amplitude) return Reading.Not("inconsistent");
-        if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not("too weak");
+        if (best.Unexplained > MaxResidual * best.Amplitude) return Reading.Not(PictureFaults.Inconsistent);
+        if (best.Amplitude is < MinAmplitude or > MaxAmplitude) return Reading.Not(PictureFaults.TooWeak);
         return best.Share < MinShare ? Reading.Not(PictureFaults.Ambiguous) : Reading.Of(value);
     }
 

@@ -3,7 +3,7 @@ using Nowpose.Cli.Messages;
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>
-/// Rejects pictures whose L_visu is far from that of the others: their codes were misread and passed the parity check by chance. Frames
+/// Rejects pictures whose L_visu is far from the L_visu of the other pictures: their codes were misread and passed the parity check by chance. Frames
 /// that wait behind a slow GPU are late by less than this distance.
 /// </summary>
 static class Outliers

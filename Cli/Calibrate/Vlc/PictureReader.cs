@@ -47,7 +47,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
     {
         Reading run = ControlCode.Read(contrasts, delaysMs), frame = HeadsetCode.Read(contrasts, minStep: 1);
         if (run.Fault == null && frame.Fault == null && Math.Abs(Math.IEEERemainder(run.Ms - frame.Ms, TimestampCode.PeriodMs)) > MaxDifferenceMs)
-            return Reading.Not("ambiguous");
+            return Reading.Not(PictureFaults.AmbiguousTime);
         return run.Fault == null || frame.Fault != null ? run : frame;
     }
 

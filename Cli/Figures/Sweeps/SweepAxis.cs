@@ -3,7 +3,7 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Sweeps;
 
-/// <summary>The condition that a sweep changes, in ms. All other conditions are those of the paper.</summary>
+/// <summary>The condition that a sweep changes, in ms. All other conditions are as in the paper.</summary>
 sealed record SweepAxis(FigureColumn Column, IReadOnlyList<double> Values, Func<StudySettings, double, StudySettings> With)
 {
     const double MsPerSecond = 1000;

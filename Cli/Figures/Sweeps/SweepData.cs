@@ -12,7 +12,7 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
 
     public IReadOnlyList<double> RmsMm(string predictor) => rms[predictor];
 
-    /// <summary>Gets a predictor's RMS error divided by that of hold, for the value at an index.</summary>
+    /// <summary>Gets a predictor's RMS error divided by the RMS error of hold, for the value at an index.</summary>
     public double Ratio(string predictor, int index) => rms[predictor][index] / rms["hold"][index];
 
     /// <summary>Gets a predictor's RMS error for a value.</summary>
@@ -28,7 +28,7 @@ sealed class SweepData(IReadOnlyList<double> values, IReadOnlyDictionary<string,
     public string Best(int index, params string[] among) => among.MinBy(name => rms[name][index]);
 
     /// <summary>
-    /// Gets the interpolated value from which on one predictor is better than another for all larger values; null if it is not better for the
+    /// Gets the interpolated value above which one predictor is always better than another; null if it is not better for the
     /// last value.
     /// </summary>
     public double? Crossover(string winner, string loser)

@@ -32,7 +32,7 @@ static class Figure16
 
     public static string ConditionsOf(YoubotSwing swing) => Figure16Texts.Conditions(Text(1000 * swing.Radius), Text(swing.FullSpeed));
 
-    /// <param name="errorRatio">RMS error of the compensated signal divided by that of the uncompensated one, over all frames.</param>
+    /// <param name="errorRatio">RMS error of the compensated signal divided by the RMS error of the uncompensated signal, over all frames.</param>
     /// <param name="steadyMm">RMS error of the compensated signal at constant velocity.</param>
     /// <param name="curvedMm">RMS error of the compensated signal where the velocity changes.</param>
     public static IReadOnlyList<Criterion> Criteria(double errorRatio, double steadyMm, double curvedMm) =>

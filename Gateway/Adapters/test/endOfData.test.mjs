@@ -65,7 +65,7 @@ describe('end of data', () => {
       const random = seeded(SEED), peak = 1.2 * speed, amplitude = peak / 2;
       let found = 0;
       for (let i = 0; i < 200; i++) {
-        // The data end after at least one reversal of the motion, while the joint moves with at least `speed`.
+        // The data end after at least one reversal of the motion, while the joint moves at a speed of at least `speed`.
         const cut = (Math.PI * (3 + i % 3) + (random() - 0.5)) / 2, sine = { position: t => amplitude * Math.sin(2 * t) };
         const judge = judgeOf(changes(sine, random, { interval, from: 0, until: cut, jitter: 0.2, quantum: 1e-5 }));
         if (judge.verdict(interval) !== null) found++;

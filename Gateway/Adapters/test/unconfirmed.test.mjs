@@ -25,7 +25,7 @@ describe('a source that cannot confirm', () => {
     }
     return cell;
   }
-  /** Position of a joint that comes to rest at 1 s and is then not sent. */
+  /** Positions of a joint that comes to rest at 1 s and is then not sent, and of a joint that swings. */
   const stops = s => (s > 1 ? null : 0.1 * Math.sin(s * Math.PI / 2)), swings = s => 0.1 * Math.sin(2 * s);
 
   it('SilentJoint_SourceCannotConfirm_RestIsUncertain', async () => {
@@ -66,7 +66,7 @@ describe('a source that cannot confirm', () => {
     assert.deepEqual([stateOf('x'), stateOf('y')], ['rest', 'live']);
   });
 
-  it('SilentJoint_FaultAfterConfigured_RestIsCertainUntilThen', async () => {
+  it('SilentJoint_FaultAfterConfigured_RestIsCertainUntilTheFault', async () => {
     const { status, stateOf } = await passive({ x: stops, y: swings }, 4, 5000);
 
     assert.deepEqual([stateOf('x'), status.level, status.values()['uncertain/x']], ['rest', 0, undefined]);

@@ -13,7 +13,7 @@ sealed class ClockSteps(PlantClocks plant, EventList events)
         if (plant.Control is not { } control) return;
         var now = (Source: control.Name, control.Model.Steps);
         if (_last is { } last && last.Source == now.Source && now.Steps > last.Steps)
-            events.Note(new Condition("clock", now.Source, "was stepped", EventTexts.OtherTimeLine, Level.Warning)
+            events.Note(new Condition("clock", now.Source, "was stepped", EventTexts.NotComparable, Level.Warning)
             {
                 Headline = EventTexts.ClockStepped(now.Source),
             });

@@ -23,7 +23,7 @@ sealed class Conditions(
 
     const string DoesNotReport = "does not report";
 
-    /// <summary>Text by which an adapter's reason for an uncertain rest contains a remedy.</summary>
+    /// <summary>Beginning of a remedy within the reason that an adapter gives for an uncertain rest.</summary>
     const string OwnRemedy = "; set ";
 
     static readonly string[] CurrentPoses = ["current", "coarse"];

@@ -17,9 +17,9 @@ public static class AssetNames
 
     public static bool IsMeta(string name) => name.EndsWith(MetaSuffix, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Gets whether a name is that of a build folder of .NET. Unity would import such folders inside Assets/ and Packages/.</summary>
+    /// <summary>Gets whether a name is the name of a build folder of .NET. Unity would import such folders inside Assets/ and Packages/.</summary>
     public static bool IsBuildFolder(string name) => name is "bin" or "obj";
 
-    /// <summary>Gets whether a name is that of a build file of .NET. Unity would import such files inside Assets/ and Packages/.</summary>
+    /// <summary>Gets whether a name is the name of a build file of .NET. Unity would import such files inside Assets/ and Packages/.</summary>
     public static bool IsBuildFile(string name) => Path.GetExtension(name) is ".csproj" or ".sln" or ".slnx";
 }

@@ -17,7 +17,7 @@ static class GripperPrefab
         var hologram = assets.Load<Material>(PackagePaths.Hologram);
         var robot = Rigs.Build(assets.Load<RobotDescriptionAsset>(PackagePaths.Youbot), null, hologram, hologram);
 
-        // The names must differ from those of the links. Otherwise, a rig would use these objects as its own links.
+        // The names must differ from the names of the links. Otherwise, a rig would use these objects as its own links.
         var palm = Named(robot.Link("gripper_palm_link"), "Palm");
         var left = Named(robot.Link("gripper_finger_link_l"), "Left Finger");
         var right = Named(robot.Link("gripper_finger_link_r"), "Right Finger");

@@ -5,7 +5,7 @@ using UnityEditor.UnityLinker;
 
 namespace Nowpose.Editor
 {
-    /// <summary>Tells Unity's linker, in each build of a project with this package, which assemblies it must not strip.</summary>
+    /// <summary>Passes Unity's linker, in each build of a project with this package, the list of assemblies that it must not strip.</summary>
     /// <remarks>
     /// Unity reads a link.xml only from Assets/, so a package must supply one through this interface. The assemblies:
     /// <list type="bullet">

@@ -207,7 +207,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Sine_EarlierProfileHasAnotherVersion_Fails() => await RefusedWith(
-        "the latency profile has version 2", "sine", Write("jog.csv", []), "--told-ms", "40", "--profile", ProfileOfAnotherVersion());
+        "the latency profile has version 2", "sine", Write("jog.csv", []), "--visu-ms", "40", "--profile", ProfileOfAnotherVersion());
 
     [Test]
     public async Task Nudge_EarlierProfileHasAnotherVersion_Fails() =>

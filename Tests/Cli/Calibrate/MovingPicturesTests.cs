@@ -26,7 +26,7 @@ public sealed class MovingPicturesTests
 
         Assert.That(rejected.Take(100), Has.All.Matches<PictureResult>(picture => picture.IsRead));
         Assert.That(
-            rejected.Skip(100).Count(picture => picture.Fault == "taken while the headset moved"), Is.InRange(30, 40), "all but the turning points");
+            rejected.Skip(100).Count(picture => picture.Fault == MovingPictures.Fault), Is.InRange(30, 40), "all but the turning points");
     }
 
     [Test]

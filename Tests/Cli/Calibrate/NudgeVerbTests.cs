@@ -12,7 +12,7 @@ public class NudgeVerbTests : CalibrationFolder
     {
         // The true L_visu is 46 ms, the configured one 40 ms: 6 ms at 250 mm/s are 1.5 mm. The base is displaced by 0.4 mm.
         var run = await CliRun.OfAsync(
-            "calibrate", "nudge", "--speed-mm-s", "250", "--told-ms", "40", "--forward-mm", "1.8", "2.0", "--backward-mm", "-1.2", "-1.0", "--json", "--out", Out);
+            "calibrate", "nudge", "--speed-mm-s", "250", "--visu-ms", "40", "--forward-mm", "1.8", "2.0", "--backward-mm", "-1.2", "-1.0", "--json", "--out", Out);
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         var json = JsonDocument.Parse(run.Output).RootElement;
@@ -23,6 +23,17 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(profile.Method, Is.EqualTo(CalibrationMethod.Nudge));
         Assert.That(profile.Measurements, Is.EqualTo(4));
         Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("Offset as a function of the velocity"));
+    }
+
+    [Test]
+    public async Task Nudge_FormerNameOfVisuMs_IsUsedButNotShownInHelp()
+    {
+        var run = await CliRun.OfAsync(
+            "calibrate", "nudge", "--speed-mm-s", "250", "--told-ms", "60", "--forward-mm", "2", "--backward-mm", "-1", "--json", "--out", Out);
+        var help = await CliRun.OfAsync("calibrate", "nudge", "--help");
+
+        Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("visu_ms").GetDouble(), Is.EqualTo(66).Within(1e-3));
+        Assert.That(help.Output, Does.Contain("--visu-ms").And.Not.Contain("--told-ms"));
     }
 
     [Test]
@@ -75,6 +86,7 @@ public class NudgeVerbTests : CalibrationFolder
     [TestCase("--speed-mm-s 0 --forward-mm 2 --backward-mm -2", "--speed-mm-s: 0 mm/s is out of range")]
     [TestCase("--speed-mm-s 250 --forward-mm 2000 --backward-mm -2", "nudge: offset: 2000 mm is out of range")]
     [TestCase("--speed-mm-s 250 --forward-mm two --backward-mm -2", "--forward-mm")]
+    [TestCase("--speed-mm-s 250 --visu-ms 40 --told-ms 40 --forward-mm 2 --backward-mm -2", "--told-ms is the former name of --visu-ms")]
     [TestCase("--speed-mm-s 10 --forward-mm -20 --backward-mm 20", "visualisation latency: -1960 ms is out of range")]
     public async Task Nudge_InvalidMarks_StatesTheReason(string options, string named) =>
         Assert.That(await RefusalOf(["nudge", .. options.Split(' ')]), Does.Contain(named));

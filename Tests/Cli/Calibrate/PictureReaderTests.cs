@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate.Vlc;
+using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Vision;
 using NUnit.Framework;
@@ -22,7 +23,7 @@ public sealed class PictureReaderTests
         Assert.That(result.HeadsetMs, Is.EqualTo(headset));
     }
 
-    [TestCase(0, 501, "codes more than 500 ms apart")]
+    [TestCase(0, 501, "codes more than 500 ms apart; check that both show the same clock")]
     [TestCase(1000, 900, "headset code more than 50 ms ahead of the control code: if the control code is displayed late, state the delay with --control-delay-ms")]
     public void Read_ImplausibleDifferenceOfTheCodes_IsRejected(int headset, int control, string fault)
     {
@@ -35,9 +36,9 @@ public sealed class PictureReaderTests
     [TestCase(1, 2, "two headset codes: show one only")]
     [TestCase(3, 1, "3 control codes: show one only")]
     [TestCase(0, 2, "two headset codes: show one only")]
-    [TestCase(1, 0, "no headset code found")]
-    [TestCase(0, 1, "no control code found")]
-    [TestCase(0, 0, "no code found")]
+    [TestCase(1, 0, PictureFaults.NoHeadsetCode)]
+    [TestCase(0, 1, PictureFaults.NoControlCode)]
+    [TestCase(0, 0, PictureFaults.NoCode)]
     public void Read_NotExactlyOneCodeOfEachKind_IsRejected(int controls, int headsets, string fault)
     {
         var result = Read(
@@ -83,9 +84,9 @@ public sealed class PictureReaderTests
     }
 
     [TestCase(-4, null)]
-    [TestCase(-20, "headset code partly outside the picture")]
+    [TestCase(-20, PictureFaults.HeadsetCodeCutOff)]
     [TestCase(Height - 76, null)]
-    [TestCase(Height - 60, "headset code partly outside the picture")]
+    [TestCase(Height - 60, PictureFaults.HeadsetCodeCutOff)]
     public void Read_CodeMoreThanHalfACellOutside_IsRejected(double top, string fault)
     {
         var headset = CodeLevels.Of(CodeKind.Headset, pair => CodeWords.SignOf(10_000, pair), top);
@@ -93,8 +94,8 @@ public sealed class PictureReaderTests
         Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset).Fault, Is.EqualTo(fault));
     }
 
-    [TestCase(0, "headset code partly covered")]
-    [TestCase(1, "headset code disturbed by a bright background or a reflection")]
+    [TestCase(0, "headset code " + PictureFaults.PartlyCovered)]
+    [TestCase(1, "headset code " + PictureFaults.Disturbed)]
     public void Read_BothCellsOfAPairEqual_NamesTheCause(double light, string fault)
     {
         var headset = CodeLevels.Of(CodeKind.Headset, 10_000);
@@ -104,9 +105,9 @@ public sealed class PictureReaderTests
         Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset with { Levels = levels }).Fault, Is.EqualTo(fault));
     }
 
-    [TestCase(0, 3, "partly dark: covered, or only a part was lit during the exposure")]
-    [TestCase(4, 2, "partly dark: covered, or only a part was lit during the exposure")]
-    [TestCase(1, 2, "partly covered")]
+    [TestCase(0, 3, PictureFaults.PartlyDark)]
+    [TestCase(4, 2, PictureFaults.PartlyDark)]
+    [TestCase(1, 2, PictureFaults.PartlyCovered)]
     public void Read_DarkRowsAtTheEdgeOfTheCode_SuggestsAPartlyLitCode(int first, int count, string fault)
     {
         var headset = CodeLevels.Of(CodeKind.Headset, 10_000);
@@ -176,8 +177,8 @@ public sealed class PictureReaderTests
     {
         var reader = new PictureReader(0, 0);
 
-        Assert.That(Read(reader).Fault, Is.EqualTo("no code found"));
-        Assert.That(Read(reader, CodeLevels.Run(5, 1)).Fault, Is.EqualTo("no headset code found"));
-        Assert.That(Read(reader, CodeLevels.Of(CodeKind.Headset, 5)).Fault, Is.EqualTo("no control code found"));
+        Assert.That(Read(reader).Fault, Is.EqualTo(PictureFaults.NoCode));
+        Assert.That(Read(reader, CodeLevels.Run(5, 1)).Fault, Is.EqualTo(PictureFaults.NoHeadsetCode));
+        Assert.That(Read(reader, CodeLevels.Of(CodeKind.Headset, 5)).Fault, Is.EqualTo(PictureFaults.NoControlCode));
     }
 }

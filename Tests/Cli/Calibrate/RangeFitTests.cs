@@ -28,7 +28,7 @@ public class RangeFitTests
         Assert.That(near, Is.GreaterThanOrEqualTo(95), limits);
     }
 
-    // The render time of a picture is that of the newest finished frame. Near the limit, it does not show which frames are late.
+    // A picture has the render time of the newest finished frame. Near the limit, this render time does not show which frames are late.
     [TestCase(30, 85)]
     [TestCase(100, 95)]
     public void Fit_RenderTimesOfEarlierFrames_ErrsByMinusSixToPlusTwoPercent(int perLoad, int minCount)

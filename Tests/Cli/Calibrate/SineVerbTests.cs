@@ -102,6 +102,14 @@ public class SineVerbTests : CalibrationFolder
     [Test]
     public async Task Sine_CompensatedGripper_AddsTheMeasuredLagToTheUsedLVisu()
     {
+        var result = await Measured(new Jog(12), "--visu-ms", "30");
+
+        Assert.That(result.GetProperty("visu_ms").GetDouble(), Is.EqualTo(42).Within(2));
+    }
+
+    [Test]
+    public async Task Sine_FormerNameOfVisuMs_IsUsed()
+    {
         var result = await Measured(new Jog(12), "--told-ms", "30");
 
         Assert.That(result.GetProperty("visu_ms").GetDouble(), Is.EqualTo(42).Within(2));
@@ -114,12 +122,12 @@ public class SineVerbTests : CalibrationFolder
         LatencyProfileFile.Save(earlier, new LatencyProfile(
             40, 1, "HoloLens 2", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 9, 15.1, RenderTimeSourceKind.GpuCompletion));
 
-        await Measured(new Jog(12), "--told-ms", "30", "--profile", earlier);
+        await Measured(new Jog(12), "--visu-ms", "30", "--profile", earlier);
 
         var profile = LatencyProfileFile.Load(ProfilePath);
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3));
         Assert.That((profile.Device, profile.DisplayHz), Is.EqualTo(("HoloLens 2", 60)));
-        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(12).Lines()), "--told-ms", "30", "--profile", earlier, "--device", "Quest 3"),
+        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(12).Lines()), "--visu-ms", "30", "--profile", earlier, "--device", "Quest 3"),
             Does.Contain("'HoloLens 2'").And.Contain("'Quest 3'"));
     }
 
@@ -174,5 +182,5 @@ public class SineVerbTests : CalibrationFolder
 
     [Test]
     public async Task Sine_OptionsOfBothMethods_Fails() =>
-        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--told-ms", "40"), Does.Contain("exclude each other"));
+        Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--visu-ms", "40"), Does.Contain("exclude each other"));
 }

@@ -21,7 +21,9 @@ sealed record SwungPictures
     /// <summary>Delay between the exposures of the control code's and the headset code's rows.</summary>
     public double LaterMs { get; init; }
 
-    /// <summary>Motion of the hologram in the picture divided by that of the control code; not 1 if their distances to the camera differ.</summary>
+    /// <summary>
+    /// Motion of the hologram in the picture divided by the motion of the control code; not 1 if their distances to the camera differ.
+    /// </summary>
     public double Scale { get; init; } = 1;
 
     /// <summary>Distortion of lens or display: change of the distance between the codes per px² of the position.</summary>

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>Tests that artificial values change the verdicts.</summary>
+/// <summary>Tests the verdicts on the paper's claims with artificial values.</summary>
 public class SweepClaimsTests
 {
     static readonly double[] Intervals = [20, 50, 100];

@@ -70,7 +70,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Quality_SelectedClockUnknown_IsThatOfTheServedClock()
+    public void Quality_SelectedClockUnknown_EqualsQualityOfTheServedClock()
     {
         var own = new StopwatchControlClock(ControlTime.FromSeconds(1), 40e-6)
         {

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Tests in virtual time sources whose time stamps are on the gateway's own clock or on the system clock.</summary>
+/// <summary>Tests sources whose time stamps are on the gateway's own clock or on the system clock, in virtual time.</summary>
 public class StampWatchTests
 {
     static readonly TimeSpan Second = TimeSpan.FromSeconds(1);
@@ -128,7 +128,7 @@ public class StampWatchTests
 
     [TestCase(0.3)]
     [TestCase(-0.04)]
-    public void Look_PlantClockServedThenSet_IsAContradictionOnlyAfterItIsSet(double seconds)
+    public void Look_PlantClockIsServed_WarnsOnlyAfterItIsSet(double seconds)
     {
         Run(StampWatch.Seconds + 1, () => System);
 

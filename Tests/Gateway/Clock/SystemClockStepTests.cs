@@ -132,7 +132,7 @@ public class SystemClockStepTests
     }
 
     [Test]
-    public async Task Step_SourceFollowsLater_IsReportedUntilThen()
+    public async Task Step_SourceFollowsLater_IsReportedUntilTheSourceFollows()
     {
         await StartAsync(new SystemControlClock(_system));
         await ExpectAcceptedAsync(5);

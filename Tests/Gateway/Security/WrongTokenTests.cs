@@ -230,7 +230,7 @@ public class WrongTokenTests
         }
     }
 
-    /// <summary>Records delays that are at least as long as those of wrong tokens. A delay lasts until the test ends it.</summary>
+    /// <summary>Records delays that are at least as long as the delays after wrong tokens. A delay lasts until the test ends it.</summary>
     sealed class RecordedDelays : TimeProvider
     {
         readonly List<(TimeSpan Delay, Action End)> _delays = [];

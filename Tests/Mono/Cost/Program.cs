@@ -17,7 +17,7 @@ namespace Nowpose.Mono.Cost
     {
         const int Runs = 10;
 
-        /// <summary>Maximum ratios of the medians to those of the quadratic predictor. The measured ratios are about 9 and 1.7.</summary>
+        /// <summary>Maximum ratios of the medians to the medians of the quadratic predictor. The measured ratios are about 9 and 1.7.</summary>
         const double MaxSampleRatio = 20, MaxFrameRatio = 5;
 
         /// <summary>

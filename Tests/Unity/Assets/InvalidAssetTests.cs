@@ -38,7 +38,7 @@ public sealed class InvalidAssetTests
     [TestCase("  transforms:\n  - {fileID: 98}", "&3 MonoBehaviour.transforms: the file has no object 98")]
     [TestCase("  asset: {fileID: 11400000, guid: 000000000000000000000000000000ff, type: 2}", "LoaderProbe.asset: no asset has the GUID")]
     [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000001, type: 2}",
-        "LoaderProbe.asset: refers into Assets/Scripts/LoaderProbe.cs")]
+        "LoaderProbe.asset: refers to an object in Assets/Scripts/LoaderProbe.cs")]
     [TestCase("  asset: {fileID: 11400000, guid: 00000000000000000000000000000003, type: 2}",
         "LoaderProbe.asset: a reference to Assets/Arm.prefab has type: 3")]
     [TestCase("  thing: {fileID: 77, guid: 00000000000000000000000000000003, type: 3}", "LoaderProbe.thing: Assets/Arm.prefab has no object 77")]
@@ -105,7 +105,7 @@ public sealed class InvalidAssetTests
     {
         _probed.Project.Add("Assets/arm.urdf", 4, "<robot/>", "ScriptedImporter");
 
-        Assert.That(() => _probed.Probe("  material: {fileID: 4900000, guid: " + GuidOf(4) + ", type: 3}"), Refused("refers into Assets/arm.urdf"));
+        Assert.That(() => _probed.Probe("  material: {fileID: 4900000, guid: " + GuidOf(4) + ", type: 3}"), Refused("refers to an object in Assets/arm.urdf"));
     }
 
     [Test]

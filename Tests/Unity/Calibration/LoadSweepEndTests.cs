@@ -32,7 +32,7 @@ public sealed class LoadSweepEndTests
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
         Assert.That(_played.Sweep.Problem, Is.EqualTo(
-            "load sweep stopped: reprojection mode changed from 'depth' to 'none' during the sweep; do not change it and sweep again"));
+            "load sweep stopped: reprojection mode changed from 'depth' to 'none' during the sweep; sweep again without changing it"));
     }
 
     [Test]

@@ -37,7 +37,7 @@ sealed class PlayedSweep : IAsyncDisposable
         Load = wall.AddComponent<LoadGenerator>().With("_material", isPainted ? material : null).With("_vertices", 7777).With("_msPerFrame", 0.1f);
         Display = Session.gameObject.AddComponent<TimestampDisplay>().With("_light", material);
         Sweep = Session.gameObject.AddComponent<LoadSweep>()
-            .With("_folder", Folder).With("_mostVertices", vertices).With("_steps", 2).With("_secondsPerLoad", seconds).With("_settleSeconds", 0.1f);
+            .With("_folder", Folder).With("_maxVertices", vertices).With("_steps", 2).With("_secondsPerLoad", seconds).With("_settleSeconds", 0.1f);
         Cell.Player.World.Gpu.ConnectDisplay();
         Cell.Player.World.Gpu.DisplayHz = 60;
         Session.gameObject.SetActive(true);

@@ -29,7 +29,7 @@ public sealed class AnchorStoreProblemTests
         _played.Storage.Accepts = true;
         _played.Run(1.1);
 
-        Assert.That(meanwhile, Does.Contain("has not stored it yet"));
+        Assert.That(meanwhile, Does.Contain("has not stored the anchor yet"));
         Assert.That(anchor.KeptAs, Is.EqualTo("cell"));
         Assert.That(anchor.Problem, Is.Null);
     }
@@ -43,7 +43,7 @@ public sealed class AnchorStoreProblemTests
         var anchor = _played.Kept("cell");
         _played.Run(15);
 
-        Assert.That(anchor.Problem, Is.EqualTo("the device could not store it as 'cell'; it is lost at the next start, so place it again then"));
+        Assert.That(anchor.Problem, Is.EqualTo("the device could not store the anchor as 'cell'; it is lost at the next start, so place the base again then"));
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
 

@@ -81,7 +81,7 @@ public sealed class QrMarkerManagerTests
         Assert.That(early, Is.Null, "everything may still start");
         Assert.That(_played.Markers.Problem, Does.Contain("WebCam"));
         Assert.That(
-            _played.Cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime does not offer it", StringComparison.Ordinal)),
+            _played.Cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime does not run, or does not offer this function", StringComparison.Ordinal)),
             Is.EqualTo(1));
         Assert.That(_played.Read(), Is.Empty);
     }
@@ -128,7 +128,7 @@ public sealed class QrMarkerManagerTests
         _played.Cell.Player.ReportGpuTime(TimeSpan.FromMilliseconds(5));
         _played.Cell.Run(1, _played.Session);
 
-        Assert.That(before, Is.Null, "nothing tells of it before a display runs");
+        Assert.That(before, Is.Null, "nothing is reported before a display runs");
         Assert.That(manager.subsystem, Is.SameAs(codes));
         Assert.That(_played.Markers.Problem, Is.Null);
     }

@@ -23,7 +23,7 @@ public sealed partial class DeploymentPageTests
     [TestCaseSource(nameof(Ranges))]
     public void Version_NamedOnThePage_EnablesTheAssembly(string assembly, string package, string version, string expression)
     {
-        Assert.That(Contains(expression, Version.Parse(version)), $"{assembly} wants {package} {expression}");
+        Assert.That(Contains(expression, Version.Parse(version)), $"{assembly} requires {package} {expression}");
     }
 
     [Test]

@@ -82,7 +82,7 @@ public sealed partial class ManualTests
     }
 
     [TestCaseSource(nameof(Types))]
-    public void Page_Members_MatchThoseOfTheClass(Type type)
+    public void Page_Members_MatchTheClass(Type type)
     {
         var inspected = new InspectedType(type);
 

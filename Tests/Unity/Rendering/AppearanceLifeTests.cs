@@ -63,7 +63,7 @@ public class AppearanceLifeTests
 
         _played.Appearance.enabled = false;
 
-        Assert.That(current, Is.EqualTo(((0.25f, 1f), true)), "a current pose looks as the user wants it");
+        Assert.That(current, Is.EqualTo(((0.25f, 1f), true)), "a current pose has the user's look");
         Assert.That(held, Is.EqualTo(0.5f));
         Assert.That(_played.Look(_played.Tool), Is.EqualTo((0.25f, 1f)));
         Assert.That(hidden.forceRenderingOff, Is.True);

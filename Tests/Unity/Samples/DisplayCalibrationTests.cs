@@ -27,7 +27,7 @@ public sealed class DisplayCalibrationTests
             _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single().With("_connectOnEnable", false);
             _session.HeadsetClock = _cell.Clock;
             _sweep = _session.GetComponentInChildren<LoadSweep>(true).With("_folder", _folder)
-                .With("_mostVertices", 300_000).With("_steps", 2).With("_secondsPerLoad", 0.5f).With("_settleSeconds", 0f);
+                .With("_maxVertices", 300_000).With("_steps", 2).With("_secondsPerLoad", 0.5f).With("_settleSeconds", 0f);
         });
     }
 

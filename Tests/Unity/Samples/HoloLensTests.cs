@@ -81,7 +81,7 @@ public sealed class HoloLensTests
     }
 
     [Test]
-    public void LockBase_PressedOrSpoken_LocksTheBaseByTheMarkersAgain([Values] bool said)
+    public void LockBase_ButtonOrVoiceCommand_LocksTheBaseAgain([Values] bool said)
     {
         var anchor = _sample.Child<BaseAnchor>("Base Anchor");
         var seen = _sample.Session.gameObject.AddComponent<FakeMarkers>();

@@ -61,7 +61,7 @@ sealed class PlayedSample : IDisposable
     /// <summary>Distances in metres of the displayed tool from the true tool, in the frames whose pose was current.</summary>
     public List<double> Errors { get; } = [];
 
-    /// <summary>Distances in metres of the ghost's tool from the true tool, in the same frames.</summary>
+    /// <summary>Distances in metres of the ghost's tool from the true tool, in the frames of <see cref="Errors"/>.</summary>
     public List<double> HoldErrors { get; } = [];
 
     /// <summary>Loads the scene of the sample, and activates it.</summary>

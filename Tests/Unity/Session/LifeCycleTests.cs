@@ -10,7 +10,7 @@ using Random = System.Random;
 namespace Nowpose.Unity.Tests.Session;
 
 /// <summary>
-/// Tests that objects can be enabled, destroyed or created in any frame, without exceptions and leaks, and without an old pose that looks
+/// Tests that objects can be enabled, destroyed or created in any frame without an exception or a leak, and that an old pose never looks
 /// current.
 /// </summary>
 public class LifeCycleTests

@@ -117,7 +117,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Hidden_ListenerDisablesTheSession_StartsNoSession()
+    public void HiddenEvent_ListenerDisablesTheSession_StartsNoSession()
     {
         Begin();
         _session.Hidden += () => _session.enabled = false;
@@ -152,7 +152,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void Hidden_ListenerEnablesTheDisabledSession_KeepsItsProblem()
+    public void HiddenEvent_ListenerEnablesTheDisabledSession_KeepsItsProblem()
     {
         Begin();
         _session.Hidden += () =>

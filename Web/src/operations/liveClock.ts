@@ -4,7 +4,7 @@ const WINDOW_S = 10;
 /** Minimum jump of the time stamps that indicates another clock, in seconds. */
 const STEP_S = 2;
 
-/** Estimates the current control time from the time stamps with the smallest delay. Sufficient to show the state half a second ago. */
+/** Estimates the current control time from the time stamps with the smallest delay, accurately enough to show the state half a second ago. */
 export class LiveClock {
   private seen: [at: number, ahead: number][] = [];
 

@@ -6,7 +6,7 @@ import type { Level, State, StatusEvent } from './state';
 import { localTime } from './times';
 
 const WORDS: Record<Level | 'unknown', string> = { ok: 'OK', warning: 'Warning', error: 'Fault', unknown: 'Not known' };
-const MOST_ALARMS = 8;
+const MAX_ALARMS = 8;
 
 /** Shows title, status line and alarms at the top of the page. */
 export class Overall {
@@ -37,9 +37,9 @@ export class Overall {
   private showAlarms(active: StatusEvent[]): void {
     const worst = [...active].sort((a, b) => Number(b.level === 'error') - Number(a.level === 'error'));
     const lines = worst
-      .slice(0, MOST_ALARMS)
+      .slice(0, MAX_ALARMS)
       .map(event => ({ level: event.level, text: `${eventWords(event)} – since ${localTime(event.since_utc)}` }));
-    if (worst.length > MOST_ALARMS) lines.push({ level: 'warning', text: operationsLabels.moreEvents(worst.length - MOST_ALARMS) });
+    if (worst.length > MAX_ALARMS) lines.push({ level: 'warning', text: operationsLabels.moreEvents(worst.length - MOST_ALARMS) });
     this.alarms.hidden = lines.length === 0;
     while (this.alarms.children.length > lines.length) this.alarms.lastElementChild!.remove();
     while (this.alarms.children.length < lines.length) this.alarms.append(el('li'));

@@ -10,7 +10,7 @@ export class JointTrack {
     return this.times[this.times.length - 1];
   }
 
-  /** Adds a sample. Ignores samples out of order; a sample older than the stored history starts a new time line. */
+  /** Adds a sample. Ignores samples out of order; a sample older than the stored history starts a new history. */
   add(time: number, position: number): void {
     const last = this.last;
     if (last !== undefined && time <= last) {

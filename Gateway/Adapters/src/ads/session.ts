@@ -17,7 +17,7 @@ import { adsMessages, symbolMessages } from '../messages/ads';
 const RUN = 5;
 const GOODBYE_MS = 500;
 
-/** Address of the state of the runtime, which exists with any program. */
+/** Address of the state of the runtime, which exists whichever program is loaded. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
 /** Delay of a value in addition to the sampling and publishing intervals, and maximum time for which a value may remain unconfirmed. */

@@ -36,7 +36,7 @@ export const adsMessages = {
   ended: (host: string) => `${host} has ended the connection`,
   noTimeOfCycle: (symbol: string) => `the time ${symbol} of the same cycle has not arrived`,
   newProgram: 'the PLC has a new program; its variables are looked up again',
-  moved: (symbol: string) => `the size of ${symbol} in the PLC has changed; its variables are looked up again`,
+  moved: (symbol: string) => `the size of ${symbol} has changed; the PLC's variables are looked up again`,
   notReadable: (symbol: string, reason: string) => `${symbol} cannot be read: ${reason}`,
   valuesStopped: "the PLC's program does not run, so its variables are not current",
   programState: (state: string) => `the PLC's program is in state ${state}; positions are sent again when it runs`,

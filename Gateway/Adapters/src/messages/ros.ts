@@ -10,6 +10,6 @@ export const rosMessages = {
   noTransforms: 'the message has no list of transforms',
   sourceAndTopic: 'source and topic are both set, but a joint with its own topic has no source; remove one of the two',
   twoTypes: (value: unknown, line: number, type: string, topic: string) =>
-    wrongValue(value, `line ${line} has the type ${type} for ${topic}; use the same type for a topic`),
+    wrongValue(value, `line ${line} has the type ${type} for ${topic}; use the same type on both lines`),
   sourceTwice: (source: string) => `the robot's joint ${source} occurs twice; list each joint once`,
 };

@@ -48,7 +48,7 @@ export const rtdeMessages = {
 export const fieldMessages = {
   recipe: (fields: number, types: number) =>
     `the controller answered the recipe of ${fields} fields with ${types} types; check that it is an RTDE server of protocol version 2`,
-  missing: (names: string[]) => `the controller does not have the fields ${names.join(', ')}`,
+  missing: (names: string[]) => `the controller does not have the fields ${names.join(', ')}; update the controller's software`,
   readWithout: (problem: string) => `${problem}; reading continues without them`,
   needed: (field: string) => `the controller has no field ${field}; update the controller's software`,
   unknown: (field: string) => `the controller has no field ${field}; correct the field, or update the controller's software`,

@@ -11,7 +11,7 @@ import { nodeMessages, opcuaMessages } from '../messages/opcua';
 /** Node id of Server_ServerStatus_CurrentTime, which every OPC UA server has. */
 const CURRENT_TIME = 'ns=0;i=2258';
 
-/** Duration of a standstill from which CurrentTime is less accurate than the time in the server's answers. */
+/** Minimum duration of a standstill at which CurrentTime is less accurate than the time in the server's answers. */
 const STANDS: Nanoseconds = 16n * NS_PER_MS;
 
 /**

@@ -12,7 +12,7 @@ const SIGNAL_SILENCE_MS = 1000;
 
 /** Publishes the joints and poses from data packages at the chosen rate, and the signals from all packages. */
 export class CycleOutput {
-  /** The configured values of frames and signals that the controller has. */
+  /** The configured values of frames and signals whose fields exist in the controller. */
   readonly #values: { index: number; address: Address }[];
   #published: Nanoseconds | null = null;
 

@@ -8,7 +8,7 @@ const MIN_SAMPLES = 4;
 const GAP_S = 0.3;
 const GAP_INTERVALS = 6;
 
-/** Number of last second differences that are searched for braking, and number of those from which the resolution is estimated. */
+/** Number of last second differences that are searched for braking, and number of last second differences from which the resolution is estimated. */
 const BRAKING = 2;
 const RESIDUALS = 12;
 
@@ -38,7 +38,7 @@ const SEEN_MARGIN = 1.5;
 const GOES_ON_S = 0.3;
 const GOES_ON_STEPS = 3;
 
-/** A joint counts as stopped at its last position if its next motion starts no farther from it than this fraction of its last step. */
+/** A joint counts as stopped at its last position if its next motion starts within this fraction of its last step from that position. */
 const STOPPED_NEAR = 0.25;
 
 /** Deceleration that every joint is assumed to be capable of, in rad/s² and m/s²: a third of a hard emergency stop. */

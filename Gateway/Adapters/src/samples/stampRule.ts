@@ -9,7 +9,7 @@ export interface Refusal {
   text: string;
 }
 
-/** Reasons of refusal that are normal for the first value of a connection, whose stamp may be from before the connection. */
+/** Reasons for a refusal that are normal for the first value of a connection, whose stamp may be from before the connection. */
 export const OF_LONG_AGO = ['stamp-old', 'stamp-not-newer', 'stamp-missing'];
 
 /** Checks whether stamps are plausible as t_k. */

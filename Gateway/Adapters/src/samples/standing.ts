@@ -2,8 +2,8 @@ import type { Nanoseconds } from '../times';
 import type { Sample } from './grouping';
 
 /**
- * The last sample of each joint. If a control system sends only changes, a silent joint is at rest. At a time up to which all changes are known, the
- * joint still had its last value, which gives a valid sample at that time.
+ * Stores the last sample of each joint of a control system that sends only changes. If all changes up to a time are known and a joint has sent none,
+ * the joint still had its last value at that time. The last value and that time then form a valid sample.
  */
 export class Standing {
   readonly #newest: (Sample | null)[];

@@ -28,7 +28,7 @@ export async function halls(t, { more = '', namespaces = [] } = {}) {
   const publisher = bridge(t, 'publish', near, broker, robots), subscriber = bridge(t, 'subscribe', far, broker, clockOf(sync) + robots + more);
   await until(() => near.heard.filter(m => m.op === 'subscribe').length === 9 + 3 * namespaces.length, () => publisher.err);
   await until(() => far.state?.state === 'connected', () => subscriber.err);
-  // The subscribing bridge forwards no message before it knows the clock of the time stamps.
+  // The subscribing bridge forwards no message before the clock of the time stamps is known.
   await served(far);
   return { near, far, broker, sync, publisher, subscriber };
 }

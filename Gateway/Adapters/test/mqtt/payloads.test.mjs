@@ -100,10 +100,10 @@ describe('mqtt stamps', () => {
 describe('values of topics', () => {
   const values = new TopicValues([{ address: { topic: 'a', field: 'x.1' } }, { address: { node: 'i=1' } }, { address: { topic: 'a' } }, { address: { topic: 'b' } }]);
 
-  it('Values_OfATopic_AreFoundWithTheirIndices', () =>
+  it('Values_Topic_AreFoundWithTheirIndices', () =>
     assert.deepEqual([values.topics, values.indicesOf('a'), values.indicesOf('c')], [['a', 'b'], [0, 2], []]));
 
-  it('Values_InAMessage_AreFoundByTheirPaths', () =>
+  it('Values_Message_AreFoundByTheirPaths', () =>
     assert.deepEqual(values.in('a', { x: [1, 2] }, 5n).map(({ index, value, stamp }) => [index, value, stamp]), [[0, 2, 5n], [2, { x: [1, 2] }, 5n]]));
 
   for (const message of [null, 5, 'text', [], { x: null }, { x: [1] }, { x: 'ab' }])

@@ -15,7 +15,7 @@ async function cell(t, options = {}, { plant = '', rest = '' } = {}) {
   const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
   const adapter = start(t, [path]);
   await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, () => adapter.err);
-  // The adapter forwards no message before it knows the clock of the time stamps.
+  // The adapter forwards no message before the clock of the time stamps is known.
   if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
   return { robot, bridge, adapter };
 }

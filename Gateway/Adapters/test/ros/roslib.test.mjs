@@ -98,7 +98,7 @@ test('an unsupported option causes a status, and the request is served without t
   assert.match(statuses.get('cbor').msg, /compression cbor is not supported/);
   assert.match(statuses.get('fragment').msg, /fragment_size 500 is not supported/);
   assert.match(statuses.get('type').msg, /has the type sensor_msgs\/JointState, not std_msgs\/String/);
-  assert.match(statuses.get('slash').msg, /begins with a slash: \/joint_states/);
+  assert.match(statuses.get('slash').msg, /must begin with a slash: use \/joint_states/);
   assert.match((await within(description, 'the description')).data, /<robot/);
 });
 

@@ -86,7 +86,7 @@ async function cell(t, talk) {
 
 describe('rtde calibration', () => {
   for (const exchanged of [0, -120])
-    it(`Calibrated_LengthOf${exchanged}MExchangedBetweenAxes_FlangeIsThatOfTheController`, () => {
+    it(`Calibrated_LengthOf${exchanged}MExchangedBetweenAxes_FlangePoseEqualsPoseOfTheController`, () => {
       for (let seed = 1; seed <= 20; seed++) {
         const own = arm(seed, exchanged), random = seeded(100 + seed);
         // With axes that are not exactly parallel, the exchanged length would move the arm, so the second axis is made parallel to the third.

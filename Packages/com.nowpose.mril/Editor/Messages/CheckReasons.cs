@@ -3,29 +3,30 @@ namespace Nowpose.Editor.Messages
     /// <summary>Texts in the set-up window that give the purpose of each check.</summary>
     static class CheckReasons
     {
-        public const string ApiLevel = "The package is built and tested with it, and the app is smaller.";
+        public const string ApiLevel = "The package is built and tested with this API level, and the app is smaller.";
         public const string Architecture = "A HoloLens 2 has an ARM64 processor; an app for another one cannot be installed.";
 
-        public static string BuildTarget(string headset) => $"It is the player for {headset}; the settings below belong to this player.";
+        public static string BuildTarget(string headset) => $"This is the player for {headset}; the settings below belong to this player.";
 
         public const string CameraBackground =
             "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and pictures that the headset takes "
             + "need the alpha.";
 
         public const string FrameTiming =
-            "They provide the GPU time per frame. Without them the render time is measured less accurately, and a limit of the constant-latency "
-            + "range that was found with one source is not valid for another.";
+            "Frame Timing Stats provide the GPU time per frame. Without them, the render time is measured less accurately, and a limit of "
+            + "the constant-latency range that was found with one source is not valid for another.";
 
         public const string GraphicsApi =
-            "The visualisation latency depends on it, so a calibration is valid for one API only. Unity 6 selects Direct3D 12 automatically, "
-            + "which is slower on a HoloLens 2 according to Unity's measurements.";
+            "The visualisation latency depends on the graphics API, so a calibration is valid for one API only. Unity 6 selects Direct3D 12 "
+            + "automatically, which is slower on a HoloLens 2 according to Unity's measurements.";
 
         public const string GraphicsJobs =
-            "They change when a frame reaches the display, so a calibration of the visualisation latency is valid for one setting only. "
+            "Graphics Jobs change when a frame reaches the display, so a calibration of the visualisation latency is valid for one setting only. "
             + "Calibrate again after every change.";
 
         public const string InputHandling =
-            "OpenXR provides the poses of head and hands through it, and MRTK3 needs it. Without it the camera does not follow the head.";
+            "OpenXR provides the poses of head and hands through the Input System, and MRTK3 needs it. Without it, the camera "
+            + "does not follow the head.";
 
         public const string InternetAccess =
             "Android refuses connections to an app without the permission; Unity adds the permission automatically only if the app uses Unity's "
@@ -34,22 +35,22 @@ namespace Nowpose.Editor.Messages
         public const string Mrtk3 = "Hand menu, voice and grabbing of the sample HoloLens 2 (MRTK3); the package works without it.";
 
         public const string MrtkGeneration =
-            "MRTK 4 and XR Interaction Toolkit 3 moved the types that the hand menu, voice and grabbing use. With them these components are not "
-            + "compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.";
+            "MRTK 4 and XR Interaction Toolkit 3 moved the types that the hand menu, voice and grabbing use. With these versions, the "
+            + "components are not compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.";
 
         public const string NearClip =
             "The headset stabilises the picture with a 16-bit depth, whose steps are larger if the plane is closer: at 1.5 m they are 0.34 mm "
             + "with 0.1 m, and 1.7 mm with the 0.02 m of MRTK3's rig.";
 
-        public const string OpenXrLoader = "Without it the app is a flat window in front of the wearer.";
+        public const string OpenXrLoader = "Without OpenXR, the app is a flat window in front of the wearer.";
         public const string MixedRealityOpenXr = "Features of a HoloLens beyond OpenXR: anchors, markers and display times.";
 
         public const string ArFoundation =
-            "Microsoft's plug-in needs it for markers and anchors; without it the robot's base can be placed by hand only.";
+            "Microsoft's plug-in needs AR Foundation for markers and anchors; without it, the robot's base can be placed by hand only.";
 
-        public const string MixedRealityFeatures = "It provides markers, anchors and the predicted display time.";
-        public const string HandTracking = "It provides the joints of the hands for MRTK3's hand menu and for grabbing.";
-        public const string HandInteraction = "It provides pinch and ray of a hand for MRTK3.";
+        public const string MixedRealityFeatures = "This feature provides markers, anchors and the predicted display time.";
+        public const string HandTracking = "This feature provides the joints of the hands for MRTK3's hand menu and for grabbing.";
+        public const string HandInteraction = "This feature provides pinch and ray of a hand for MRTK3.";
         public const string EyeGaze = "Needed by MRTK3 to select a button by looking at it and pinching.";
         public const string DepthSubmission = "The headset stabilises the picture with the depth of the scene; 24 bits cost more than they improve.";
         public const string InternetClient = "Needed to connect to a gateway in another network or by its public address.";
@@ -57,9 +58,9 @@ namespace Nowpose.Editor.Messages
         public const string WebCam = "Needed to find the robot's base by a marker with the headset's camera.";
         public const string SpatialPerception = "Needed to keep the robot's base at its place in the room.";
         public const string VoiceCapability = "Needed for the voice commands.";
-        public const string InputSystem = "OpenXR provides the poses of head and controllers through it.";
+        public const string InputSystem = "OpenXR provides the poses of head and controllers through the Input System.";
         public const string OpenXr = "Unity's interface to the headset.";
-        public const string RenderMode = "The package's shaders support it, and it draws both eyes in one pass.";
+        public const string RenderMode = "The package's shaders support this mode, which draws both eyes in one pass.";
         public const string NativeWebSocket = "An alternative to the package's own WebSocket client.";
 
         public const string RenderPipeline =
@@ -67,7 +68,7 @@ namespace Nowpose.Editor.Messages
 
         public const string RunInBackground = "Otherwise the session ends whenever the system's menu opens, and must synchronise its clock again.";
 
-        public static string ScriptingBackend(string headset) => $"It is the only backend for the ARM64 processor of {headset}.";
+        public static string ScriptingBackend(string headset) => $"IL2CPP is the only backend for the ARM64 processor of {headset}.";
 
         public const string UnityVersion = "Other versions may lack functions that the package or Microsoft's plug-in uses.";
     }

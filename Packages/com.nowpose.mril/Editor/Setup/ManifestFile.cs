@@ -93,7 +93,7 @@ namespace Nowpose.Editor.Setup
             File.Replace(next, _path, null);
         }
 
-        // Writes to the target of a link. To replace the link itself would create a regular file and leave the target unchanged.
+        // Writes to the target of a link. Replacing the link itself would create a regular file and leave the target unchanged.
         void WriteThroughLink(string text, string backup)
         {
             try

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Reads the version of a package. A preview version has the number of its release.</summary>
+    /// <summary>Reads the version of a package. Ignores the suffix of a preview version, so that 1.2.0-pre.3 is read as 1.2.0.</summary>
     static class PackageVersion
     {
         static readonly Regex Plain = new Regex(@"^\d+\.\d+\.\d+(-[\w.-]+)?$", RegexOptions.CultureInvariant);

@@ -50,7 +50,7 @@ namespace Nowpose.ArFoundation
             if (_wanted == name) _wanted = null;
         }
 
-        /// <summary>MaxAttempts to save the anchor if a save is pending. Call once per frame while the device tracks the anchor.</summary>
+        /// <summary>Tries to save the anchor if a save is pending. Call once per frame while the device tracks the anchor.</summary>
         public void Follow(TrackableId id)
         {
             if (_wanted == null || Time.unscaledTime < _next) return;

@@ -51,7 +51,7 @@ namespace Nowpose
 
         public ClockState State { get; }
 
-        /// <summary>Number of clock steps so far. After each step, earlier control times belong to another time line.</summary>
+        /// <summary>Number of clock steps so far. Control times from before and after a step cannot be compared.</summary>
         public int Steps { get; }
 
         /// <summary>Whether the model can convert.</summary>

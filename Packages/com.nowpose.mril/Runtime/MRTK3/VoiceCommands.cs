@@ -23,7 +23,7 @@ namespace Nowpose.Mrtk3
         List<VoiceCommand> _commands = new List<VoiceCommand>();
 
         /// <summary>
-        /// Delay before a problem is reported. Speech recognition starts some seconds after the scene; without microphone or package it never
+        /// Delay before a problem is reported. Speech recognition starts some seconds after the scene; without a microphone or the package, it never
         /// starts.
         /// </summary>
         const float ReportDelaySeconds = 10;
@@ -71,7 +71,7 @@ namespace Nowpose.Mrtk3
             var known = _recognition.GetAllKeywords();
             if (known == null)
             {
-                // MRTK3's recognition for Windows returns null on other platforms and logs an error for each call, so stop calling it.
+                // MRTK3's recognition for Windows returns null on other platforms and logs an error for each call, so it is not called again.
                 ConsoleLog.Warn(this, Mrtk3Messages.VoiceNotSupported(name));
                 _recognition = null;
                 _isUnsupported = true;

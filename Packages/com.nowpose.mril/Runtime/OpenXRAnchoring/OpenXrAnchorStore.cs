@@ -52,7 +52,7 @@ namespace Nowpose.OpenXR
         public bool TryKeep(TrackableId anchor, string name) => Try("keep '" + name + "'", store =>
         {
             if (store.TryPersistAnchor(anchor, name)) return true;
-            // The store refuses an anchor if the name is in use. In that case, replace the earlier anchor.
+            // The store refuses an anchor if the name is in use. In that case, the earlier anchor is replaced.
             if (!IsAmong(store.PersistedAnchorNames, name)) return false;
             store.UnpersistAnchor(name);
             return store.TryPersistAnchor(anchor, name);

@@ -7,6 +7,7 @@ using Nowpose.Unity.Robot;
 using Nowpose.Unity.Session;
 using Nowpose.Unity.Status;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace Nowpose.Unity
 {
@@ -32,18 +33,21 @@ namespace Nowpose.Unity
             + "long enough to average most of the tracker's noise, and the user waits less than 2 s.")]
         float _settleMs = 1850;
 
+        [FormerlySerializedAs("_oldestMs")]
         [SerializeField, Range(20, 10_000), Tooltip("Maximum age of a marker's pose, ms. Older poses are ignored. Default 400: trackers continue "
             + "to report old poses, and some see a code only twice a second.")]
-        float _oldestMs = 400;
+        float _maxAgeMs = 400;
 
+        [FormerlySerializedAs("_farthestMetres")]
         [SerializeField, Range(0.1f, 20), Tooltip("Maximum distance from the head to a marker in metres. Markers farther away are ignored. "
             + "Default 2.5: the error of a pose grows with the distance.")]
-        float _farthestMetres = 2.5f;
+        float _maxDistanceMetres = 2.5f;
 
+        [FormerlySerializedAs("_mostObliqueDegrees")]
         [SerializeField, Range(10, 89), Tooltip("Maximum viewing angle in degrees, measured between the marker's normal and the line to the "
             + "head. Markers seen at a larger angle are ignored. Default 60: there, a code appears half as wide, and its angle becomes "
             + "uncertain.")]
-        float _mostObliqueDegrees = 60;
+        float _maxViewingAngleDegrees = 60;
 
         [SerializeField, Range(0.0001f, 0.1f), Tooltip("Maximum position error for locking, metres, estimated from the scatter of a marker's "
             + "poses. Default 0.001: with a scatter of 10 mm this takes 100 sightings.")]
@@ -214,8 +218,8 @@ namespace Nowpose.Unity
             try
             {
                 return new BaseTracker(new AnchoringSettings(
-                    _settleMs, _oldestMs, _farthestMetres, _mostObliqueDegrees, _lockErrorMetres, _lockErrorDegrees, _toleranceMetres,
-                    _toleranceDegrees, _easeMs));
+                    _settleMs, _maxAgeMs, _maxDistanceMetres, _maxViewingAngleDegrees, _lockErrorMetres, _lockErrorDegrees,
+                    _toleranceMetres, _toleranceDegrees, _easeMs));
             }
             catch (InputException fault)
             {

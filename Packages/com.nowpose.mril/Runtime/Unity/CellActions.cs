@@ -120,23 +120,24 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Sets the opacity, for a slider. At 1 the robot has its full opacity, at 0 a fifth of it. A pose that is not current keeps a minimum
-        /// visibility.
+        /// Sets the opacity. A slider can call this method. At 1 the robot has its full opacity, at 0 a fifth of it. A pose that is not current keeps
+        /// a minimum visibility.
         /// </summary>
         public void SetOpacity(float opacity)
         {
             if (Has(_appearance, "pose appearance")) _appearance.Opacity = opacity;
         }
 
-        /// <summary>Changes the opacity by a difference, for a button. A negative difference makes the robot fainter.</summary>
+        /// <summary>Adds a difference to the opacity. A button can call this method. A negative difference makes the robot fainter.</summary>
         public void ChangeOpacity(float by) => SetOpacity(Opacity + by);
 
         /// <summary>
-        /// Sets <see cref="NudgeMs"/>, for a slider, from -50 to 50 ms. A positive value predicts further ahead. A new calibration resets it to 0.
+        /// Sets <see cref="NudgeMs"/>, −50 to 50 ms. A slider can call this method. A positive value predicts further ahead. A new calibration resets
+        /// it to 0.
         /// </summary>
         public void SetNudgeMs(float ms) => _nudge.Ms = ms;
 
-        /// <summary>Changes <see cref="NudgeMs"/> by a difference in ms, for a button.</summary>
+        /// <summary>Adds a difference in ms to <see cref="NudgeMs"/>. A button can call this method.</summary>
         public void ChangeNudgeMs(float by) => SetNudgeMs(NudgeMs + by);
 
         void OnEnable()

@@ -72,7 +72,7 @@ namespace Nowpose.Unity
         /// <summary>Speed of the displayed tool along the axis in mm/s, negative for backward motion; null while it is unknown.</summary>
         public double? SpeedMmPerS => _speed.MmPerS;
 
-        /// <summary>Whether the tool moves at constant speed. Only then a mark is accepted.</summary>
+        /// <summary>Whether the tool moves at constant speed. A mark is accepted only then.</summary>
         public bool IsSteady => _speed.IsConstant;
 
         public int ForwardCount => _marks?.ForwardCount ?? 0;
@@ -85,11 +85,11 @@ namespace Nowpose.Unity
         /// <summary>Describes the last result in one line; null before the first result.</summary>
         public string Report { get; private set; }
 
-        /// <summary>Changes the shift by a difference in mm, for a button.</summary>
+        /// <summary>Adds a length in mm to the shift. A button can call this method.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
         /// <summary>Records the current shift as a mark: the displayed and the real robot coincide now.</summary>
-        /// <remarks>The sign of the speed tells whether the mark belongs to the forward or to the backward motion.</remarks>
+        /// <remarks>The sign of the speed determines whether the mark belongs to the forward or to the backward motion.</remarks>
         /// <returns>True if the mark was accepted; otherwise <see cref="Problem"/> gives the reason.</returns>
         public bool Mark() => Try(() =>
         {

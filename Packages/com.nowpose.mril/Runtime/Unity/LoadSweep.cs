@@ -11,6 +11,7 @@ using Nowpose.Unity.Rendering;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.Events;
+using UnityEngine.Serialization;
 
 namespace Nowpose.Unity
 {
@@ -38,9 +39,10 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The component that measures the render time. Empty: the one on the session's object or a child.")]
         RenderTimeSource _renderTime = null;
 
+        [FormerlySerializedAs("_mostVertices")]
         [SerializeField, Range(1000, SweepPlan.MaxVertices), Tooltip("Maximum load in vertices. Default 2000000: more than a headset can draw in "
             + "time, so that the sweep passes the limit.")]
-        int _mostVertices = SweepPlan.MaxVertices;
+        int _maxVertices = SweepPlan.MaxVertices;
 
         [SerializeField, Range(2, 100), Tooltip("Number of equal steps from no load to the maximum. 10 steps locate the limit within 5 %, 20 "
             + "steps within 2 %.")]
@@ -151,7 +153,7 @@ namespace Nowpose.Unity
         {
             try
             {
-                _plan = new SweepPlan(_mostVertices, _steps, _secondsPerLoad, _settleSeconds, _goesDown);
+                _plan = new SweepPlan(_maxVertices, _steps, _secondsPerLoad, _settleSeconds, _goesDown);
                 Path = System.IO.Path.Combine(
                     Application.persistentDataPath, _folder,
                     DateTime.UtcNow.ToString("'nowpose-sweep-'yyyyMMdd'T'HHmmssfff'Z.csv'", CultureInfo.InvariantCulture));
@@ -173,7 +175,7 @@ namespace Nowpose.Unity
             ConsoleLog.Info(this, LoadSweepMessages.Begun(_plan, Path));
         }
 
-        // Completes the session's conditions with those of the device: the session may have read them before the display reported its rate.
+        // Completes the session's conditions with the conditions of the device: the session may have read them before the display reported its rate.
         DisplayConditions Conditions
         {
             get

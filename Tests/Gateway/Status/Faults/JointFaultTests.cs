@@ -227,7 +227,7 @@ public class JointFaultTests
         await _gateway.ReadyAsync(HttpStatusCode.OK);
     }
 
-    // Advances the time, so that the gateway finds the joint without a source as soon as it knows the robot.
+    // Advances the time, so that the gateway finds the joint without a source as soon as it has the robot description.
     bool IsDescribed(string[] all)
     {
         _gateway.Time.Advance(TimeSpan.FromMilliseconds(100));

@@ -6,7 +6,7 @@ import type { SecuritySettings } from '../settings';
 import { certificateMessages } from '../../messages/opcua';
 
 /** Maximum number of rejected certificates that are stored. The limit prevents an attacker from filling the disk. */
-const MOST_REJECTED = 16;
+const MAX_REJECTED = 16;
 
 const hash = (algorithm: string, der: Buffer): string => createHash(algorithm).update(der).digest('hex');
 
@@ -42,7 +42,7 @@ export class TrustList {
     const der = leaf(certificate);
     const prints = thumbprints(der);
     this.refusal = null;
-    if (!this.#knows(prints)) {
+    if (!this.#contains(prints)) {
       this.refusal = certificateMessages.notTrusted(prints.sha1, prints.sha256, this.#cure(der, prints.sha1));
       return StatusCodes.BadCertificateUntrusted;
     }
@@ -67,7 +67,7 @@ export class TrustList {
   async addIssuer(): Promise<void> {}
   async addRevocationList(): Promise<void> {}
 
-  #knows({ sha1, sha256 }: { sha1: string; sha256: string }): boolean {
+  #contains({ sha1, sha256 }: { sha1: string; sha256: string }): boolean {
     const { thumbprint, serverCertificate } = this.settings;
     if (thumbprint === sha1 || thumbprint === sha256) return true;
     const files = readdirSync(this.#trusted)
@@ -90,7 +90,7 @@ export class TrustList {
   #forgetOldest(): void {
     const files = readdirSync(this.#rejected).map(name => join(this.#rejected, name));
     const newestFirst = files.map(file => ({ file, time: statSync(file).mtimeMs })).sort((a, b) => b.time - a.time);
-    for (const { file } of newestFirst.slice(MOST_REJECTED)) rmSync(file, { recursive: true });
+    for (const { file } of newestFirst.slice(MAX_REJECTED)) rmSync(file, { recursive: true });
   }
 }
 

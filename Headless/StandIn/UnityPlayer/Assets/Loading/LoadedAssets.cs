@@ -36,7 +36,7 @@ sealed class LoadedAssets
         if (BuiltInAssets.Holds(reference))
             return BuiltInAssets.Find(reference) ?? throw place.Error("the stand-in has no built-in object with " + reference);
         var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error("no asset has the GUID " + reference.Guid);
-        var type = TypeOf(file) ?? throw place.Error("refers into " + file.Path + ", whose objects have fileIDs that only Unity knows");
+        var type = TypeOf(file) ?? throw place.Error("refers to an object in " + file.Path + ", whose fileIDs only Unity can resolve");
         if (reference.Type != type) throw place.Error("a reference to " + file.Path + " has type: " + Numbers.Write(type));
         var objects = Load(file, place);
         var fileId = file.Extension == ".prefab" ? _files.Hierarchy(file).Find(reference.FileId)?.FileId ?? 0 : reference.FileId;

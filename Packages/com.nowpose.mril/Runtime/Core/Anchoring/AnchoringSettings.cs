@@ -23,9 +23,9 @@ namespace Nowpose.Anchoring
             double toleranceMetres = 0.005, double toleranceDegrees = 0.5, double easeMs = 800)
         {
             Settle = SettingRange.RequireMs(settleMs, 100, 60_000, "settle");
-            Oldest = SettingRange.RequireMs(oldestMs, 20, 10_000, "oldest");
-            MaxDistanceMetres = SettingRange.Require(farthestMetres, 0.1, 20, "farthest", "m");
-            MaxObliqueRadians = Radians(SettingRange.Require(maxObliqueDegrees, 10, 89, "most oblique", "°"));
+            Oldest = SettingRange.RequireMs(oldestMs, 20, 10_000, "maximum age");
+            MaxDistanceMetres = SettingRange.Require(farthestMetres, 0.1, 20, "maximum distance", "m");
+            MaxObliqueRadians = Radians(SettingRange.Require(maxObliqueDegrees, 10, 89, "maximum viewing angle", "°"));
             LockErrorMetres = SettingRange.Require(lockErrorMetres, 0.0001, 0.1, "lock error", "m");
             LockErrorRadians = Radians(SettingRange.Require(lockErrorDegrees, 0.01, 10, "lock error", "°"));
             ToleranceMetres = SettingRange.Require(toleranceMetres, 0.001, 1, "tolerance", "m");

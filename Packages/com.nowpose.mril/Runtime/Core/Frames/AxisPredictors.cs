@@ -6,7 +6,7 @@ namespace Nowpose.Frames
     /// <summary>Three predictors of one kind, for the components of a vector.</summary>
     sealed class AxisPredictors
     {
-        // The first component always predicts: its verdicts, time and horizon are those of the vector.
+        // The first component always predicts. Its drop reasons, time and horizon apply to the whole vector.
         readonly JointPredictor _x;
         readonly AxisPredictor _y, _z;
 
@@ -32,7 +32,7 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="JointPredictor.Horizon"/>
         public double Horizon => _x.Horizon;
 
-        /// <summary>Adds a sample. Samples may be added in any order. The parameters are those of <see cref="JointPredictor.Add"/>.</summary>
+        /// <summary>Adds a sample. Samples may be added in any order. For the parameters, see <see cref="JointPredictor.Add"/>.</summary>
         public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
             var reason = _x.Add(new JointSample(time, position.X, order), displayed);
@@ -43,7 +43,7 @@ namespace Nowpose.Frames
 
         public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time), _z.At(time));
 
-        /// <summary>Returns the origin of the vector at a time.</summary>
+        /// <summary>Returns how the vector at a time is determined.</summary>
         public PredictionKind KindAt(double time) => _x.At(time).Kind;
 
         public void Reset()

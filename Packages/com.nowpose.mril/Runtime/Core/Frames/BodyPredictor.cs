@@ -7,8 +7,8 @@ namespace Nowpose.Frames
     /// <summary>Predicts the pose of one tracked frame in its parent at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// The position and the angles of <see cref="RotationHistory"/> have three components each, and each component has the pipeline of a
-    /// joint. With <c>adaptive</c>, a mixture with common weights for the three components follows (<see cref="VectorMixture"/>). Times and
-    /// order of the samples are those of <see cref="JointPredictor"/>. One thread at a time. Allocates nothing after construction.
+    /// joint. With <c>adaptive</c>, a mixture with common weights for the three components follows (<see cref="VectorMixture"/>). Times and order of
+    /// samples have the same meaning as in <see cref="JointPredictor"/>. Not thread-safe. Allocates nothing after construction.
     /// </remarks>
     sealed class BodyPredictor
     {
@@ -22,8 +22,8 @@ namespace Nowpose.Frames
             PredictionParts.All & ~PredictionParts.FirstMoves & ~PredictionParts.Profiles & ~PredictionParts.DenseSearch;
 
         /// <summary>
-        /// Degree and history of the polynomials in addition to <c>adaptive</c>, hold and line first: the interpolating ones, and least squares over
-        /// more samples against noise.
+        /// Degree and history of the polynomials that are mixed with <c>adaptive</c>. Hold and line must be the first two. A polynomial with a
+        /// history longer than its degree is a least-squares fit, which reduces noise.
         /// </summary>
         static readonly (int, int)[] MixedWithAdaptive = { (0, 0), (1, 1), (2, 2), (2, 4), (1, 4), (1, 9) };
 
@@ -35,7 +35,7 @@ namespace Nowpose.Frames
 
         /// <param name="predictor">A name that <see cref="Predictors.Create"/> accepts.</param>
         /// <param name="limits">Horizon cap and maximum gap. The position limits apply to the coordinates in m and to the angles in rad.</param>
-        /// <param name="blend">As for <see cref="Predictors.Create"/>.</param>
+        /// <param name="blend">See <see cref="Predictors.Create"/>.</param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0)
         {
@@ -57,10 +57,11 @@ namespace Nowpose.Frames
         public int Restarts => _position.Main.Restarts + _angles.Main.Restarts;
 
         /// <summary>
-        /// Adds a sample in any order. If any component shows that the clock of the samples went back, all components start a new history.
+        /// Adds a sample. Samples may be added in any order. If any component shows that the clock of the samples went back, all components start a
+        /// new history.
         /// </summary>
-        /// <param name="displayed">As for <see cref="JointPredictor.Add"/>.</param>
-        /// <returns>As for <see cref="JointPredictor.Add"/>.</returns>
+        /// <param name="displayed">See <see cref="JointPredictor.Add"/>.</param>
+        /// <returns>See <see cref="JointPredictor.Add"/>.</returns>
         public DropReason Add(in PoseSample sample, double displayed = double.NaN)
         {
             if (sample.Time > NewestTime) _restsBeforeSecondSample &= double.IsNegativeInfinity(NewestTime);
@@ -72,7 +73,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Returns the pose at a time; its rotation always has unit length. Does not change the state.</summary>
-        /// <param name="time">As for <see cref="JointPredictor.At"/>.</param>
+        /// <param name="time">See <see cref="JointPredictor.At"/>.</param>
         /// <returns>The identity before the first sample.</returns>
         public RigidTransform At(double time) => At(time, out _);
 
@@ -86,7 +87,7 @@ namespace Nowpose.Frames
                 : PoseOf(_rotations.RotationOf(_angles.At(time), time), _position.At(time));
         }
 
-        /// <summary>Returns <see cref="Hold"/>, because the time to predict to is unknown.</summary>
+        /// <summary>Returns <see cref="Hold"/>. For use while the display time is unknown.</summary>
         /// <param name="kind">Held, or <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform Newest(out PredictionKind kind)
         {

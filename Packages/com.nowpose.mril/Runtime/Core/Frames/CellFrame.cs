@@ -6,10 +6,10 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
 {
-    /// <summary>One frame of the cell: a stationary one, or a tracked one with its predictor.</summary>
+    /// <summary>A stationary frame of the cell, or a tracked frame with its predictor.</summary>
     sealed class CellFrame
     {
-        /// <summary>Maximum number of poses in a new parent that wait for the next display frame; further ones replace the newest.</summary>
+        /// <summary>Maximum number of poses in a new parent that wait for the next display frame. A further pose replaces the newest one.</summary>
         const int MaxWaiting = 8;
 
         readonly Func<BodyPredictor> _newPredictor;
@@ -26,7 +26,7 @@ namespace Nowpose.Frames
         int _waitingCount;
         bool _isStationary, _isNextStationary, _isReachWaiting, _hasPose;
 
-        /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame; stationary ones need none.</param>
+        /// <param name="newPredictor">Creates the predictor for the first pose of a tracked frame. Stationary frames need no predictor.</param>
         public CellFrame(string name, Func<BodyPredictor> newPredictor)
         {
             Name = name;
@@ -41,7 +41,7 @@ namespace Nowpose.Frames
         /// <summary>Name of the parent in the poses that are received.</summary>
         public string SourceParent => _parent;
 
-        /// <summary>Whether the displayed pose is one of /tf_static.</summary>
+        /// <summary>Whether the displayed pose comes from /tf_static.</summary>
         public bool IsStationary => _isStationary && _reach == null;
 
         /// <summary>
@@ -63,7 +63,7 @@ namespace Nowpose.Frames
         /// <summary>Stamp of the newest pose; null before the first, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
-        /// <summary>Returns whether a pose in another parent is older than the newest one, or than those in a third parent that wait.</summary>
+        /// <summary>Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent.</summary>
         public bool IsOvertaken(in FrameTransform pose)
         {
             if (_waitingCount > 0 && !_isNextStationary) return pose.Parent != _waiting[0].Parent && pose.Stamp <= _waiting[_waitingCount - 1].Stamp;
@@ -113,7 +113,7 @@ namespace Nowpose.Frames
 
         /// <summary>
         /// Changes to the parent of the waiting poses, or to the place that a gripper determines. With another parent, the history starts again
-        /// with these poses, and the displayed pose continues from <see cref="World"/>, which must be the one that the former parent gives at the
+        /// with these poses, and the displayed pose continues from <see cref="World"/>, which must have been computed with the former parent for the
         /// next display time.
         /// </summary>
         public void ChangeParent(ControlTime epoch)
@@ -201,7 +201,7 @@ namespace Nowpose.Frames
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
             var hasRestarted = _predictor.Restarts != restarts;
             if (!(pose.Stamp <= _newest) || hasRestarted) (_newest, _given) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z));
-            // The times of the release are those of the source's earlier run.
+            // The time stamp of the release belongs to the earlier run of the source.
             if (hasRestarted && Reach?.IsReleased == true) Put(null);
             return reason;
         }

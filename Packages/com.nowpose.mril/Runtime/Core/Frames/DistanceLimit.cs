@@ -4,10 +4,10 @@ namespace Nowpose.Frames
 {
     /// <summary>Limits the distance of forecasts from the line through the two newest samples.</summary>
     /// <remarks>
-    /// When a motion breaks off, for example because a vehicle stops within one sample, polynomials through the samples before and after
-    /// overshoot by a multiple of their earlier errors. The line has the shortest window, so a forecast that is much further from the line
-    /// than all earlier forecasts is moved towards it. The maximum includes the forecasts that were limited, so a new kind of motion is
-    /// limited for only a few samples.
+    /// When a motion breaks off, for example because a vehicle stops within one sample, polynomials through the samples before and after this moment
+    /// overshoot by a multiple of their earlier errors. The line has the shortest window, so a forecast that is much further from the line than all
+    /// earlier forecasts is moved towards it. The maximum includes the forecasts that were limited, so a new kind of motion is limited for only a few
+    /// samples.
     /// </remarks>
     sealed class DistanceLimit
     {
@@ -28,7 +28,7 @@ namespace Nowpose.Frames
         public double Factor { get; private set; }
 
         /// <summary>Adds the distance of the forecast after a sample.</summary>
-        /// <param name="interval">Time since the sample before, s.</param>
+        /// <param name="interval">Time since the previous sample, s.</param>
         /// <param name="distance">Distance from the line after one horizon, m or rad.</param>
         public void Add(double interval, double distance)
         {

@@ -36,7 +36,7 @@ namespace Nowpose.Frames
             _rootNames.Add(RobotTopic.Qualified(robot.Namespace, robot.Robot.Root.Name));
         }
 
-        /// <summary>Returns the index of a robot; −1 if it is not one of the cell.</summary>
+        /// <summary>Returns the index of a robot; −1 if the cell does not contain it.</summary>
         public int IndexOf(IRobotLinks robot) => _robots.IndexOf(robot);
 
         /// <summary>All frames, a parent before its children.</summary>
@@ -73,7 +73,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Returns the pose of a robot's root link in the world, and whether it is current.</summary>
-        /// <param name="robot">Index of the robot; one that was added after the last arrangement is at the world's origin.</param>
+        /// <param name="robot">Index of the robot. A robot that was added after the last arrangement is at the world's origin.</param>
         public RigidTransform RootOf(int robot, out bool isCurrent)
         {
             var root = RootIndexOf(robot);
@@ -81,7 +81,7 @@ namespace Nowpose.Frames
             return root < 0 ? RigidTransform.Identity : _frames[root].World;
         }
 
-        /// <summary>Returns the pose of a frame in the world by the newest poses and joint positions of all above it.</summary>
+        /// <summary>Returns the pose of a frame in the world, computed from the newest poses and joint positions of its ancestors.</summary>
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
         /// <returns>The displayed pose if the parent is unknown.</returns>
         public RigidTransform HeldOf(int frame)
@@ -100,7 +100,7 @@ namespace Nowpose.Frames
 
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
-        /// <param name="at">The time, and the same in seconds since the epoch of the predictors.</param>
+        /// <param name="at">The time on the control clock, and in seconds since the epoch of the predictors.</param>
         /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
         public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
             PoseAt(frame, reach, at, out origin, 0);
@@ -150,7 +150,7 @@ namespace Nowpose.Frames
         // Returns −1 also for a robot that was added after the last arrangement.
         int RootIndexOf(int robot) => robot >= 0 && robot < _roots.Count ? _roots[robot] : -1;
 
-        /// <summary>Returns whether a name is that of a robot's link, and of no frame.</summary>
+        /// <summary>Returns whether a robot has a link with this name, and no frame has it.</summary>
         public bool IsLink(string name) => IndexOf(name) < 0 && _links.ContainsKey(name);
 
         /// <summary>Returns the root link of the robot to which a link belongs; null for a frame that is not a link.</summary>
@@ -169,7 +169,7 @@ namespace Nowpose.Frames
             _places[_count++] = place;
         }
 
-        // A frame with the name of a link, such as a robot's root, has a pose of its own.
+        // A frame with the name of a link, such as a robot's root, has its own pose.
         Place PlaceIn(int index, string parent)
         {
             if (parent == FrameParents.World) return new Place(index, -1, -1, isInWorld: true);

@@ -6,16 +6,16 @@ namespace Nowpose.Frames
         /// <summary>No pose has been received; the displayed pose is a placeholder.</summary>
         Missing,
 
-        /// <summary>The parent is neither the world, nor a link of a known robot, nor a known frame. The pose shown last is kept.</summary>
+        /// <summary>The parent is neither the world, nor a link of a known robot, nor a known frame. The last displayed pose is kept.</summary>
         Orphan,
 
         /// <summary>The newest pose is too old to be predicted.</summary>
         Held,
 
-        /// <summary>The pose in the parent is that at the display time, but the pose of the parent is not current.</summary>
+        /// <summary>The pose relative to the parent is valid for the display time, but the pose of the parent is not current.</summary>
         ParentNotCurrent,
 
-        /// <summary>The displayed pose is that at the display time.</summary>
+        /// <summary>The displayed pose is valid for the display time.</summary>
         Current,
     }
 }

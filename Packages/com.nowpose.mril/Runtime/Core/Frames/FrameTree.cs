@@ -6,11 +6,11 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
 {
-    /// <summary>All frames of the cell: stationary and tracked ones, attached to the world, to each other, or to the links of robots.</summary>
+    /// <summary>All stationary and tracked frames of the cell, attached to the world, to each other, or to the links of robots.</summary>
     /// <remarks>
     /// The pose of a frame in the world is T_world = T_parent · T, with the parent's pose at the same display time, so that an object whose
-    /// parent is a link moves exactly with the displayed robot. Use it on the frame's thread. A display frame allocates nothing, except after
-    /// a change of the structure.
+    /// parent is a link moves exactly with the displayed robot. Use it only on the thread that computes the display frames. A display frame allocates
+    /// nothing, except after a change of the structure.
     /// </remarks>
     sealed class FrameTree
     {
@@ -46,8 +46,8 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Adds a received pose.</summary>
-        /// <param name="pose">Validated, apart from the limits of the tree.</param>
-        /// <param name="isStationary">Whether it comes from /tf_static. The newest message decides.</param>
+        /// <param name="pose">A pose that has been validated, except against the limits of the tree.</param>
+        /// <param name="isStationary">Whether the pose comes from /tf_static. The newest message determines whether the frame is stationary.</param>
         /// <returns>Drop reason; <see cref="DropReason.None"/> if the pose was used.</returns>
         public DropReason Add(in FrameTransform pose, bool isStationary)
         {
@@ -68,7 +68,7 @@ namespace Nowpose.Frames
             return reason;
         }
 
-        /// <summary>Returns the index of a robot; −1 if it is not one of the cell.</summary>
+        /// <summary>Returns the index of a robot; −1 if the cell does not contain it.</summary>
         public int IndexOf(IRobotLinks robot) => _order.IndexOf(robot);
 
         /// <summary>
@@ -115,7 +115,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Computes the poses of all frames; call it after the robots have computed theirs.</summary>
-        /// <param name="at">Display time; null while it is unknown: then tracked frames have their newest poses, as the robots do.</param>
+        /// <param name="at">Display time; null while it is unknown. Tracked frames and robots then have their newest poses.</param>
         public void Evaluate(ControlTime? at)
         {
             if (at.HasValue) _epoch ??= at;
@@ -142,7 +142,7 @@ namespace Nowpose.Frames
             _isChanged = true;
         }
 
-        /// <summary>Returns the displayed pose of a robot's root link in the world; the identity unless a frame has its name.</summary>
+        /// <summary>Returns the displayed pose of a robot's root link in the world; the identity unless a frame has the name of this link.</summary>
         public RigidTransform RootOf(IRobotLinks robot) => _order.RootOf(_order.IndexOf(robot), out _);
 
         (ControlTime Time, double Seconds) MomentOf(ControlTime at) => (at, ClockTicks.Seconds(at - (_epoch ?? at)));

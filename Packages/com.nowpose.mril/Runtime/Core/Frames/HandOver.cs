@@ -12,7 +12,7 @@ namespace Nowpose.Frames
     /// </remarks>
     readonly struct HandOver
     {
-        /// <summary>Duration of the blend, in s: by then the gripper moves away, and a person does not notice a shift of some millimetres.</summary>
+        /// <summary>Duration of the blend, in s. It is so short that a person does not notice a shift of some millimetres while the gripper moves away.</summary>
         public const double Seconds = 0.15;
 
         /// <summary>Maximum differences that are ignored because they are small, in m and rad.</summary>
@@ -27,8 +27,8 @@ namespace Nowpose.Frames
         readonly bool _isOpen;
 
         /// <param name="start">Time of the hand-over, s.</param>
-        /// <param name="shown">Pose in the former parent at that time, in the world.</param>
-        /// <param name="now">Pose in the new parent at that time, in the world.</param>
+        /// <param name="shown">Pose in the world at that time, according to the former parent.</param>
+        /// <param name="now">Pose in the world at that time, according to the new parent.</param>
         public HandOver(double start, in RigidTransform shown, in RigidTransform now)
         {
             var difference = now.Inverse * shown;
@@ -38,10 +38,10 @@ namespace Nowpose.Frames
             _isOpen = (_shift.Length > MinShift || _turn.Length > MinTurn) && _shift.Length < MaxShift;
         }
 
-        // Also true if one of the times is unknown.
+        // Returns whether the hand-over has ended at a time; true if this time or the start is unknown.
         public bool IsOverAt(double time) => !_isOpen || !(time < _start + Seconds);
 
-        /// <param name="now">Pose in the new parent at the time, in the world.</param>
+        /// <param name="now">Pose in the world at the time, according to the new parent.</param>
         public RigidTransform At(double time, in RigidTransform now)
         {
             if (IsOverAt(time)) return now;

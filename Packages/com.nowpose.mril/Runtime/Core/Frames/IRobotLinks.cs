@@ -11,7 +11,7 @@ namespace Nowpose.Frames
 
         RobotModel Robot { get; }
 
-        /// <summary>Whether the poses are those at the display time.</summary>
+        /// <summary>Whether the poses are valid for the display time.</summary>
         bool IsCurrent { get; }
 
         /// <summary>Poses of all links relative to the robot's root link, right-handed, in m, in the order of the robot's links.</summary>

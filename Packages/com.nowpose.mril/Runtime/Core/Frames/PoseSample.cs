@@ -6,10 +6,10 @@ namespace Nowpose.Frames
     /// <summary>One pose of a tracked frame in its parent, with the control system's stamp.</summary>
     readonly struct PoseSample
     {
-        /// <param name="time">Stamp t_k, which may be in error, in seconds of control time since a nearby epoch.</param>
+        /// <param name="time">Stamp t_k, which may be wrong, in seconds of control time since a nearby epoch.</param>
         /// <param name="position">Position in the parent's frame, m; finite.</param>
         /// <param name="rotation">Rotation from the frame to its parent.</param>
-        /// <param name="order">Sort key in seconds, which decides the order of samples if <paramref name="time"/> is in error.</param>
+        /// <param name="order">Sort key in seconds, which determines the order of samples if <paramref name="time"/> is wrong.</param>
         /// <exception cref="ArgumentException">Time, position or order is not finite, or the rotation is <c>default</c>.</exception>
         public PoseSample(double time, in Vector3D position, in UnitQuaternion rotation, double order)
         {
@@ -25,7 +25,7 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="PoseSample(double, in Vector3D, in UnitQuaternion, double)"/>
         public PoseSample(double time, in Vector3D position, in UnitQuaternion rotation) : this(time, position, rotation, time) { }
 
-        /// <summary>Stamp t_k, which may be in error, in s.</summary>
+        /// <summary>Stamp t_k, which may be wrong, in s.</summary>
         public double Time { get; }
 
         /// <summary>Position in the parent's frame, m.</summary>
@@ -34,7 +34,7 @@ namespace Nowpose.Frames
         /// <summary>Rotation from the frame to its parent; q and −q are the same sample.</summary>
         public UnitQuaternion Rotation { get; }
 
-        /// <summary>Sort key of the samples, s: equal to <see cref="Time"/> unless the stamp is in error.</summary>
+        /// <summary>Sort key of the samples, s: equal to <see cref="Time"/> unless the stamp is wrong.</summary>
         public double Order { get; }
     }
 }

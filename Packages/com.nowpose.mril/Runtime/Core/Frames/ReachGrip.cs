@@ -12,7 +12,8 @@ namespace Nowpose.Frames
     /// The poses at the stamp of the change decide, not those at the arrival of its message. At first these poses are predicted, because the
     /// display time is ahead of the samples. As soon as samples from after the stamp have arrived, they decide, so that all headsets with
     /// the same samples take the same object in the same place. A source that gives the object a parent itself has priority. A released
-    /// object stays in the world at its pose at the stamp of the release, until its source moves it. Use it on the frame's thread.
+    /// object stays in the world at its pose at the stamp of the release, until its source moves it. Use it only on the thread that computes the
+    /// display frames.
     /// </remarks>
     sealed class ReachGrip
     {
@@ -37,7 +38,7 @@ namespace Nowpose.Frames
 
         /// <param name="link">Index of the link in the robot; its origin is the gripping point.</param>
         /// <param name="reach">Maximum distance of an object's origin from the gripping point, m.</param>
-        /// <param name="objects">Names of the frames that it can grip, read at each change.</param>
+        /// <param name="objects">Names of the frames that the gripper can grip. They are read at each change.</param>
         public ReachGrip(FrameTree tree, IRobotLinks robot, int link, double reach, IReadOnlyList<string> objects)
         {
             _tree = tree;
@@ -54,7 +55,7 @@ namespace Nowpose.Frames
         /// <summary>Reason why the held object is unknown, in one line; null if it is known.</summary>
         public string Fault { get; private set; }
 
-        // False once the object's source or another gripper has taken it.
+        // False after the object's source or another gripper has taken the object over.
         bool IsMine => _held >= 0 && _tree[_held].Reach?.Gripper == this;
 
         /// <summary>Closes or opens the gripper. The next call of <see cref="Decide(ControlTime)"/> determines the effect.</summary>
@@ -68,16 +69,16 @@ namespace Nowpose.Frames
             if (!isClosed && since == null) Leave();
         }
 
-        /// <summary>Decides a change, with the data that have arrived; call it before the tree is evaluated.</summary>
+        /// <summary>Determines the effect of a change from the data that have arrived. Call it before the tree is evaluated.</summary>
         /// <param name="light">Display time.</param>
         public void Decide(ControlTime light) => Decide(isLast: ClockTicks.Seconds(light - _since) > Patience);
 
-        /// <summary>Decides a change with the available data, because the times of the control system become invalid.</summary>
+        /// <summary>Determines the effect of a change from the available data, because the times of the control system become invalid.</summary>
         public void Settle() => Decide(isLast: true);
 
-        /// <summary>Handles a restart of its signal, in which the gripper may have opened and closed unnoticed.</summary>
+        /// <summary>Handles a restart of the gripper's signal, during which the gripper may have opened and closed unnoticed.</summary>
         /// <param name="isOfSource">
-        /// Whether the source of the signal has restarted: then all objects that the gripper held or released are returned to their sources.
+        /// Whether the source of the signal has restarted. All objects that the gripper held or released are then returned to their sources.
         /// Otherwise only the times of the control system have become invalid, and the objects stay until the next change.
         /// </param>
         public void Restart(bool isOfSource)

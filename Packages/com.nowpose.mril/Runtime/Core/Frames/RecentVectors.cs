@@ -27,7 +27,7 @@ namespace Nowpose.Frames
 
         public ref readonly Vector3D this[int age] => ref _vectors[age];
 
-        /// <summary>Adds a sample newer than all others. With errors of stamps, its time may still be before theirs.</summary>
+        /// <summary>Adds a sample that is newer than all others. If stamps are wrong, its time may still precede their times.</summary>
         public void Add(double time, in Vector3D vector)
         {
             if (Count > 0 && !(Math.Abs(time - _times[0]) <= _maximumGap)) Count = 0;

@@ -14,7 +14,7 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class RotationHistory
     {
-        /// <summary>More than the longest history of a forecaster.</summary>
+        /// <summary>Maximum number of samples: more than the longest history of a forecaster.</summary>
         const int Capacity = 128;
 
         /// <summary>Rotations below this, in rad, are rounding errors.</summary>
@@ -27,9 +27,9 @@ namespace Nowpose.Frames
         /// <summary>Rotation of the newest sample; the identity before the first.</summary>
         public UnitQuaternion Newest => Count > 0 ? _newestFirst[0].Rotation : UnitQuaternion.Identity;
 
-        /// <summary>Adds a sample in any order.</summary>
+        /// <summary>Adds a sample. Samples may be added in any order.</summary>
         /// <param name="order">Sort key, s.</param>
-        /// <returns>Its angles, rad.</returns>
+        /// <returns>Angles of the sample, rad.</returns>
         public Vector3D Add(double order, in UnitQuaternion rotation)
         {
             var age = 0;

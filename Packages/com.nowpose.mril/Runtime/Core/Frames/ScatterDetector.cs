@@ -2,9 +2,9 @@ using System;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Detects samples that only scatter about a position, such as those of a noisy tracker whose object is at rest.</summary>
+    /// <summary>Detects samples that only scatter about a position, such as the samples of a noisy tracker whose object is at rest.</summary>
     /// <remarks>
-    /// The rule is that of <see cref="Prediction.Forecasting.RestDetector.IsOnlyNoise"/>, with lengths of vectors: for white noise, the mean
+    /// Uses the rule of <see cref="Prediction.Forecasting.RestDetector.IsOnlyNoise"/>, with lengths of vectors: for white noise, the mean
     /// second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small second
     /// differences. Three components give more evidence than one, so a shorter window is sufficient. Allocates nothing after construction.
     /// </remarks>
@@ -34,13 +34,13 @@ namespace Nowpose.Frames
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
 
-        /// <summary>Whether a motion starts: the newest sample has left the position about which the samples before scattered.</summary>
+        /// <summary>Whether a motion starts: the newest sample has left the position about which the previous samples scattered.</summary>
         public bool HasLeft { get; private set; }
 
         /// <summary>Mean distance of consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
         public double Noise { get; private set; }
 
-        /// <summary>Adds a sample newer than all before.</summary>
+        /// <summary>Adds a sample that is newer than all previous samples.</summary>
         public void Add(in Vector3D position)
         {
             HasLeft = Scatters && Math.Min((position - Mean()).Length, (position - _newestFirst[0]).Length) > MinStartRatio * _meanStep;

@@ -4,8 +4,8 @@ using Nowpose.Kinematics;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Detects when the source of an object, whose place a gripper determines, reports another pose than that at the release. Distinguishes
-    /// another pose from the noise of a tracker.
+    /// Detects when the source of an object, whose place a gripper determines, reports a pose that differs from its pose at the release by more than
+    /// the noise of a tracker.
     /// </summary>
     /// <remarks>
     /// <see cref="ScatterDetector"/> measures the noise from the grip on. For white noise with the standard deviation σ in each component, the
@@ -13,13 +13,13 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class SourceRest
     {
-        /// <summary>Maximum differences that are rounding, in m and rad.</summary>
+        /// <summary>Maximum differences that count as rounding errors, in m and rad.</summary>
         const double SamePosition = 1e-6, SameRotation = 1e-6;
 
-        /// <summary>Maximum difference of two samples of one pose, relative to the mean difference of consecutive ones.</summary>
+        /// <summary>Maximum difference of two samples of one pose, relative to the mean difference of consecutive samples.</summary>
         const double MaxDifference = 6;
 
-        /// <summary>Number of consecutive samples of another pose that show a motion, if the samples have noise. A tracker has outliers.</summary>
+        /// <summary>Minimum number of consecutive samples of another pose that count as a motion if the samples have noise; a single one may be an outlier.</summary>
         const int MinConsecutive = 2;
 
         readonly ScatterDetector _positions = new ScatterDetector();
@@ -47,7 +47,7 @@ namespace Nowpose.Frames
             _different = 0;
         }
 
-        /// <summary>Adds a pose of the source, newer than those before.</summary>
+        /// <summary>Adds a pose of the source that is newer than the previous poses.</summary>
         public void Add(in RigidTransform pose)
         {
             if (_isFirst) _first = pose;

@@ -62,7 +62,7 @@ namespace Nowpose.Frames
         /// <summary>Returns the length of a quaternion that need not be a rotation.</summary>
         public static double LengthOf(double x, double y, double z, double w) => Math.Sqrt(x * x + y * y + z * z + w * w);
 
-        /// <summary>Returns the rotation about the direction of a vector, by its length in rad.</summary>
+        /// <summary>Returns the rotation about the direction of a vector, by an angle in rad that equals the length of the vector.</summary>
         public static UnitQuaternion Exp(in Vector3D vector)
         {
             var angle = vector.Length;

@@ -19,9 +19,9 @@ namespace Nowpose.Frames
         public bool IsNeeded(double displayed) => _blend.IsNeeded(displayed);
 
         /// <summary>Starts from the vector that was displayed before the newest sample.</summary>
-        /// <param name="displayed">The last displayed moment, in s.</param>
-        /// <param name="shown">The vector displayed at that moment.</param>
-        /// <param name="predicted">Vector that the newest prediction gives for that moment.</param>
+        /// <param name="displayed">Last display time, in s.</param>
+        /// <param name="shown">The vector displayed at that time.</param>
+        /// <param name="predicted">Vector that the newest prediction gives for that time.</param>
         /// <param name="before">Time of the newest sample of the displayed prediction, in s.</param>
         /// <param name="recent">The samples, including the newest one.</param>
         public void Start(double displayed, in Vector3D shown, in Vector3D predicted, double before, RecentVectors recent)

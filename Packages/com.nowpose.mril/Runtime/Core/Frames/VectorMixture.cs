@@ -19,7 +19,7 @@ namespace Nowpose.Frames
         /// <summary>Regularisation towards the prior: with 0.05 or 0.4, the maximum errors are larger.</summary>
         const double Regularisation = 0.2;
 
-        /// <summary>Weight of the prior relative to that for a joint, because successive errors of a component are similar.</summary>
+        /// <summary>Weight of the prior, relative to its weight for a joint, because successive errors of a component are similar.</summary>
         const double PriorWeight = 8;
 
         /// <summary>
@@ -60,8 +60,11 @@ namespace Nowpose.Frames
         double _newestTime, _newestOrder, _lineUntil;
         Vector3D _newest;
 
-        /// <param name="main">The prior.</param>
-        /// <param name="polynomials">Degree and history of the forecasts beside the prior, hold and line first; empty: the prior is used alone.</param>
+        /// <param name="main">The predictors of the components.</param>
+        /// <param name="polynomials">
+        /// Degree and history of the polynomials that are mixed with the prior. Hold and line must be the first two. If empty, the prior is used
+        /// alone.
+        /// </param>
         /// <param name="limits">Horizon cap and maximum gap.</param>
         /// <param name="blend">Time constant of the blend between two predictions, s; 0: none.</param>
         public VectorMixture(AxisPredictors main, (int Degree, int History)[] polynomials, PredictionLimits limits, double blend)
@@ -81,10 +84,10 @@ namespace Nowpose.Frames
             Forget();
         }
 
-        /// <summary>The prior.</summary>
+        /// <summary>The predictors of the components, which are the prior of the mixture.</summary>
         public AxisPredictors Main { get; }
 
-        /// <summary>Adds a sample in any order; the parameters are those of <see cref="JointPredictor.Add"/>.</summary>
+        /// <summary>Adds a sample. Samples may be added in any order. For the parameters, see <see cref="JointPredictor.Add"/>.</summary>
         public DropReason Add(double time, in Vector3D position, double order, double displayed)
         {
             var isBlended = _blend.IsNeeded(displayed) && _recent.Count > 0;

@@ -48,7 +48,7 @@ namespace Nowpose.Messages
             FormattableString.Invariant($"{service} did not answer within {seconds} s; check the network and rosbridge");
 
         public static string UnusableAnswers(string service, int count, SyncExchangeFault fault) =>
-            $"{service}: {count} unusable answers in a row, the last: {fault}; check that it is the time of ROS";
+            $"{service}: {count} unusable answers in a row, the last: {fault}; check that host and port are those of a rosbridge";
 
         public const string JointsClosed = "joint positions: the gateway closed the connection";
 

@@ -6,7 +6,8 @@ namespace Nowpose.Messages
         public static string CodeCount(int codes, int max) => $"paired cell: {codes} codes; allowed: 1 to {max}";
 
         public const string SameCode = "paired cell: two codes are the same; remove one";
-        public const string SeveralCells = "paired cell: the codes belong to several cells or gateways; all must be of one";
+        public const string SeveralCells =
+            "paired cell: the codes belong to several cells or gateways; all codes must belong to the same cell and gateway";
 
         public static string CellCount(int cells, int max) => $"paired cells: {cells} cells; allowed: up to {max}";
 

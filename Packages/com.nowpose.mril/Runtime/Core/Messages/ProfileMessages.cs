@@ -18,7 +18,7 @@ namespace Nowpose.Messages
 
         public const string NotComplete = "it is not a complete JSON object; calibrate again";
 
-        /// <summary>The value of a field whose content is not shown.</summary>
+        /// <summary>Stands in a message for a value that is an object, a list or a Boolean.</summary>
         public const string OtherKind = "neither a string nor a number";
 
         public static string NotANumber(string field, string value, double min, double max, string unit) => FormattableString.Invariant(

@@ -6,7 +6,7 @@ namespace Nowpose.Messages
     static class SweepMessages
     {
         public const string NotMeasured =
-            "no component measured the render time, so the limit cannot be determined; see the manual's page Render Time Source";
+            "no component measured the render time, so the limit cannot be determined; add a Render Time Source to the session";
 
         public static string Rise(double lowVertices, double highVertices, string source, double lowMs, double highMs) =>
             FormattableString.Invariant($"from about {lowVertices:0} to {highVertices:0} vertices {source} went from {lowMs:0.00} to ")

@@ -187,8 +187,8 @@ namespace Nowpose.Network
 
             void Arrived(ReceivedText received)
             {
-                // Resets the backoff only after a message. Otherwise, the client would call a server that closes each connection at once
-                // five times a second.
+                // Resets the backoff only after a message. Otherwise, if a server closes each connection immediately, the client would reconnect five
+                // times per second.
                 _status = LinkStatus.Connected;
                 backoff.Reset();
                 MarkReceived(received.Arrival);

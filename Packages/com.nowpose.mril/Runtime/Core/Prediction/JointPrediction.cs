@@ -17,7 +17,7 @@ namespace Nowpose.Prediction
         /// <summary>The time is later than the newest sample.</summary>
         Predicted,
 
-        /// <summary>The position that the control system plans, at the joint's delay behind the plan; not predicted.</summary>
+        /// <summary>The position in the control system's plan, delayed as the joint lags behind the plan. It is not predicted.</summary>
         Planned
     }
 

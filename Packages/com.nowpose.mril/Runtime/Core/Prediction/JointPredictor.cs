@@ -9,8 +9,8 @@ namespace Nowpose.Prediction
     /// <remarks>
     /// <see cref="Add"/> puts a sample into order and into the buffer, updates the state of the motion, and solves the forecaster for it. The
     /// forecast until the next sample is the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the
-    /// joint follows one, and the rest of the difference to the previous section. Times are seconds of control time since an epoch that the
-    /// caller chooses near them (within 1e6 s, rounding is negligible). One thread at a time. Allocates nothing after construction.
+    /// joint follows one, and the rest of the difference to the previous section. Times are seconds of control time since an epoch that the caller
+    /// selects. It must be near the samples: within 1e6 s, rounding is negligible. Not thread-safe. Allocates nothing after construction.
     /// </remarks>
     public sealed class JointPredictor
     {
@@ -32,13 +32,13 @@ namespace Nowpose.Prediction
         // Jump from the end of the curve, which is the newest sample, to the forecast at that time. It is subtracted from the forecast and decays.
         double _jump;
 
-        // Difference between the previous section and the newest one at the last displayed moment; 0 if it is not blended.
+        // Difference between the previous and the newest section at the last display time; 0 without blending.
         double _residual;
 
         /// <param name="forecaster">Forecaster of this joint only.</param>
         /// <param name="kept">Number of samples to keep.</param>
         /// <param name="parts">
-        /// Treatment of the samples; without interpolation the forecaster is used before the newest sample too, as in the paper.
+        /// Parts of the pipeline to use. Without interpolation, the forecaster is also used before the newest sample, as in the paper.
         /// </param>
         internal JointPredictor(Forecaster forecaster, int kept, PredictionParts parts, PredictionLimits limits, double blend)
         {
@@ -63,19 +63,19 @@ namespace Nowpose.Prediction
         public double Horizon => _motion.Horizon;
 
         /// <summary>
-        /// Number of times that the samples showed that their clock went back. All earlier samples are discarded then, and the one added is
-        /// the newest.
+        /// Number of times that the samples showed that their clock went back. All earlier samples are then discarded, and the added sample
+        /// is the newest.
         /// </summary>
         public int Restarts => _arrivals.Restarts;
 
-        /// <summary>Adds a sample in any order, and solves again if the used samples have changed.</summary>
+        /// <summary>Adds a sample, and solves again if the used samples have changed. Samples may be added in any order.</summary>
         /// <param name="displayed">
-        /// The last displayed moment, on the time line of the samples, in s: it determines the prediction horizon, and the start of the blend
-        /// to the new section. NaN if nothing is displayed.
+        /// Last display time in s, on the clock of the samples. It determines the prediction horizon and the start of the blend to the new
+        /// section. NaN if nothing is displayed.
         /// </param>
         /// <returns>
         /// <see cref="DropReason.DuplicateSample"/>, <see cref="DropReason.LateSample"/>, or <see cref="DropReason.None"/> if the sample is used.
-        /// A late sample, or one of an earlier time with another position, is used after all if the next ones show that the clock went back.
+        /// A late sample, or a sample with an earlier time and another position, is used later if the next samples show that the clock went back.
         /// </returns>
         public DropReason Add(in JointSample sample, double displayed = double.NaN)
         {
@@ -98,7 +98,7 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>Returns the standard deviation of a prediction, in the samples' unit.</summary>
-        /// <param name="time">As in <see cref="At"/>.</param>
+        /// <param name="time">See <see cref="At"/>.</param>
         /// <returns>
         /// NaN where it is unknown: for every predictor except <c>gp</c>, before the newest sample, beyond the horizon cap, and before
         /// the first comparison of a forecast with a sample. Plans and blending are not included.
@@ -112,7 +112,7 @@ namespace Nowpose.Prediction
         /// <summary>Replaces the plan of the control system.</summary>
         /// <param name="path">Null if the plan is cancelled.</param>
         /// <param name="start">Stamp of the plan, in s since the epoch of the samples.</param>
-        /// <param name="displayed">As in <see cref="Add"/>.</param>
+        /// <param name="displayed">See <see cref="Add"/>.</param>
         internal void Follow(PlannedPath path, double start, double displayed = double.NaN)
         {
             var shown = ShownAt(displayed);
@@ -122,7 +122,7 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>Returns the planned position, however far ahead, with the joint's delay and offset.</summary>
-        /// <param name="time">As in <see cref="At"/>.</param>
+        /// <param name="time">See <see cref="At"/>.</param>
         /// <returns>False without a plan at that time, or if the joint does not follow it.</returns>
         internal bool TryPlan(double time, out double position)
         {
@@ -242,7 +242,7 @@ namespace Nowpose.Prediction
             var kind = ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var furthest = Math.Min(_limits.HorizonCap, _forecaster.Span);
             if (ahead > furthest) (ahead, kind) = (furthest, PredictionKind.Held);
-            // Before its oldest sample, a section is as inaccurate as far ahead of its newest one.
+            // Before its oldest sample, a section is as inaccurate as far ahead of its newest sample.
             else if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap) && ahead < Oldest) (ahead, kind) = (Oldest, PredictionKind.Held);
             var position = hold.Position + _forecaster.At(ahead);
             if (_jump != 0) position -= _jump * Math.Exp(-ahead / JumpTimeConstant);

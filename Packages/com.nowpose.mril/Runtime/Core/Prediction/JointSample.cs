@@ -9,7 +9,9 @@ namespace Nowpose.Prediction
         /// <summary>Minimum difference of two stamps, in s: closer stamps count as equal, because a speed between them has no meaning.</summary>
         internal const double SameSeconds = 1e-6;
 
-        /// <summary>Maximum displacement and velocity: the squares of larger ones can overflow, and an overflow remains in every running mean.</summary>
+        /// <summary>
+        /// Maximum displacement and velocity. The squares of larger values can overflow, and an overflow remains in every running mean.
+        /// </summary>
         internal const double MaxMagnitude = 1e50;
 
         /// <param name="time">t_k in seconds of control time since a nearby epoch.</param>
@@ -17,11 +19,11 @@ namespace Nowpose.Prediction
         /// <exception cref="ArgumentException">A value is not finite.</exception>
         public JointSample(double time, double position) : this(time, position, time) { }
 
-        /// <param name="time">Stamp t_k, which may be in error, in seconds of control time since a nearby epoch.</param>
+        /// <param name="time">Stamp t_k, which may be wrong, in seconds of control time since a nearby epoch.</param>
         /// <param name="position">Finite; rad for revolute joints, m for prismatic ones.</param>
-        /// <param name="order">Sort key in seconds, which decides the order of samples if <paramref name="time"/> is in error.</param>
-        /// <param name="velocity">Per second; NaN if it is unknown, as are magnitudes from 1e50 on.</param>
-        /// <param name="acceleration">Per second squared; likewise.</param>
+        /// <param name="order">Sort key in seconds, which determines the order of samples if <paramref name="time"/> is wrong.</param>
+        /// <param name="velocity">Velocity per second; NaN if it is unknown. A magnitude of 1e50 or more counts as unknown.</param>
+        /// <param name="acceleration">Acceleration per second squared; otherwise like <paramref name="velocity"/>.</param>
         /// <exception cref="ArgumentException">Time, position or order is not finite.</exception>
         public JointSample(
             double time, double position, double order, double velocity = double.NaN, double acceleration = double.NaN)
@@ -35,13 +37,13 @@ namespace Nowpose.Prediction
             Acceleration = Math.Abs(acceleration) < MaxMagnitude ? acceleration : double.NaN;
         }
 
-        /// <summary>Stamp t_k, which may be in error, in s.</summary>
+        /// <summary>Stamp t_k, which may be wrong, in s.</summary>
         public double Time { get; }
 
         /// <summary>Position, in rad or m.</summary>
         public double Position { get; }
 
-        /// <summary>Sort key of the samples, s: equal to <see cref="Time"/> unless the stamp is in error.</summary>
+        /// <summary>Sort key of the samples, s: equal to <see cref="Time"/> unless the stamp is wrong.</summary>
         public double Order { get; }
 
         /// <summary>Velocity reported by the control system, in rad/s or m/s; NaN if it is not reported.</summary>

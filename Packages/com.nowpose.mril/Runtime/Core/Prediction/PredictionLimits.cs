@@ -14,7 +14,7 @@ namespace Nowpose.Prediction
         /// <param name="velocity">Maximum speed, per second, positive; infinity if it is unknown.</param>
         /// <param name="acceleration">Maximum acceleration, per second squared, positive; infinity if it is unknown.</param>
         /// <param name="jerk">Maximum jerk, per second cubed, positive; infinity if it is unknown.</param>
-        /// <param name="isEndless">As <see cref="IsEndless"/>.</param>
+        /// <param name="isEndless">See <see cref="IsEndless"/>.</param>
         /// <exception cref="ArgumentException">A value is outside its range, or lower is above upper.</exception>
         public PredictionLimits(double lower = double.NegativeInfinity, double upper = double.PositiveInfinity,
             double horizonCap = 0.3, double maximumGap = 0.5, double velocity = double.PositiveInfinity,
@@ -42,7 +42,7 @@ namespace Nowpose.Prediction
             IsEndless = isEndless;
         }
 
-        /// <summary>No joint limits, horizon cap or maximum gap: the plain polynomial, for studies.</summary>
+        /// <summary>Limits without joint limits, horizon cap and maximum gap. With them, studies get the plain polynomial.</summary>
         public static PredictionLimits Unlimited { get; } =
             new PredictionLimits(horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity);
 
@@ -53,8 +53,8 @@ namespace Nowpose.Prediction
         public double Upper { get; }
 
         /// <summary>
-        /// Maximum prediction ahead of the newest sample, s. Beyond the cap, the section's value at the cap is held; before the section's oldest
-        /// sample, its value at that sample is held. If infinite, a section is not bounded at either end.
+        /// Maximum time from the newest sample to a prediction, s. Beyond the cap, the section's value at the cap is held; before the section's
+        /// oldest sample, its value at that sample is held. If infinite, a section is not bounded at either end.
         /// </summary>
         public double HorizonCap { get; }
 

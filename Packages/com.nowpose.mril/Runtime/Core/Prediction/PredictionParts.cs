@@ -41,13 +41,13 @@ namespace Nowpose.Prediction
         /// <summary>Ignores samples before a change point.</summary>
         ChangePoints = 512,
 
-        /// <summary>Separate weights at rest.</summary>
+        /// <summary>Uses separate weights at rest.</summary>
         RestWeights = 1024,
 
         /// <summary>Limits errors by an outlier threshold.</summary>
         OutlierThreshold = 2048,
 
-        /// <summary>A first move, much faster than the motion before, starts with a line and continues with the prior weights.</summary>
+        /// <summary>A first move, which is much faster than the previous motion, starts with a line and continues with the prior weights.</summary>
         FirstMoves = 4096,
 
         /// <summary>Template matching searches for repetitions more often and at more lags.</summary>

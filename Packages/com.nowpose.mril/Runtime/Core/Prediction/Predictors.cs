@@ -11,15 +11,15 @@ namespace Nowpose.Prediction
     /// <summary>Creates predictors by the names in settings and on command lines.</summary>
     public static class Predictors
     {
-        /// <summary>Default predictor: the one with the minimum error on unseen motions.</summary>
+        /// <summary>Default predictor, which has the smallest error on unseen motions.</summary>
         public const string Default = "adaptive";
 
         /// <summary>Number of samples kept for predictors other than polynomials; template matching compares them with the history.</summary>
         const int Kept = 24;
 
         /// <summary>
-        /// Maximum ratio of a candidate's mean square error to the mixture's at which it replaces the mixture. A false repetition has a large
-        /// error (with 0.36, the error for a robot with ten different moves was 5 % larger), a profile a small one.
+        /// Maximum ratio of a candidate's mean square error to the mixture's mean square error at which the candidate replaces the mixture. A false
+        /// repetition has a large error (with 0.36, the error for a robot with ten different moves was 5 % larger); a profile has a small error.
         /// </summary>
         const double TemplateGate = 0.3, ProfileGate = 0.8;
 
@@ -34,7 +34,7 @@ namespace Nowpose.Prediction
         static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
 
         /// <summary>
-        /// All names: the polynomials in the order of their degree, then those with longer histories, then the predictors that learn.
+        /// All names: the polynomials in the order of their degree, then the polynomials with longer histories, then the predictors that learn.
         /// </summary>
         public static IReadOnlyList<string> Names { get; } = Array.AsReadOnly(new[]
         {
@@ -46,7 +46,7 @@ namespace Nowpose.Prediction
         /// <param name="limits">Bounds of time and position.</param>
         /// <param name="blend">
         /// Time constant of the blend between two sections, in s. It is reduced if samples arrive in
-        /// quick succession. 0: no blending, the joint jumps.
+        /// quick succession. 0 means no blending: the joint jumps.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0)

@@ -4,8 +4,8 @@ using Nowpose.Messages;
 namespace Nowpose.Prediction
 {
     /// <summary>
-    /// Keeps the displayed value continuous when a new section replaces the previous one: their difference at the last displayed moment, the
-    /// residual, is added to the new section and decays exponentially.
+    /// Keeps the displayed value continuous when a new section replaces the previous one: their difference at the last display time, the residual, is
+    /// added to the new section and decays exponentially.
     /// </summary>
     /// <remarks>The caller stores the residual, which is a position for a joint and a vector for an object.</remarks>
     sealed class SectionBlend
@@ -26,10 +26,10 @@ namespace Nowpose.Prediction
         readonly double _maxTimeConstant;
         double _from, _timeConstant;
 
-        // The last displayed moment, and the time of the newest sample of the section that was displayed then.
+        // Last display time, and the time of the newest sample of the section that was displayed at this time.
         double _lastDisplayed, _displayedSection;
 
-        /// <param name="blend">Maximum time constant of the decay, in s; 0 for no blend: the displayed value jumps.</param>
+        /// <param name="blend">Maximum time constant of the decay, in s. 0 means no blending: the displayed value jumps.</param>
         /// <exception cref="ArgumentOutOfRangeException">The time constant is negative or not finite.</exception>
         public SectionBlend(double blend)
         {
@@ -40,23 +40,23 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>Returns whether a new section needs the value that was displayed before it.</summary>
-        /// <param name="displayed">The last displayed moment, in s; NaN if nothing is displayed.</param>
+        /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         public bool IsNeeded(double displayed) => _maxTimeConstant > 0 && !double.IsNaN(displayed);
 
         /// <summary>Returns the time constant for a sampling interval, in s.</summary>
         public double TimeConstant(double interval) => Math.Min(_maxTimeConstant, MaxTimeConstantRatio * interval);
 
-        /// <summary>Notes the section that a sample replaces.</summary>
-        /// <param name="displayed">As in <see cref="IsNeeded"/>.</param>
-        /// <param name="newest">Time of the newest sample before, in s.</param>
+        /// <summary>Stores which section a sample replaces.</summary>
+        /// <param name="displayed">See <see cref="IsNeeded"/>.</param>
+        /// <param name="newest">Time of the previous newest sample, in s.</param>
         public void Replace(double displayed, double newest)
         {
-            // If several samples arrive between two frames, the displayed section is the one before the first of them.
+            // If several samples arrive between two frames, the displayed section is the section before the first of them.
             if (displayed != _lastDisplayed) (_lastDisplayed, _displayedSection) = (displayed, newest);
         }
 
-        /// <summary>Starts the decay at the last displayed moment.</summary>
-        /// <param name="displayed">As in <see cref="IsNeeded"/>.</param>
+        /// <summary>Starts the decay at the last display time.</summary>
+        /// <param name="displayed">See <see cref="IsNeeded"/>.</param>
         /// <param name="residual">Magnitude of the residual.</param>
         /// <param name="maxSpeed">Maximum speed so far, per second.</param>
         /// <param name="interval">Sampling interval, in s.</param>

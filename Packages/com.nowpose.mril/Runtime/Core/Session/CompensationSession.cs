@@ -286,8 +286,8 @@ namespace Nowpose.Session
             lock (_gate) return _main.Displayed();
         }
 
-        // Stamps from before a step refer to another time line. Stamps from before the first exchange were not validated, and a stamp in the
-        // future would hold the pose until that time.
+        // Stamps from before a step cannot be compared with later ones. Stamps from before the first exchange were not validated, and a stamp in
+        // the future would hold the pose until that time.
         void Restart(HeadsetTime now, in ClockModel clock)
         {
             _latency.Reset();

@@ -4,15 +4,15 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Signals
 {
     /// <summary>
-    /// Detects that the clock of a signal's source went back, by several consecutive late values: older than the newest stamp, and each newer
-    /// than the one before. Fewer late values were overtaken on the network.
+    /// Detects that the clock of a signal's source went back, by several consecutive late values: older than the newest stamp, and each newer than
+    /// the previous one. Fewer late values were overtaken on the network.
     /// </summary>
     sealed class LateValues
     {
-        /// <summary>Sufficient number of late values, as for samples.</summary>
+        /// <summary>Number of late values that proves that the clock went back; the same as for samples.</summary>
         const int Capacity = ArrivalOrder.MaxLate;
 
-        /// <summary>Sufficient number if the last is late by more than <see cref="ArrivalOrder.MaxDelay"/>.</summary>
+        /// <summary>Number that is sufficient if the last value is late by more than <see cref="ArrivalOrder.MaxDelay"/>.</summary>
         const int MinFarBehind = 3;
 
         readonly (ControlTime Stamp, double Value)[] _oldestFirst = new (ControlTime, double)[Capacity];
@@ -21,9 +21,9 @@ namespace Nowpose.Signals
         /// <summary>The values, oldest first.</summary>
         public ReadOnlySpan<(ControlTime Stamp, double Value)> All => _oldestFirst.AsSpan(0, _count);
 
-        /// <summary>Adds a received value. A value that is not late shows that the late ones before were overtaken.</summary>
+        /// <summary>Adds a received value. A value that is not late shows that the late values before it were overtaken on the network.</summary>
         /// <param name="newest">Newest stamp of the signal; null for none.</param>
-        /// <returns>Whether the source's clock went back. Then call <see cref="Clear"/> after use of the values.</returns>
+        /// <returns>Whether the source's clock went back. If so, use the values and then call <see cref="Clear"/>.</returns>
         public bool Add(ControlTime stamp, double value, ControlTime? newest)
         {
             if (_count > 0 && stamp == _oldestFirst[_count - 1].Stamp) return false;

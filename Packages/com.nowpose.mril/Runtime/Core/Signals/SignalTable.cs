@@ -6,7 +6,7 @@ using Nowpose.Protocol.Cell;
 namespace Nowpose.Signals
 {
     /// <summary>Keeps all signals of the cell, which are piecewise constant in control time, and shows their values at the display time.</summary>
-    /// <remarks>Use it on the frame's thread. Allocates only for a signal's first value.</remarks>
+    /// <remarks>Use it only on the thread that computes the display frames. Allocates only for a signal's first value.</remarks>
     sealed class SignalTable
     {
         readonly List<SignalTrack> _signals = new List<SignalTrack>();
@@ -31,7 +31,7 @@ namespace Nowpose.Signals
         public int IndexOf(string name) => _indices.TryGetValue(name, out var index) ? index : -1;
 
         /// <summary>Adds a received value.</summary>
-        /// <param name="stamp">Control cycle from which the signal has the value.</param>
+        /// <param name="stamp">Control time from which the signal has the value.</param>
         /// <returns>Drop reason; <see cref="DropReason.None"/> if the value was used.</returns>
         public DropReason Add(ControlTime stamp, in SignalValue value)
         {

@@ -39,7 +39,7 @@ namespace Nowpose.Signals
         /// <summary>Stamp of the newest message, with or without a change; null before the first.</summary>
         public ControlTime? Newest { get; private set; }
 
-        /// <summary>Adds a received value, which may repeat the one before.</summary>
+        /// <summary>Adds a received value, which may repeat the previous value.</summary>
         /// <remarks>If late stamps show that the source's clock went back, the signal restarts with the late values.</remarks>
         public DropReason Add(ControlTime stamp, double value)
         {
@@ -80,7 +80,7 @@ namespace Nowpose.Signals
             Restarted?.Invoke(this);
         }
 
-        // The visible value is kept until the display time reaches the first late value. The other values have times before the restart.
+        // Keeps the visible value until the display time reaches the first late value. Discards the other values: their times precede the restart.
         void RestartWithLateValues()
         {
             _count = 0;
@@ -112,7 +112,7 @@ namespace Nowpose.Signals
 
         void Insert(int place, ControlTime stamp, double value)
         {
-            // The value before was received again with a later stamp, so the signal had it again by then.
+            // The previous value was received again with a later stamp, so the signal had returned to it by that time.
             var isBetween = place > 0 && _changes[place - 1].Confirmed > stamp;
             if (isBetween) place = Insert(place, _changes[place - 1].Divide());
             // The value at the later time was not a change, although its message arrived first.
@@ -165,7 +165,7 @@ namespace Nowpose.Signals
 
             public void MoveTo(ControlTime stamp) => Stamp = stamp;
 
-            /// <summary>Returns the confirmation as a change of its own, and forgets it here.</summary>
+            /// <summary>Returns the confirmation as a separate change, and removes it from this change.</summary>
             public Change Divide()
             {
                 var confirmed = new Change(Confirmed, Value);

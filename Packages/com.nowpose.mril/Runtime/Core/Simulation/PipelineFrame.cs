@@ -20,7 +20,7 @@ namespace Nowpose.Simulation
         /// <summary>Δt_render: duration of the GPU's work on the frame.</summary>
         public TimeSpan RenderTime { get; }
 
-        /// <summary>Time since the pipeline's start at which the GPU has finished the frame; a program knows the render time only then.</summary>
+        /// <summary>Time since the pipeline's start at which the GPU has finished the frame. A program cannot read the render time earlier.</summary>
         public TimeSpan Done { get; }
 
         /// <summary>L_visu: from the trigger to the middle of the frame's display duration.</summary>

@@ -31,7 +31,7 @@ namespace Nowpose.Sync
         bool _isCatchingUp;
 
         /// <summary>
-        /// Whether the newest frame is on another time line than the previous frame: the clock stepped, or became known or unknown.
+        /// Whether the times of the newest and the previous frame cannot be compared: the clock stepped, or became known or unknown.
         /// </summary>
         internal bool IsRestarted { get; private set; }
 

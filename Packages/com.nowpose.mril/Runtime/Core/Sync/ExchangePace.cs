@@ -39,7 +39,7 @@ namespace Nowpose.Sync
 
         /// <param name="usual">Configured interval from the start of one exchange to the start of the next.</param>
         /// <param name="silence">
-        /// Time without exchanges after which the clock is in holdover and the next exchanges are quick. Two slow intervals fit into it.
+        /// Time without exchanges after which the clock is in holdover and the next exchanges are quick. The slow interval is at most half of it.
         /// </param>
         /// <param name="random">Spreads exchanges over the steps of a coarse control clock; not shared with other objects.</param>
         /// <param name="isConstant">Whether the configured pace always applies, as in the paper.</param>

@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Anchoring
             }
         }
 
-        /// <summary>Makes the next <see cref="Find"/> search without delay.</summary>
+        /// <summary>Causes the next <see cref="Find"/> to search without delay.</summary>
         public void Forget() => _sources.Forget();
 
         public void Find(Transform root)

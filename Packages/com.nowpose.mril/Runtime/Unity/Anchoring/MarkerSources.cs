@@ -19,7 +19,7 @@ namespace Nowpose.Unity.Anchoring
         /// <summary>Result of the last search. It may contain sources that have since been disabled or destroyed.</summary>
         public List<IMarkerSource> Found => _sources;
 
-        /// <summary>Makes the next <see cref="Find"/> search without delay.</summary>
+        /// <summary>Causes the next <see cref="Find"/> to search without delay.</summary>
         public void Forget() => _due = 0;
 
         /// <summary>Searches for the sources unless the last search was less than a second ago. Call once per frame.</summary>

@@ -44,7 +44,7 @@ namespace Nowpose.Unity.Calibration
         {
             path = Path.Combine(Application.streamingAssetsPath, _fileName);
             if (!path.Contains("://")) return Read(path);
-            // Report this place only if there is neither a saved file nor a text asset.
+            // Reports this place only if there is neither a saved file nor a text asset.
             if (_asset == null && _refusals.Count == 0 && !File.Exists(SavedPath))
                 _refusals.Add(LoaderMessages.InArchive(SavedPath));
             return null;

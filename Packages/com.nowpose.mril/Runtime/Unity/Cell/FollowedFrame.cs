@@ -81,7 +81,7 @@ namespace Nowpose.Unity.Cell
         }
 
         /// <summary>Reads the current session of the component. Call once per frame, before the other methods.</summary>
-        /// <returns>True if the session is not the session of the last call.</returns>
+        /// <returns>True if the session has changed since the last call.</returns>
         public bool Update()
         {
             var isNew = _source.Session != _session;

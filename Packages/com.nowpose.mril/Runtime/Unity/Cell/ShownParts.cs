@@ -6,7 +6,7 @@ namespace Nowpose.Unity.Cell
     /// <summary>An object or signal of the cell that a component shows.</summary>
     interface IShownPart
     {
-        /// <summary>Kind and name, such as "object workpiece_1".</summary>
+        /// <summary>Kind and name of the part, such as "object workpiece_1".</summary>
         string Title { get; }
 
         /// <summary>Reason why the part is not current, in one line; null if it is current.</summary>

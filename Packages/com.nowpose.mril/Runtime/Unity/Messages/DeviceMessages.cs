@@ -2,27 +2,27 @@ using System;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Problems of devices with anchors, markers, display times and depth, with what to do.</summary>
+    /// <summary>Problems of devices with anchors, markers, display times and depth, with a remedy.</summary>
     static class DeviceMessages
     {
         public const string NoStoreComponent =
             "anchors are lost at the next start, because the object of the Spatial Anchors has no Anchor Store; add this component to it";
 
-        public const string NotStoredYet = "the device has not stored it yet";
+        public const string NotStoredYet = "the device has not stored the anchor yet";
 
         /// <param name="problem">Problem of the store; null for none.</param>
         public static string NotStored(string anchor, string problem) => problem == null
-            ? $"the device could not store it as '{anchor}'; it is lost at the next start, so place it again then"
-            : $"the device could not store it as '{anchor}': {problem}; it is lost at the next start, so place it again then";
+            ? $"the device could not store the anchor as '{anchor}'; it is lost at the next start, so place the base again then"
+            : $"the device could not store the anchor as '{anchor}': {problem}; it is lost at the next start, so place the base again then";
 
         public const string AnchorWithoutName = "an anchor without a name cannot be stored; enter a name for the cell";
 
         public static string AnchorNameTooLong(int length, int max) =>
             $"the name of an anchor has {length} characters; the maximum is {max}; shorten the name of the cell";
 
-        public const string AnchorRemoved = "the device has removed it";
-        public const string NoAnchors = "the device has no anchors";
-        public const string AnchorNotCreated = "the device cannot create an anchor here";
+        public const string AnchorRemoved = "the device has removed the anchor; lock or place the base again";
+        public const string NoAnchors = "the device has no anchors; lock or place the base again";
+        public const string AnchorNotCreated = "the device cannot create an anchor here; look around, so that it maps the room, and lock or place the base again";
         public const string AnchorNeeds = "it needs a device that holds anchors";
         public const string ImageNeeds = "it needs a library with the images, and a device that tracks images";
 
@@ -40,7 +40,7 @@ namespace Nowpose.Unity.Messages
 
         public static string ManagerOff(string manager) => $"the {manager} on the XR Origin is switched off; switch it on";
 
-        public static string NotOffered(string need) => $"the device's XR runtime does not offer it or does not run: {need}";
+        public static string NotOffered(string need) => $"the device's XR runtime does not run, or does not offer this function: {need}";
 
         public const string NoArSession = "the scene has no AR Session; add one (XR > AR Session)";
 
@@ -49,17 +49,18 @@ namespace Nowpose.Unity.Messages
 
         public const string PlanarPaused = "planar reprojection is paused because the rig does not move; enable the rig and its session";
         public const string PlanarWithoutRig = "has no rig on its object or a child; assign one";
-        public const string PlanarNotSupported = "is refused: the runtime does not support PlanarManual; its own mode stays in use";
+        public const string PlanarNotSupported = "is refused: the runtime does not support PlanarManual; its own mode stays in use; remove this component";
 
         public static string CountersPaired(string component, long hertz, long stopwatchHertz, double microseconds) => FormattableString.Invariant(
             $"display time '{component}': performance counter {hertz} Hz, stopwatch {stopwatchHertz} Hz, paired within {microseconds:0.0} µs");
 
-        public const string OtherClock = "the session's clock is not the performance counter";
+        public const string OtherClock = "the session's clock is not the performance counter; remove the script that sets HeadsetClock, or implement IPerformanceCounterClock in it";
 
         public static string NoDisplayTime(string component, string reason) => $"display time '{component}': {reason}; the calibrated L_visu is used";
 
         public static string DepthUnknown(string component, string reason) =>
-            $"reprojection check '{component}': {reason}; it is unknown whether depth is submitted";
+            $"reprojection check '{component}': {reason}; it is unknown whether depth is submitted; "
+            + "build again with all files of the OpenXR plugins";
 
         public const string DepthAgain = "depth is submitted again";
     }

@@ -27,6 +27,7 @@ namespace Nowpose.Unity.Messages
             + $"the loads; its log is {path}";
 
         public static string Changed(ConditionMismatch change) =>
-            $"load sweep stopped: {change.Label} changed from '{change.Calibrated}' to '{change.Actual}' during the sweep; do not change it and sweep again";
+            $"load sweep stopped: {change.Label} changed from '{change.Calibrated}' to '{change.Actual}' during the sweep; "
+            + "sweep again without changing it";
     }
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Missing references and functions of the components for MRTK3, with what to do.</summary>
+    /// <summary>Messages about missing references and functions of the components for MRTK3, with a remedy.</summary>
     static class Mrtk3Messages
     {
         public static string PromptWithoutPairing(string component) =>

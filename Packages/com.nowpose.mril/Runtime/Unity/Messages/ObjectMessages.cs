@@ -11,7 +11,8 @@ namespace Nowpose.Unity.Messages
         public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct Link";
 
         public static string NotPlaceable(string component) =>
-            $"stationary object '{component}': its source or a gripper moves it, so it cannot be placed by hand";
+            $"stationary object '{component}': its source or a gripper moves it, so it cannot be placed by hand; "
+            + "stop its source, or release it from the gripper";
 
         public const string NotPlaced = "not placed; place it by hand, or publish its frame on /tf_static";
 

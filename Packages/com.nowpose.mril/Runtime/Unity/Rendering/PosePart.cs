@@ -49,7 +49,7 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>Updates the carrier and the list of materials. The first call also stores whether the renderer was hidden.</summary>
+        /// <summary>Reads the part's carrier and materials again. The first call also stores whether the renderer was hidden.</summary>
         public void Take()
         {
             Carrier = PoseCarrier.Of(_renderer.transform, Carrier);

@@ -28,8 +28,8 @@ namespace Nowpose.Unity.Session
         public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
         /// <summary>
-        /// Logs changes of the connections, of the limits, of the conditions of the latency profile, and of the versions. Call it in each frame; it
-        /// allocates only if something has changed.
+        /// Logs changes of the connections, joints outside their limits, conditions that differ from the latency profile, and version mismatches.
+        /// Call it in each frame; it allocates only if something has changed.
         /// </summary>
         public void Follow(CompensationSession session)
         {
@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Session
             _followed = session;
             for (; _beyondLimits < session.BeyondLimits.Count; _beyondLimits++) Warn(session.BeyondLimits[_beyondLimits].Words);
             Follow(session.ProfileMismatches);
-            // Each reconnection reports a version mismatch again. Log the same mismatch only once.
+            // Each reconnection reports a version mismatch again. The same mismatch is logged only once.
             var versions = session.VersionMismatch;
             if (versions != null && versions != _versions) Warn(_versions = versions);
         }

@@ -6,7 +6,8 @@ namespace Nowpose.Unity.Status
     readonly struct AroundHead
     {
         /// <summary>
-        /// Vertical component of the viewing direction from which on it is too steep to give a heading; the top of the head then gives it.
+        /// Maximum vertical component of a viewing direction that defines the heading. Above it, the direction to the top of the head defines the
+        /// heading.
         /// </summary>
         const float Steep = 0.95f;
 

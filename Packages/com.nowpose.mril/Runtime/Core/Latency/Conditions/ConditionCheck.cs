@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Nowpose.Latency.Conditions
 {
-    /// <summary>Compares the conditions of a running session with those of the profile in use.</summary>
+    /// <summary>Compares the conditions of a running session with the conditions of the profile in use.</summary>
     /// <remarks>Not thread-safe. Allocates only when a condition or the profile changes.</remarks>
     sealed class ConditionCheck
     {
@@ -19,7 +19,7 @@ namespace Nowpose.Latency.Conditions
             Update();
         }
 
-        /// <summary>Conditions of the device combined with those of the session.</summary>
+        /// <summary>Conditions of the device, combined with the conditions of the session.</summary>
         public DisplayConditions Conditions { get; private set; }
 
         public ReprojectionMode Reprojection

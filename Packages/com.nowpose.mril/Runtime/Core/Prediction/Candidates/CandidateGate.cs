@@ -4,8 +4,8 @@ using Nowpose.Prediction.Forecasting;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Decides when a candidate, a forecaster that is right only for some motions, replaces the mixture: while its recent errors are clearly
-    /// smaller.
+    /// Decides when a candidate replaces the mixture: while the recent errors of the candidate are clearly smaller. A candidate is a forecaster that
+    /// is correct for some motions only.
     /// </summary>
     /// <remarks>
     /// Compares exponentially weighted mean squares, separately for forecasts made at a standstill and in motion: the start of a motion is
@@ -16,7 +16,9 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Forgetting factor per scored forecast.</summary>
         const double ForgettingFactor = 0.85;
 
-        /// <summary>Minimum number of scored forecasts before the candidate may replace the mixture: a few may be right by chance.</summary>
+        /// <summary>
+        /// Minimum number of scored forecasts before the candidate may replace the mixture, because a few forecasts may be correct by chance.
+        /// </summary>
         const int MinScores = 12;
 
         /// <summary>
@@ -35,7 +37,9 @@ namespace Nowpose.Prediction.Candidates
         double _maxSquare;
 
         /// <param name="forecaster">The candidate; neither scored nor used if it cannot solve.</param>
-        /// <param name="maxErrorRatio">Maximum ratio of its mean square error to the mixture's at which it is used, 0 to 1.</param>
+        /// <param name="maxErrorRatio">
+        /// Maximum ratio, 0 to 1, of the candidate's mean square error to the mixture's mean square error at which the candidate is used.
+        /// </param>
         public CandidateGate(Forecaster forecaster, double maxErrorRatio)
         {
             Forecaster = forecaster;
@@ -44,7 +48,10 @@ namespace Nowpose.Prediction.Candidates
 
         public Forecaster Forecaster { get; }
 
-        /// <summary>Returns the candidate's mean square error relative to the mixture's; infinite while it must not replace the mixture.</summary>
+        /// <summary>
+        /// Returns the candidate's mean square error relative to the mean square error of the mixture; infinite while it must not replace the
+        /// mixture.
+        /// </summary>
         /// <param name="isStill">Whether the joint stands still.</param>
         public double ErrorRatio(bool isStill)
         {

@@ -3,12 +3,13 @@ using System;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Finds how long ago the joint last moved as it does now: the lags, in whole grid steps, at which the motion resembles itself most.
+    /// Finds how long ago the joint last moved in the same way as now: the lags, in whole grid steps, at which the past motion is most similar to the
+    /// present motion.
     /// </summary>
     /// <remarks>
     /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
-    /// compared grid point. The slow forgetting distinguishes one dwell from another. The positions of an endless joint are unwrapped, so a
-    /// cycle that ends whole turns further is not recognised. Allocates nothing after construction.
+    /// compared grid point. The slow forgetting distinguishes one dwell from another. The positions of an endless joint are unwrapped, so a cycle
+    /// that ends one or more turns away from its start is not recognised. Allocates nothing after construction.
     /// </remarks>
     sealed class LagSearch
     {
@@ -34,7 +35,7 @@ namespace Nowpose.Prediction.Candidates
 
         public LagSearch(MotionHistory history, SearchDensity density) => (_history, _density) = (history, density);
 
-        /// <summary>The best lags, best first, as many as <see cref="Count"/>.</summary>
+        /// <summary>The best lags, the best first. Only the first <see cref="Count"/> elements are valid.</summary>
         public int[] Lags { get; } = new int[Kept];
 
         public int Count { get; private set; }
@@ -68,7 +69,7 @@ namespace Nowpose.Prediction.Candidates
             var lags = Math.Max(0, (longest - minLag) / _step + 1);
             var (points, costs, now, forgettingFactor, step, worst) = (_history.Points, _costs, _history[newest], _forgettingFactor, _step, Worst);
             var point = (int)newest - minLag;
-            // The costs of the two lags before, in local variables because the runtime checks each access of an array.
+            // The costs of the two previous lags are in local variables, because the runtime checks each access of an array.
             var (before, last) = (costs[0], costs[0]);
             for (var i = 1; i <= lags; i++)
             {

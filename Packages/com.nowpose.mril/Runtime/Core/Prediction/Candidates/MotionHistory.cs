@@ -4,13 +4,14 @@ namespace Nowpose.Prediction.Candidates
 {
     /// <summary>Keeps two minutes of a joint's motion on a uniform time grid, interpolated from samples at any intervals.</summary>
     /// <remarks>
-    /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest, so that every
+    /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest sample, so that every
     /// point has samples on both sides. Allocates nothing after construction.
     /// </remarks>
     sealed class MotionHistory
     {
         /// <summary>
-        /// Points kept, at least two minutes at 20 ms. A power of two: index operations use a mask instead of thousands of divisions per sample.
+        /// Maximum number of stored points: more than two minutes with a sample every 20 ms. The number is a power of two, so that index
+        /// operations use a mask instead of thousands of divisions per sample.
         /// </summary>
         public const int Capacity = 8192;
 
@@ -18,7 +19,7 @@ namespace Nowpose.Prediction.Candidates
         public const int Mask = Capacity - 1;
 
         /// <summary>
-        /// Number of newest grid points that a match must not include, because the spline needs points beyond the last one that is read.
+        /// Number of newest grid points that a match must not include, because the spline needs points after the last point that is read.
         /// </summary>
         public const int Margin = 4;
 
@@ -59,7 +60,7 @@ namespace Nowpose.Prediction.Candidates
             _maxDisplacement = 0;
         }
 
-        /// <summary>Adds a sample newer than all before.</summary>
+        /// <summary>Adds a sample that is newer than all previous samples.</summary>
         public void Add(double time, double position)
         {
             if (_samples == 0) _start = time;

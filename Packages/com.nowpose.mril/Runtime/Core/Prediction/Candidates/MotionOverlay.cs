@@ -18,7 +18,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Number of samples compared in the search near the lag: with six, the errors are the same within 0.01 %.</summary>
         const int NearbySamples = 4;
 
-        /// <summary>Approximate maximum number of compared samples; every third of 24, for example.</summary>
+        /// <summary>Approximate maximum number of compared samples. Of 24 samples, for example, every third is compared.</summary>
         const int ComparedSamples = 8;
 
         /// <summary>Number of Gauss-Newton steps: the third changes the lag by less than a thousandth of a grid step.</summary>
@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>Returns the lag at which the samples fit best.</summary>
         /// <param name="lag">Lag found by <see cref="LagSearch"/>.</param>
-        /// <param name="minLag">Minimum lag: the history after a match must cover a table.</param>
+        /// <param name="minLag">Minimum lag, so that the history after a match covers a whole forecast table.</param>
         public double Find(int lag, int minLag)
         {
             var nearby = Nearby(lag, minLag);
@@ -88,7 +88,7 @@ namespace Nowpose.Prediction.Candidates
                 var (f, i) = (index - cell, (int)cell);
                 double p0 = points[(i - 1) & MotionHistory.Mask], p1 = points[i & MotionHistory.Mask];
                 double p2 = points[(i + 1) & MotionHistory.Mask], p3 = points[(i + 2) & MotionHistory.Mask];
-                // Catmull-Rom, as MotionHistory.At, and its derivative.
+                // The same Catmull-Rom spline as in MotionHistory.At, and its derivative.
                 double a = p2 - p0, b = 2 * p0 - 5 * p1 + 4 * p2 - p3, c = 3 * (p1 - p2) + p3 - p0;
                 var error = _positions[k] - p1 - 0.5 * f * (a + f * (b + f * c));
                 var speed = 0.5 * (a + f * (2 * b + 3 * f * c));

@@ -6,12 +6,12 @@ using Nowpose.Prediction.Forecasting;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Forecasts by an S-curve profile (7 phases, from rest to rest) that it fits to the samples of the newest move, for axes with known
-    /// limits of the drive.
+    /// Forecasts by an S-curve profile (7 phases, from rest to rest) that is fitted to the samples of the newest move. For axes whose drive limits
+    /// are known.
     /// </summary>
     /// <remarks>
     /// The first samples of a move determine its start, because all moves under the same limits are equal until they brake
-    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that curve determines the stroke, and so the rest of the move.
+    /// (Schnierle &amp; Röck 2022, Fig. 12). A sample that lags behind that curve determines the stroke, and therefore the rest of the move.
     /// Other moves are predicted wrongly, so a <see cref="CandidateGate"/> decides whether the forecast is used.
     /// </remarks>
     sealed class ProfileForecaster : Forecaster
@@ -64,7 +64,7 @@ namespace Nowpose.Prediction.Candidates
         public static bool HasLimits(PredictionLimits limits) =>
             double.IsFinite(limits.Velocity) && double.IsFinite(limits.Acceleration) && double.IsFinite(limits.Jerk);
 
-        /// <returns>False if the motion is not such a move.</returns>
+        /// <returns>False if the motion does not match a profile.</returns>
         public override bool Solve(MotionState motion)
         {
             if (!motion.IsNewest) return _isKnown;

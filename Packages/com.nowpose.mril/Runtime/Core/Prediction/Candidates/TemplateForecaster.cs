@@ -4,10 +4,12 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Candidates
 {
-    /// <summary>For machines that repeat their motion: forecasts that the motion continues as it did after the last similar one.</summary>
+    /// <summary>
+    /// For machines that repeat their motion. Forecasts that the present motion continues in the same way as an earlier, similar motion.
+    /// </summary>
     /// <remarks>
     /// Compares the newest samples with the history at the lags of greatest similarity, refines each lag to the best fit, and averages the
-    /// continuations of the best three, weighted by their fit. Without such a lag, it has no forecast. A <see cref="CandidateGate"/>
+    /// continuations of the best three, weighted by their fit. Without a similar motion, it has no forecast. A <see cref="CandidateGate"/>
     /// decides whether the forecast is used.
     /// </remarks>
     sealed class TemplateForecaster : Forecaster
@@ -22,8 +24,8 @@ namespace Nowpose.Prediction.Candidates
         const double MinStep = 0.02;
 
         /// <summary>
-        /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look equal, and the duration of the rest before
-        /// them decides.
+        /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look equal, and only the duration of the rest
+        /// before the moves would decide.
         /// </summary>
         const int MinMoving = 2;
 
@@ -163,7 +165,7 @@ namespace Nowpose.Prediction.Candidates
                 if (!_overlay.Compare(_refined[i]) || !HasContinuation(_refined[i])) continue;
                 _lags[_matches] = _refined[i];
                 _errors[_matches] = _overlay.MeanSquare;
-                // The offset of the newest samples from the history is assumed to persist.
+                // The offset of the newest samples from the history is assumed to stay the same.
                 _offsets[_matches] = _overlay.Offset;
                 min = Math.Min(min, _errors[_matches++]);
             }
@@ -173,7 +175,7 @@ namespace Nowpose.Prediction.Candidates
         bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)
             && _history.Covers(_history.IndexOf(_newestTime + ForecastTable.Span) - lag);
 
-        // In motion, only the samples since its start are compared, because the duration of the rest before varies.
+        // In motion, only the samples since the start of the motion are compared, because the duration of the preceding rest varies.
         static int SamplesInWindow(MotionState motion)
         {
             var newest = motion.Samples;

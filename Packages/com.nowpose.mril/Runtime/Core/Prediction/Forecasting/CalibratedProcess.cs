@@ -4,7 +4,7 @@ namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>A Gaussian process whose variance is scaled by its own past errors.</summary>
     /// <remarks>
-    /// The kernel gives the growth of the standard deviation with the horizon, not its scale: the motion of a robot is not stationary.
+    /// The kernel determines how the standard deviation grows with the horizon, but not its scale, because the motion of a robot is not stationary.
     /// The quadratic form of the newest samples underestimates the errors of fast moves by a third, and grows only after the error.
     /// Therefore each new sample is compared with the forecast made one horizon before it. The scale is the mean of the squared errors,
     /// each divided by the variance of the unscaled process at that horizon. prediction-reference.md lists the fraction of errors within the deviation.
@@ -41,7 +41,7 @@ namespace Nowpose.Prediction.Forecasting
             _variance = 0;
         }
 
-        // Solves again from the samples of that time, so past forecasts need not be stored.
+        // Solves again from the samples that were the newest one horizon ago, so past forecasts need not be stored.
         void Learn(MotionState motion)
         {
             var age = AgeAtHorizon(motion);
@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Forecasting
             _variance += gain * (square - _variance);
         }
 
-        // Age of the sample nearest to one horizon before the newest; 0 where too few samples precede it.
+        // Returns the age of the sample that is nearest to one horizon before the newest sample; 0 if too few samples precede it.
         int AgeAtHorizon(MotionState motion)
         {
             double Distance(int age) => Math.Abs(motion.Samples[0].Time - motion.Samples[age].Time - motion.Horizon);

@@ -4,13 +4,13 @@ namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
-    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all
-    /// others of the last seconds. If it increased the speed, and the next sample confirms the new speed, all samples are used again: the
-    /// samples of a joint at rest do not harm the forecast of its start.
+    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all other
+    /// changes in the last seconds. If it increased the speed, and the next sample confirms the new speed, all samples are used again: the samples of
+    /// a joint at rest do not impair the forecast of its start.
     /// </remarks>
     sealed class ChangePointDetector
     {
-        /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent one.</summary>
+        /// <summary>Minimum ratio of the acceleration at a change point to the maximum recent acceleration.</summary>
         const double MinAccelerationRatio = 1.5;
 
         /// <summary>
@@ -37,7 +37,9 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of change points since the start.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Adds a sample: the speeds in the two intervals before it, in the samples' unit per second, and the intervals, in s.</summary>
+        /// <summary>
+        /// Adds a sample, given by the speeds in the last two intervals, in the samples' unit per second, and by these intervals, in s.
+        /// </summary>
         /// <param name="samples">Number of samples, including the newest.</param>
         /// <param name="speed">Displacement ÷ interval before the newest sample; 0 if there is none.</param>
         /// <param name="speedBefore">Speed in the previous interval.</param>

@@ -8,7 +8,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Pivots below this are rounding errors of an exactly singular system.</summary>
         const double MinPivot = 1e-12;
 
-        /// <param name="matrix">Row-major n×n, lower triangle given; holds the factor L afterwards.</param>
+        /// <param name="matrix">Row-major n×n matrix. Only its lower triangle is read. Receives the factor L.</param>
         public static void Factor(double[] matrix, int n)
         {
             for (var i = 0; i < n; i++)
@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         /// <param name="matrix">Matrix with the factor L.</param>
-        /// <param name="vector">The right-hand side; holds the solution afterwards.</param>
+        /// <param name="vector">The right-hand side. Receives the solution.</param>
         public static void Solve(double[] matrix, double[] vector, int n)
         {
             SolveLower(matrix, vector, n);
@@ -37,7 +37,7 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        /// <summary>Solves L x = vector: the sum of squares of x is the vector's quadratic form with the inverse matrix.</summary>
+        /// <summary>Solves L x = vector. The sum of the squares of x equals vectorᵀ A⁻¹ vector, where A is the factored matrix.</summary>
         public static void SolveLower(double[] matrix, double[] vector, int n)
         {
             for (var i = 0; i < n; i++)

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Forecast tables: positions relative to the newest sample's at 0, 50 … 500 ms after it.</summary>
+    /// <summary>Limits forecast tables and defines their form: positions 0, 50 … 500 ms after the newest sample, relative to its position.</summary>
     static class ForecastTable
     {
         public const int Points = 11;
@@ -17,7 +17,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="table">Contains the table from <paramref name="start"/> on, which is changed in place.</param>
         /// <param name="points">Number of points of the table that are used.</param>
         /// <param name="speed">Mean speed over the interval before the newest sample.</param>
-        /// <param name="interval">That interval, in s.</param>
+        /// <param name="interval">Interval before the newest sample, in s.</param>
         public static void Limit(double[] table, int start, int points, double speed, double interval, PredictionLimits limits)
         {
             if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
@@ -29,7 +29,7 @@ namespace Nowpose.Prediction.Forecasting
                 var i = start + cell;
                 var displacement = table[i] - wanted;
                 wanted = table[i];
-                // The mean speed is that of half an interval ago, and a cell's speed is that at its middle.
+                // The mean speed applies half an interval ago, and a cell's speed applies at the middle of the cell.
                 var change = limits.Acceleration * (interval / 2 + (cell - 0.5) * Step);
                 var slowest = Math.Max(-max, speed - change);
                 var fastest = Math.Min(max, speed + change);
@@ -38,7 +38,9 @@ namespace Nowpose.Prediction.Forecasting
         }
     }
 
-    /// <summary>A time in forecast tables, to read several of them: the weights of the points around it in a Catmull-Rom spline.</summary>
+    /// <summary>
+    /// A time in forecast tables: the weights of the points around this time in a Catmull-Rom spline. Can be used to read several tables.
+    /// </summary>
     readonly struct TableTime
     {
         readonly int _before, _cell, _after;

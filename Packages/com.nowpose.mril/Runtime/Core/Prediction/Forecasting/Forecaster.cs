@@ -1,6 +1,6 @@
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Forecasts a joint's position from its newest samples. Allocates nothing after construction; one thread.</summary>
+    /// <summary>Forecasts a joint's position from its newest samples. Allocates nothing after construction. Not thread-safe.</summary>
     abstract class Forecaster
     {
         /// <summary>
@@ -13,10 +13,10 @@ namespace Nowpose.Prediction.Forecasting
         public virtual double Span => double.PositiveInfinity;
 
         /// <summary>Solves for the newest samples.</summary>
-        /// <returns>False if it has no forecast for them.</returns>
+        /// <returns>False if there is no forecast for these samples.</returns>
         public abstract bool Solve(MotionState motion);
 
-        /// <summary>Returns the position relative to the newest sample's, from the last solve.</summary>
+        /// <summary>Returns the forecast position relative to the position of the newest sample, from the last solve.</summary>
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public abstract double At(double ahead);
 
@@ -24,8 +24,8 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
         public virtual double DeviationAt(double ahead) => double.NaN;
 
-        /// <summary>Fills a table of <see cref="ForecastTable"/> from the last solve.</summary>
-        /// <param name="table">An array that receives the table from <paramref name="start"/> on.</param>
+        /// <summary>Fills the array of a <see cref="ForecastTable"/> with forecasts from the last solve.</summary>
+        /// <param name="table">Array that receives the forecasts from index <paramref name="start"/> on.</param>
         /// <param name="points">Number of points to fill.</param>
         public virtual void Fill(double[] table, int start, int points)
         {

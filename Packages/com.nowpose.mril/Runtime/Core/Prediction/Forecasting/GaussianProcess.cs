@@ -13,20 +13,22 @@ namespace Nowpose.Prediction.Forecasting
     /// </remarks>
     sealed class GaussianProcess : Forecaster
     {
-        /// <summary>l, in s: the correlation length of the motion. Of the values from 0.4 to 2 s, the best one for moves without noise.</summary>
+        /// <summary>
+        /// l, in s: the correlation length of the motion. Among the values from 0.4 to 2 s, this one is best for moves without noise.
+        /// </summary>
         const double LengthScale = 0.6;
 
-        /// <summary>Ratio of the variance of the samples' noise to that of the motion.</summary>
+        /// <summary>Ratio of the variance of the samples' noise to the variance of the motion.</summary>
         const double Noise = 1e-7;
 
         /// <summary>Number of newest samples used.</summary>
         const int Newest = 5;
 
-        /// <summary>Variance of the level, relative to that of the motion.</summary>
+        /// <summary>Variance of the level, relative to the variance of the motion.</summary>
         const double LevelVariance = 100;
 
         /// <summary>
-        /// Variance of the trend, relative to that of the motion, per second squared: large enough that constant velocity is
+        /// Variance of the trend, relative to the variance of the motion, per second squared: large enough that constant velocity is
         /// predicted exactly.
         /// </summary>
         const double TrendVariance = 1000 / (LengthScale * LengthScale);
@@ -51,7 +53,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public override bool Solve(MotionState motion) => Solve(motion, 0);
 
-        /// <summary>Solves for an earlier sample as the newest; results are relative to it until the next solve.</summary>
+        /// <summary>Solves as if an earlier sample were the newest. The results are relative to this sample until the next solve.</summary>
         /// <param name="age">Number of newer samples, which are ignored.</param>
         /// <inheritdoc cref="Solve(MotionState)"/>
         public bool Solve(MotionState motion, int age)
@@ -92,7 +94,8 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         /// <summary>
-        /// Like the base method, but the forecast is constant after a reversal, because drives stop far more often than they reverse.
+        /// Fills the table like the base method, but keeps the forecast constant after a reversal, because drives stop far more often than they
+        /// reverse.
         /// </summary>
         /// <inheritdoc/>
         public override void Fill(double[] table, int start, int points)

@@ -4,7 +4,8 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>
-    /// State of one joint, as input of all forecasters: newest samples, sampling interval, rest, change points and the prediction horizon.
+    /// State of one joint's motion, as the input of all forecasters: newest samples, sampling interval, rest, change points and the prediction
+    /// horizon.
     /// </summary>
     sealed class MotionState
     {
@@ -20,10 +21,10 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Range of the horizon, in s: forecast tables end at 0.5 s.</summary>
         const double MinHorizon = 0.01, MaxHorizon = 0.45;
 
-        /// <summary>Horizon before the first displayed moment is known, in s.</summary>
+        /// <summary>Horizon until the first display time is known, in s.</summary>
         const double FirstHorizon = 0.125;
 
-        /// <summary>Maximum ratio of two successive speeds, the smaller to the larger, at a start or a stop.</summary>
+        /// <summary>Maximum ratio of the smaller to the larger of two successive speeds at which a start or stop is detected.</summary>
         const double StartRatio = 0.1;
 
         readonly double _maximumGap;
@@ -47,13 +48,13 @@ namespace Nowpose.Prediction.Forecasting
 
         public ChangePointDetector ChangePoints { get; } = new ChangePointDetector();
 
-        /// <summary>Whether the last sample added is newer than all before; otherwise it was overtaken.</summary>
+        /// <summary>Whether the last added sample is newer than all previous samples; otherwise it was overtaken.</summary>
         public bool IsNewest { get; private set; }
 
         /// <summary>Number of newest samples without a gap above the maximum.</summary>
         public int ConnectedSamples { get; private set; }
 
-        /// <summary>Number of newest samples of one motion: without a gap, and after the newest change point.</summary>
+        /// <summary>Number of newest samples that belong to one motion: they have no gap, and follow the newest change point.</summary>
         public int SamplesOfOneMotion => Math.Min(ConnectedSamples, ChangePoints.SamplesSince);
 
         /// <summary>Interval before the newest sample, in s; 0 before two samples.</summary>
@@ -69,8 +70,8 @@ namespace Nowpose.Prediction.Forecasting
         public double Start { get; private set; }
 
         /// <summary>
-        /// Maximum speed of two consecutive intervals in the same direction, per second; 0 before there were two. One interval is not enough,
-        /// because a joint that is repositioned, or whose angle wraps from π to −π, can have any speed in a single interval.
+        /// Maximum speed of two consecutive intervals in the same direction, per second; 0 before there are two such intervals. One interval is not
+        /// enough, because a joint that is repositioned, or whose angle wraps from π to −π, can have any speed in a single interval.
         /// </summary>
         public double MaxSpeed { get; private set; }
 
@@ -78,8 +79,8 @@ namespace Nowpose.Prediction.Forecasting
         public double Horizon { get; private set; }
 
         /// <summary>Updates the state after the buffer has added a sample.</summary>
-        /// <param name="isNewest">False if newer samples have overtaken it.</param>
-        /// <param name="displayed">The last displayed moment, in s; NaN if nothing is displayed.</param>
+        /// <param name="isNewest">False if newer samples have overtaken the sample.</param>
+        /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
         public void Add(bool isNewest, double displayed)
         {
             IsNewest = isNewest;

@@ -1,13 +1,13 @@
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Ordinary least squares for Eq. (8) with more points than coefficients.</summary>
+    /// <summary>Fits the polynomial of Eq. (8) by ordinary least squares if there are more points than coefficients.</summary>
     /// <remarks>
     /// The basis consists of polynomials that are orthogonal on the sample times, from a three-term recurrence (Forsythe 1957), so the
     /// solve needs no matrix and does not square the condition number as normal equations do.
     /// </remarks>
     sealed class OrthogonalFit
     {
-        // Values at the sample times and coefficients of the newest polynomial of the basis, and of the one before.
+        // Values at the sample times, and coefficients, of the newest polynomial of the basis and of the previous polynomial.
         double[] _values, _valuesBefore;
         double[] _powers = new double[PolynomialForecaster.MaxDegree + 1], _powersBefore = new double[PolynomialForecaster.MaxDegree + 1];
 
@@ -42,7 +42,7 @@ namespace Nowpose.Prediction.Forecasting
             for (var k = 0; k < powers.Length; k++) coefficients[k] += coefficient * powers[k];
         }
 
-        // Returns the squared norm of the next polynomial, (t - centre) * newest - ratio * the one before.
+        // Computes the next polynomial, (t − centre) · newest − ratio · previous. Returns its squared norm.
         double Next(double[] times, int count, double norm, double ratio)
         {
             var (values, next, centre, square) = (_values, _valuesBefore, 0.0, 0.0);

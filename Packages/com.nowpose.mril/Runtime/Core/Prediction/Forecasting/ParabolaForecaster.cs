@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>
-    /// A parabola, constant after its vertex: from the velocity and acceleration in the newest sample, or through the newest three
-    /// samples.
+    /// Forecasts with a parabola that is constant after its vertex. The velocity and acceleration in the newest sample, or the newest three samples,
+    /// determine the parabola.
     /// </summary>
     sealed class ParabolaForecaster : Forecaster
     {
@@ -40,7 +40,7 @@ namespace Nowpose.Prediction.Forecasting
             }
         }
 
-        // Taylor series; if only the velocity is reported, the previous sample determines the second derivative.
+        // Uses the Taylor series. If only the velocity is reported, the previous sample determines the second derivative.
         void TakeReported(MotionState motion)
         {
             ref readonly var newest = ref motion.Samples[0];

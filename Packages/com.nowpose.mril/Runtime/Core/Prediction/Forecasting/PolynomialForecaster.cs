@@ -30,7 +30,7 @@ namespace Nowpose.Prediction.Forecasting
         double _perScale;
 
         /// <param name="degree">n, 0 to 3.</param>
-        /// <param name="history">h, the number of samples used besides the newest one; n to 100.</param>
+        /// <param name="history">h, the number of samples used in addition to the newest one; n to 100.</param>
         /// <exception cref="ArgumentOutOfRangeException">Degree or history is outside its range.</exception>
         public PolynomialForecaster(int degree, int history)
         {

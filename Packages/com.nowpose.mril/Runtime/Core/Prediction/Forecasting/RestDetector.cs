@@ -3,7 +3,7 @@ using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Prediction.Forecasting
 {
-    /// <summary>Detects rest with and without noise. The weights of the mixture, and the records of candidates, are separate at rest.</summary>
+    /// <summary>Detects rest with and without noise. At rest, the mixture has separate weights, and candidates have separate errors.</summary>
     /// <remarks>
     /// There are three questions, each with one answer:
     /// 1. Does the joint stand still (<see cref="StillSamples"/>)? Two samples differ by at most a thousandth of the recent maximum. This is
@@ -12,8 +12,8 @@ namespace Nowpose.Prediction.Forecasting
     /// noise, and ends at a larger distance from the position where it began. The mixture uses it.
     /// 3. Are the samples at rest only noise (<see cref="IsOnlyNoise"/>), or does the joint move slowly? Then the mixture holds the position.
     /// The noise is the low decile of the ranges over time, from a quantile tracker. A joint that never rests raises it to the slowest tenth
-    /// of its motion; samples that all move in one direction therefore begin a rest only if they are much slower than the fastest ones of
-    /// the last seconds, as at the end of a motion.
+    /// of its motion; samples that all move in one direction therefore begin a rest only if they are much slower than the fastest samples of the last
+    /// seconds, as at the end of a motion.
     /// </remarks>
     sealed class RestDetector
     {

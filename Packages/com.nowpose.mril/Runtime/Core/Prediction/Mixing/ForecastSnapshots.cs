@@ -2,7 +2,7 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Prediction.Mixing
 {
-    /// <summary>Past forecasts, kept until the samples of their times have arrived.</summary>
+    /// <summary>Stores past forecasts until the samples of their times have arrived.</summary>
     sealed class ForecastSnapshots
     {
         /// <summary>Capacity for the maximum horizon at the minimum sampling interval: 0.45 s at 180 Hz are 81.</summary>
@@ -21,10 +21,10 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Appends a snapshot to be filled. Drops the oldest when full.</summary>
         public Snapshot Append() => _snapshots.Append();
 
-        /// <summary>Finds the snapshots before and after a time, and drops all that are older.</summary>
+        /// <summary>Finds the last snapshot before a time and the first one after it, and drops all older snapshots.</summary>
         /// <param name="time">In s.</param>
         /// <param name="older">The newest snapshot at or before that time.</param>
-        /// <param name="younger">The next one; null if there is none.</param>
+        /// <param name="younger">The next snapshot; null if there is none.</param>
         /// <returns>False if all snapshots are younger.</returns>
         public bool TryFind(double time, out Snapshot older, out Snapshot younger)
         {
@@ -47,13 +47,13 @@ namespace Nowpose.Prediction.Mixing
                 _hasForecast = new bool[forecasts];
             }
 
-            /// <summary>Time of the newest sample at the forecast, in s.</summary>
+            /// <summary>Time of the sample that was the newest when the forecast was made, in s.</summary>
             public double Time { get; set; }
 
-            /// <summary>Position of the newest sample at the forecast.</summary>
+            /// <summary>Position of the sample that was the newest when the forecast was made.</summary>
             public double Position { get; set; }
 
-            /// <summary>Number of change points before the forecast: forecasts across a change point are not scored.</summary>
+            /// <summary>Number of change points before the forecast. Forecasts across a change point are not scored.</summary>
             public int ChangePoints { get; set; }
 
             /// <summary>Whether the joint was at rest, including noise.</summary>

@@ -30,7 +30,9 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _priorWhenReported;
         readonly bool _usesChangePoints;
 
-        /// <param name="mixed">Forecasters in addition to hold. The first must be the line; its prior weight is what the others leave.</param>
+        /// <param name="mixed">
+        /// Forecasters in addition to hold. The first must be the line. Its prior weight is one minus the weights of the others.
+        /// </param>
         /// <param name="usesChangePoints">Whether samples before a change point are left out.</param>
         public MixedForecasters(MixedForecaster[] mixed, bool usesChangePoints)
         {
@@ -79,7 +81,7 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < points; i++) tables[start + i] = i * speed * ForecastTable.Step;
         }
 
-        // The line has the weight that the others leave to a sum of one.
+        // The weight of the line is one minus the weights of the other forecasters.
         double[] Weights(Func<MixedForecaster, double> weightOf)
         {
             var weights = new double[Count];

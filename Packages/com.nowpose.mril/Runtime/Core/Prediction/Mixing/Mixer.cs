@@ -16,8 +16,8 @@ namespace Nowpose.Prediction.Mixing
     sealed class Mixer : Forecaster
     {
         /// <summary>
-        /// Time constant of the forgetting factor of the weights, in s: with 10 or 40 s, the errors of joints change by at most 0.2 %; with
-        /// 40 s, those of objects are 1.5 % larger.
+        /// Time constant of the forgetting factor of the weights, in s: with 10 or 40 s, the errors of joints change by at most 0.2 %; with 40 s, the
+        /// errors of objects are 1.5 % larger.
         /// </summary>
         public const double TimeConstant = 20;
 
@@ -27,7 +27,7 @@ namespace Nowpose.Prediction.Mixing
         /// </summary>
         public const double FirstMoveRatio = 30;
 
-        /// <summary>Maximum age of a scored snapshot, in horizons, plus one interval: an older one is from before a pause.</summary>
+        /// <summary>Maximum age of a scored snapshot, in horizons, plus one interval. An older snapshot was made before a pause.</summary>
         const double MaxAgeRatio = 1.5;
 
         readonly PredictionLimits _limits;
@@ -144,8 +144,9 @@ namespace Nowpose.Prediction.Mixing
             return best;
         }
 
-        // Compares the newest sample with the forecasts of the two snapshots around the time one horizon before it. The weights learn from
-        // the nearer one; at rest, where noise decides, from the older one. Candidates are scored by both, because few forecasts of them exist.
+        // Compares the newest sample with the forecasts of the two snapshots that were made about one horizon before it. The weights learn from the
+        // nearer snapshot; at rest, where noise decides, from the older one. Candidates are scored with both snapshots, because there are few
+        // forecasts of candidates.
         void ScorePastForecasts(MotionState motion, double forgettingFactor)
         {
             var (now, horizon) = (motion.Samples.NewestTime, motion.Horizon);
@@ -159,7 +160,7 @@ namespace Nowpose.Prediction.Mixing
             if ((younger ?? older) != null) Learn(motion, younger ?? older, forgettingFactor);
         }
 
-        // Scores each candidate against the mixture with the weights of that time.
+        // Scores each candidate against the mixture with the weights at the time of the snapshot.
         void ScoreCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot)
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
@@ -189,7 +190,7 @@ namespace Nowpose.Prediction.Mixing
             _weights.Learn(_errors, snapshot.WasAtRest, forgettingFactor);
         }
 
-        // Reading a table also needs the point after the cell.
+        // To read a table, the point after the cell is also needed.
         bool IsInTable(double ahead) => ahead <= (_points < ForecastTable.Points ? _points - 2 : _points - 1) * ForecastTable.Step;
     }
 }

@@ -33,7 +33,7 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly double[] _gradient;
 
-        // The product Gw, updated with each change instead of computed for each solve.
+        // The product Gw. It is updated with each change, so that it need not be computed for each solve.
         readonly double[] _weighted;
 
         /// <param name="regularisation">λ relative to the minimum mean square among the forecasts.</param>
@@ -57,7 +57,7 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Returns the mean square of one forecast's error; 0 without evidence.</summary>
         public double MeanSquare(int forecast) => _products[forecast * (_count + 1)] / Math.Max(Evidence, Positive);
 
-        /// <summary>Adds the errors of all forecasts at one moment.</summary>
+        /// <summary>Adds the errors of all forecasts for one sample.</summary>
         /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
         public void Learn(double[] errors, double forgettingFactor)
         {

@@ -4,12 +4,12 @@ namespace Nowpose.Prediction.Mixing
 {
     /// <summary>A queue of fixed capacity whose elements are created once and filled again and again.</summary>
     /// <remarks>
-    /// The element that was dropped last is the next one to be filled: its memory is still in the processor's cache. With 200 axes, a ring,
-    /// which would fill the element dropped longest ago, takes 10 % more time per sample. Allocates nothing after construction.
+    /// The next element to be filled is the one that was dropped last, because its memory is still in the processor's cache. A ring would fill the
+    /// element that was dropped longest ago; with 200 axes, it takes 10 % more time per sample. Allocates nothing after construction.
     /// </remarks>
     sealed class RecyclingQueue<T> where T : class
     {
-        // Oldest first; the free elements follow, the one dropped last first.
+        // Used elements, the oldest first, followed by the free elements, the last dropped one first.
         readonly T[] _elements;
 
         /// <param name="create">Creates one element.</param>

@@ -5,7 +5,7 @@ namespace Nowpose.Prediction.Mixing
 {
     /// <summary>Estimates the weights of a joint's mixture from its errors, and selects the weights of the next forecast.</summary>
     /// <remarks>
-    /// There are three sets of weights: from all errors, from those at rest, and from those in motion. The last two are regularised towards
+    /// There are three sets of weights: from all errors, from the errors at rest, and from the errors in motion. The last two are regularised towards
     /// the first. Two situations use other weights. If the samples at rest are only noise, the position is held. A first move, which is much
     /// faster than the motion of the last seconds, starts as a line and continues with the prior, because weights from noise or slow motion
     /// do not suit it.
@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Mixing
         public double Threshold => _limitsErrors && _overall.Evidence >= MinEvidence
             ? OutlierThreshold * Math.Sqrt(_overall.MeanSquare(MixedForecasters.Hold)) : double.PositiveInfinity;
 
-        /// <summary>Adds the errors of all forecasters at one moment.</summary>
+        /// <summary>Adds the errors of all forecasters for one sample.</summary>
         /// <param name="errors">Limited by <see cref="Threshold"/>, one per forecaster.</param>
         /// <param name="wasAtRest">Whether the joint was at rest when the forecasts were made.</param>
         /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
@@ -68,7 +68,7 @@ namespace Nowpose.Prediction.Mixing
         {
             _hasNewErrors = wasAtRest;
             if (wasAtRest) _resting.Learn(errors, forgettingFactor);
-            // At rest without noise, all forecasts are right, and their errors say nothing about the forecasters.
+            // At rest without noise, all forecasts are correct, so they show no difference between the forecasters.
             if (Array.TrueForAll(errors, error => error == 0)) return;
             _hasNewErrors = true;
             _overall.Learn(errors, forgettingFactor);

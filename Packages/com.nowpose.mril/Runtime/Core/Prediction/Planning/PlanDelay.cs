@@ -4,8 +4,8 @@ namespace Nowpose.Prediction.Planning
 {
     /// <summary>Estimates the delay and the offset with which a joint follows its plan. Detects when it does not follow.</summary>
     /// <remarks>
-    /// Position of the joint = plan(t − delay) + offset. A Kalman filter estimates the two together, because each sample shows only their
-    /// joint effect, and that of the delay only in motion. The initial standard deviation of the delay is 0.1 s; the first moves determine it.
+    /// Position of the joint = plan(t − delay) + offset. A Kalman filter estimates both together, because each sample shows only their combined
+    /// effect, and the effect of the delay only in motion. The initial standard deviation of the delay is 0.1 s; the first moves determine it.
     /// </remarks>
     sealed class PlanDelay
     {
@@ -15,13 +15,16 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Standard deviation of an unknown offset, relative to the path's range.</summary>
         const double UnknownOffset = 0.02;
 
-        /// <summary>Standard deviation of the residual of a plan that is followed: relative to its range (the drive's dynamics), plus the sensor's noise.</summary>
+        /// <summary>
+        /// Standard deviation of the residual while the plan is followed: a share of the plan's range, for the drive's dynamics, plus the sensor's
+        /// noise.
+        /// </summary>
         const double NoiseRatio = 0.005, MinNoise = 1e-4;
 
         /// <summary>Drift per second of the delay, in s, and of the offset, relative to the standard deviation of an unknown offset.</summary>
         const double DelayDrift = 0.005, OffsetDrift = 0.2;
 
-        /// <summary>Maximum residual in standard deviations; beyond it, the joint does not follow.</summary>
+        /// <summary>Maximum residual, in standard deviations, of a joint that follows the plan.</summary>
         const double MaxStandardErrors = 5;
 
         /// <summary>Bounds above which squares overflow.</summary>
@@ -49,7 +52,7 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Compares the plan with a sample, and updates the estimates if the joint follows.</summary>
         /// <param name="time">Time of the sample, s.</param>
         /// <param name="difference">Sample minus plan(t − <see cref="Delay"/>) − <see cref="Offset"/>.</param>
-        /// <param name="velocity">Velocity of the plan at that time.</param>
+        /// <param name="velocity">Velocity of the plan at this time.</param>
         /// <param name="range">Range of the plan's positions.</param>
         /// <returns>Whether the joint follows.</returns>
         public PlanVerdict Add(double time, double difference, double velocity, double range)
@@ -70,7 +73,7 @@ namespace Nowpose.Prediction.Planning
             _varDelay = Math.Max((1 + delayGain * velocity) * delayOld - delayGain * both, 1e-12);
             _covariance = (1 + delayGain * velocity) * both - delayGain * offsetOld;
             _varOffset = Math.Max(offsetGain * velocity * both + (1 - offsetGain) * offsetOld, 1e-18);
-            // A plan that hardly moves agrees with any joint at rest at its position.
+            // A plan that hardly moves agrees with any joint that is at rest at the planned position.
             return Math.Abs(velocity) * UnknownDelay > MaxStandardErrors * noise ? PlanVerdict.Followed : PlanVerdict.Unclear;
         }
 

@@ -3,26 +3,27 @@ using System;
 namespace Nowpose.Prediction.Planning
 {
     /// <summary>
-    /// Computes a joint's position from its plan, with the delay and the offset with which the joint follows it. Detects whether it does.
+    /// Computes a joint's position from its plan, with the delay and the offset with which the joint follows the plan. Detects whether the joint
+    /// follows.
     /// </summary>
-    /// <remarks>Allocates nothing after construction; one thread. Times are seconds since the epoch of the samples.</remarks>
+    /// <remarks>Allocates nothing after construction. Not thread-safe. Times are seconds since the epoch of the samples.</remarks>
     sealed class PlanFollower
     {
         /// <summary>Number of consistent samples in motion after which a plan that was not followed is used again.</summary>
         const int AgreementsToReturn = 5;
 
-        /// <summary>Time after the plan's end during which it is used, if it ends at rest, until samples after its end arrive, in s.</summary>
+        /// <summary>Maximum time, in s, for which a plan that ends at rest is still used after its end, until later samples arrive.</summary>
         const double Settling = 0.1;
 
         readonly PlanDelay _delay = new PlanDelay();
         ActivePlan _current, _next;
         int _agreements = AgreementsToReturn;
 
-        /// <summary>Replaces the plan: from the new plan's start on if it is in the future, otherwise at once.</summary>
+        /// <summary>Replaces the plan at the start of the new plan, or at once if this start is not in the future.</summary>
         /// <param name="start">Stamp of the plan, in s.</param>
-        /// <param name="from">As in <see cref="ActivePlan"/>.</param>
-        /// <param name="turns">As in <see cref="ActivePlan"/>.</param>
-        /// <param name="now">The last displayed moment, in s.</param>
+        /// <param name="from">See <see cref="ActivePlan"/>.</param>
+        /// <param name="turns">See <see cref="ActivePlan"/>.</param>
+        /// <param name="now">Last display time, in s.</param>
         /// <param name="newest">Time of the newest sample, in s.</param>
         public void Replace(PlannedPath path, double start, double from, double turns, double now, double newest)
         {
@@ -56,7 +57,7 @@ namespace Nowpose.Prediction.Planning
         }
 
         /// <summary>Returns whether the plan determines the joint's position at a time.</summary>
-        /// <param name="newest">Time of the newest sample: once there are samples after the plan's end, the plan is not used.</param>
+        /// <param name="newest">Time of the newest sample. The plan is not used after samples from after its end have arrived.</param>
         /// <returns>False without a plan at that time, or if the joint does not follow the plan.</returns>
         public bool IsFollowedAt(double time, double newest)
         {
@@ -70,7 +71,7 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         /// <param name="newest">Time of the newest sample.</param>
         /// <param name="lastTime">Time after which the samples are too old for any plan.</param>
-        /// <param name="timeConstant">Time constant of the rise and fall, in s; 0 for at once.</param>
+        /// <param name="timeConstant">Time constant of the rise and fall, in s; 0 for an immediate change.</param>
         /// <param name="holds">Whether the plan determines the displayed position.</param>
         public double WeightAt(double time, double newest, double lastTime, double timeConstant, out bool holds)
         {
@@ -103,10 +104,10 @@ namespace Nowpose.Prediction.Planning
 
         /// <param name="start">Stamp of the plan, in s.</param>
         /// <param name="from">
-        /// The joint's position at the start, in the path's turn: a plan with a later first set-point starts there.
+        /// The joint's position at the start, in the path's turn. A plan whose first set-point is later starts from this position.
         /// </param>
-        /// <param name="turns">Added to the path's positions, rad: whole turns of an endless joint.</param>
-        /// <param name="since">As <see cref="Since"/>.</param>
+        /// <param name="turns">Whole turns of an endless joint that are added to the path's positions, rad.</param>
+        /// <param name="since">See <see cref="Since"/>.</param>
         public ActivePlan(PlannedPath path, double start, double from, double turns, double since) =>
             (_path, Start, _from, _turns, Since) = (path, start, from, turns, since);
 

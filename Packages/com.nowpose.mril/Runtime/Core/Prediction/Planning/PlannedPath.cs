@@ -7,8 +7,8 @@ namespace Nowpose.Prediction.Planning
     /// The planned path of one joint: set-points, interpolated as in ROS's joint_trajectory_controller.
     /// </summary>
     /// <remarks>
-    /// Interpolates positions linearly, with velocities by cubics, and with accelerations too by quintics. Immutable; any
-    /// thread may use it.
+    /// Interpolates linearly between positions; with cubics if the velocities are known; with quintics if the accelerations are also known. Immutable
+    /// and thread-safe.
     /// </remarks>
     sealed class PlannedPath
     {
@@ -17,11 +17,11 @@ namespace Nowpose.Prediction.Planning
         readonly double[] _velocities;
         readonly double[] _accelerations;
 
-        /// <param name="times">Seconds after the plan's stamp, 0 or more, each later than the one before; at least one.</param>
+        /// <param name="times">Seconds after the plan's stamp, 0 or more, each later than the previous one; at least one.</param>
         /// <param name="positions">rad or m, one for each time, finite.</param>
         /// <param name="velocities">rad/s or m/s, one for each time, NaN if unknown; null if all are unknown.</param>
         /// <param name="accelerations">rad/s² or m/s², one for each time, NaN if unknown; null if all are unknown.</param>
-        /// <exception cref="ArgumentException">Lengths differ, or the times do not rise.</exception>
+        /// <exception cref="ArgumentException">The lengths differ, or the times do not increase.</exception>
         public PlannedPath(double[] times, double[] positions, double[] velocities = null, double[] accelerations = null)
         {
             if (times.Length == 0 || positions.Length != times.Length)
@@ -68,7 +68,7 @@ namespace Nowpose.Prediction.Planning
             var displacement = _positions[i + 1] - _positions[i];
             var (v0, v1) = (Value(_velocities, i) * length, Value(_velocities, i + 1) * length);
             var (a0, a1) = (Value(_accelerations, i) * length * length, Value(_accelerations, i + 1) * length * length);
-            // c0 is the position; the others follow from the values known at both ends. x runs from 0 to 1.
+            // c0 is the position. The other coefficients follow from the known values at both ends. x runs from 0 to 1.
             double c1 = displacement, c2 = 0, c3 = 0, c4 = 0, c5 = 0;
             if (!double.IsNaN(v0 + v1 + a0 + a1))
                 (c1, c2, c3, c4, c5) = (

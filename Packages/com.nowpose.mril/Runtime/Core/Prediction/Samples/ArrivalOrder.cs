@@ -3,24 +3,23 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Distinguishes samples that were overtaken on the network from those of a clock that went back.
+    /// Distinguishes samples that were overtaken on the network from samples of a clock that went back.
     /// </summary>
     /// <remarks>
-    /// In both cases the stamp is not newer than the newest. If a sample of a clock that went back is taken for an overtaken one, the
-    /// section is wrong; in the opposite case, all learned state is lost. Therefore late samples wait, at most five. The next newer sample,
-    /// or a late one that is not newer than the last that waits, shows that they were overtaken, and they are inserted. If their number, or
-    /// positions that contradict the other samples, show that the clock went back, the history restarts with them. Allocates nothing after
-    /// construction.
+    /// In both cases the stamp is not newer than the newest. If a sample of a clock that went back is mistaken for an overtaken sample, the section
+    /// is wrong; in the opposite case, all learned state is lost. Therefore up to five late samples wait. The next newer sample, or a late sample
+    /// that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted. If their number, or positions that
+    /// contradict the other samples, show that the clock went back, the history restarts with them. Allocates nothing after construction.
     /// </remarks>
     sealed class ArrivalOrder
     {
         /// <summary>
-        /// Number of consecutive late samples that proves a clock that went back: at 20 ms, WiFi swaps two samples every few seconds.
+        /// Number of consecutive late samples that proves that the clock went back: at 20 ms, WiFi swaps two samples every few seconds.
         /// </summary>
         public const int MaxLate = 5;
 
         /// <summary>
-        /// Sufficient number if the neighbouring samples show that the joint was elsewhere, or if the samples are late by more than
+        /// Number that is sufficient if the neighbouring samples show that the joint was elsewhere, or if the samples are late by more than
         /// <see cref="MaxDelay"/>. A single one may be a repeated message.
         /// </summary>
         const int MinLate = 2;
@@ -33,7 +32,7 @@ namespace Nowpose.Prediction.Samples
         double _newest = double.NegativeInfinity;
         int _readyCount;
 
-        // The waiting samples, each newer than the one before. Some are only evidence: they are used only if the clock has gone back.
+        // The waiting samples, each newer than the previous one. Some are only evidence: they are used only if the clock has gone back.
         readonly JointSample[] _late = new JointSample[MaxLate];
         readonly bool[] _isOnlyEvidence = new bool[MaxLate];
         int _lateCount, _contradicted;
@@ -42,11 +41,11 @@ namespace Nowpose.Prediction.Samples
         public ArrivalOrder(bool isEndless) => _recent = new RecentSamples(isEndless);
 
         /// <summary>
-        /// Samples to use now, in order: those that waited and are now classified, and the one added if it is the newest.
+        /// Samples to use now, in order: the waiting samples that are now classified, and the added sample if it is the newest.
         /// </summary>
         public ReadOnlySpan<JointSample> Ready => _ready.AsSpan(0, _readyCount);
 
-        /// <summary>Number of times that the samples showed that the clock went back; all earlier samples are invalid then.</summary>
+        /// <summary>Number of times that the samples showed that the clock went back; all earlier samples are then invalid.</summary>
         public int Restarts { get; private set; }
 
         /// <param name="oldest">

@@ -38,7 +38,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>The samples for forecasts.</summary>
         public SampleHistory History { get; }
 
-        /// <summary>Position of the newest sample, including those left out; 0 before the first.</summary>
+        /// <summary>Position of the newest sample, even if the sample is left out; 0 before the first sample.</summary>
         public double NewestPosition { get; private set; }
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
@@ -47,7 +47,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Whole turns that unwrapping added to the newest position, in rad.</summary>
         public double Shift { get; private set; }
 
-        /// <summary>Returns whether a sample is newer than all before.</summary>
+        /// <summary>Returns whether a sample is newer than all previous samples.</summary>
         public bool IsNewer(in JointSample sample) => sample.Order > _newestOrder;
 
         /// <returns>Whether the history has changed.</returns>
@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Samples
             var isNewest = IsNewer(sample);
             var position = Unwrapped(sample);
             var time = _stamps == null ? sample.Time : _stamps.Correct(sample.Time, position, isNewest);
-            // The order decides, because the corrected stamp of the newest sample may be before that of the previous one.
+            // The order decides, because the corrected stamp of the newest sample may precede the corrected stamp of the previous sample.
             if (isNewest)
             {
                 (_newestOrder, _unwrapped) = (sample.Order, position);

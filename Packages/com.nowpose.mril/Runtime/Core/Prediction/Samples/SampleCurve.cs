@@ -6,9 +6,9 @@ namespace Nowpose.Prediction.Samples
     /// A smooth curve through samples at any intervals: exact for quadratics, without overshoot if the samples are monotone.
     /// </summary>
     /// <remarks>
-    /// A cubic Hermite with the slopes of the parabolas through neighbours, and the
-    /// limit of Fritsch &amp; Carlson (1980). The limit applies only where samples rise or fall monotonically: at a turning point it
-    /// would flatten the curve between the samples. Stores nothing: each call evaluates the samples around its time.
+    /// A cubic Hermite spline whose slopes come from the parabolas through neighbouring samples, with the limit of Fritsch &amp; Carlson (1980). The
+    /// limit applies only where samples rise or fall monotonically: at a turning point it would flatten the curve between the samples. Stores no
+    /// results: each call uses the samples around the requested time.
     /// </remarks>
     readonly struct SampleCurve
     {
@@ -22,7 +22,7 @@ namespace Nowpose.Prediction.Samples
         /// <param name="count">Number of newest samples, at least two; their times differ.</param>
         public SampleCurve(SampleHistory samples, int count) => (_samples, _count) = (samples, count);
 
-        /// <summary>Time of its oldest sample, s.</summary>
+        /// <summary>Time of the oldest sample of the curve, s.</summary>
         public double Start => _samples[_count - 1].Time;
 
         /// <param name="time">Time between the oldest and the newest sample.</param>
@@ -52,7 +52,7 @@ namespace Nowpose.Prediction.Samples
             return slope;
         }
 
-        // Slope at a sample of the parabola through it and its neighbours; at an end, of the last three samples.
+        // Slope at a sample of the parabola through this sample and its neighbours; at an end, of the parabola through the last three samples.
         double Parabola(int age)
         {
             var middle = Math.Min(Math.Max(age, 1), _count - 2);

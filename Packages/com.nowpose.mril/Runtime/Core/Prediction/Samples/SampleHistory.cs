@@ -17,10 +17,10 @@ namespace Nowpose.Prediction.Samples
 
         public double NewestPosition => Count > 0 ? _newestFirst[0].Position : 0;
 
-        /// <summary>Order of the oldest sample in a full history, in s; negative infinity while older ones still fit.</summary>
+        /// <summary>Order of the oldest sample in a full history, in s; negative infinity while older samples still fit.</summary>
         public double Oldest => Count < _newestFirst.Length ? double.NegativeInfinity : _newestFirst[Count - 1].Order;
 
-        /// <returns>False for a sample that is older than all of a full history, or has the same time as another.</returns>
+        /// <returns>False if the history is full and the sample is older than its samples, or if another sample has the same time.</returns>
         public bool Add(in JointSample sample)
         {
             var age = 0;
@@ -38,7 +38,7 @@ namespace Nowpose.Prediction.Samples
             return count;
         }
 
-        /// <summary>Returns whether there is no sample before the one of this age, or more than the maximum gap before it.</summary>
+        /// <summary>Returns whether no sample precedes the sample of this age, or only with more than the maximum gap.</summary>
         public bool HasGap(int age, double maximumGap) =>
             age + 1 >= Count || _newestFirst[age].Order - _newestFirst[age + 1].Order > maximumGap;
 

@@ -7,9 +7,9 @@ namespace Nowpose.Prediction.Samples
     /// the times of the regression line.
     /// </summary>
     /// <remarks>
-    /// The stamps of a source that samples irregularly are right and must not be changed. Each sample is compared with the quadratic
-    /// through the three before it, once for each kind of times. The logarithm of the ratio of the two errors is a vote; the mean of the
-    /// votes decides.
+    /// The stamps of a source that samples irregularly are correct and must not be changed. Each sample is compared with the quadratic through the
+    /// previous three samples, once over the reported stamps and once over the times of the line. The logarithm of the ratio of the two errors is a
+    /// vote; the mean of the votes decides.
     /// </remarks>
     sealed class SmoothnessTest
     {

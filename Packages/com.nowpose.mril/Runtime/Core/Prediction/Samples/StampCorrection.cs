@@ -19,12 +19,12 @@ namespace Nowpose.Prediction.Samples
         const double MaxScatter = 3;
 
         /// <summary>
-        /// Number of consecutive stamps off the line on the same side that restarts the line: this is unlikely for scatter, so the period has
-        /// changed.
+        /// Number of consecutive stamps off the line on the same side after which the line restarts. Scatter is unlikely to cause them, so the period
+        /// has changed.
         /// </summary>
         const int InARow = 3;
 
-        /// <summary>Distance from the line, in standard deviations, beyond which a stamp is off it.</summary>
+        /// <summary>Distance from the line, in standard deviations, beyond which a stamp counts as off the line.</summary>
         const double Deviations = 2;
 
         readonly StampLine _line = new StampLine();
@@ -56,7 +56,8 @@ namespace Nowpose.Prediction.Samples
         bool IsPeriodChange(double off)
         {
             if (Math.Abs(off) <= MaxScatter * _line.Deviation) return false;
-            // A delay can make a stamp late by any time, but not early. It is unlikely for a source with clean stamps, and for two stamps in a row.
+            // A delay can make a stamp late by any time, but not early. Delays are unlikely for a source with clean stamps, and for two stamps in a
+            // row.
             var (isEarly, isOfCleanSource, isInARow) = (off < 0, _line.Deviation < CleanDeviation, Math.Abs(_offLine) > 1);
             return isEarly || isOfCleanSource || isInARow;
         }

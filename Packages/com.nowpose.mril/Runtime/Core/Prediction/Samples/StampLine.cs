@@ -5,14 +5,14 @@ namespace Nowpose.Prediction.Samples
     /// <summary>Regression line through the stamps of a periodic source: t_k against the sample number, with a forgetting factor.</summary>
     /// <remarks>
     /// A controller samples periodically, but stamps with a varying delay, so the line is more accurate than a
-    /// single stamp. Sample numbers are derived from the stamps, so lost samples do no harm. Sums of a weighted
-    /// regression about the newest stamp replace the stamps, so the cost per sample is independent of their number.
+    /// single stamp. Sample numbers are derived from the stamps, so lost samples do no harm. Stores the sums of a weighted regression about the
+    /// newest stamp instead of the stamps, so the cost per sample does not depend on their number.
     /// </remarks>
     sealed class StampLine
     {
         /// <summary>
-        /// Forgetting factor per stamp, after the sum of the weights has reached <see cref="MaxSum"/>. The error at the newest stamp is that of
-        /// a line through 320 stamps, because 4 σ² / 320 = 1.25 (1 − 0.99) σ².
+        /// Forgetting factor per stamp, after the sum of the weights has reached <see cref="MaxSum"/>. The error at the newest stamp equals the error
+        /// of a line through 320 stamps, because 4 σ² / 320 = 1.25 (1 − 0.99) σ².
         /// </summary>
         const double ForgettingFactor = 0.99, MaxSum = 1 / (1 - ForgettingFactor);
 
@@ -61,7 +61,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Standard deviation of the stamps about the line, in s; valid if <see cref="IsKnown"/>.</summary>
         public double Deviation { get; private set; }
 
-        /// <summary>Whether stamps scatter enough to be confused with their neighbours'.</summary>
+        /// <summary>Whether the stamps scatter so much that a stamp can be mistaken for its neighbour.</summary>
         public bool IsTooScattered => Deviation > MaxScatterRatio * Interval;
 
         /// <summary>Time of the line at the newest stamp's number, in s; valid if <see cref="IsKnown"/>.</summary>

@@ -111,7 +111,7 @@ namespace Nowpose.Session.Hindcast
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
         }
 
-        /// <summary>Resets a joint whose stamps went back; its next samples belong to another time line.</summary>
+        /// <summary>Resets a joint whose stamps went back; its next samples cannot be compared with the earlier ones.</summary>
         /// <param name="joint">Index among the robot's moving joints.</param>
         public void Restart(int joint)
         {
@@ -130,7 +130,7 @@ namespace Nowpose.Session.Hindcast
             _tool.RestartRun();
         }
 
-        /// <summary>Resets everything except the errors over the whole run, because earlier times belong to another time line.</summary>
+        /// <summary>Resets everything except the errors over the whole run, because earlier times can no longer be compared with new ones.</summary>
         public void Reset()
         {
             Array.Clear(_tracks, 0, _tracks.Length);

@@ -76,7 +76,7 @@ namespace Nowpose.Sync.Envelope
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var bounds = ref _history[i];
-                // Starts with the newest: a server that states a larger error now may have had it since an earlier exchange.
+                // The newest exchange comes first: if the server states a larger error now, its error may have been as large at the earlier exchanges.
                 if (includeServerError) serverError = Math.Max(serverError, bounds.ServerErrorBound);
                 var margin = bounds.HalfResolution + serverError;
                 lower = Math.Max(lower, Extrapolated(bounds.Lower, now - bounds.Sent, line.Skew, -skewError) - margin);

@@ -51,11 +51,11 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // A systematic error, such as a rotated print, does not average out with time, so three markers help most. Noise averages out with one
         // marker, too. Without systematic errors, the gain is at most 2, because the angles of three markers are as useful as their positions.
-        [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsAThirdOfThatOfOneMarker")]
-        [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsAThirdOfThatOfOneMarker")]
-        [TestCase(0.1, 2.2, TestName = "Lock_ThreePrintsRotatedByATenthOfADegree_FlangeErrorIsBelowThatOfOneMarker")]
-        [TestCase(0, 1.7, TestName = "Lock_ThreeExactPrints_FlangeErrorIsBelowThatOfOneMarker")]
-        public void Lock_ThreeMarkers_FlangeErrorIsBelowThatOfOneMarker(double printDegrees, double minRatio)
+        [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsAThirdOfTheErrorWithOneMarker")]
+        [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsAThirdOfTheErrorWithOneMarker")]
+        [TestCase(0.1, 2.2, TestName = "Lock_ThreePrintsRotatedByATenthOfADegree_FlangeErrorIsBelowTheErrorWithOneMarker")]
+        [TestCase(0, 1.7, TestName = "Lock_ThreeExactPrints_FlangeErrorIsBelowTheErrorWithOneMarker")]
+        public void Lock_ThreeMarkers_FlangeErrorIsBelowTheErrorWithOneMarker(double printDegrees, double minRatio)
         {
             var one = FlangeError(seed => SimulatedMarkers.One(seed, 0), printDegrees);
             var three = FlangeError(seed => SimulatedMarkers.Three(seed), printDegrees);

@@ -65,9 +65,9 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [TestCase("settle: 0 ms is out of range; allowed: 100 to 60000 ms", 0, 400, 2.5, 60, 10)]
-        [TestCase("oldest: NaN ms is out of range; allowed: 20 to 10000 ms", 1850, double.NaN, 2.5, 60, 10)]
-        [TestCase("farthest: -1 m is out of range; allowed: 0.1 to 20 m", 1850, 400, -1, 60, 10)]
-        [TestCase("most oblique: 90 ° is out of range; allowed: 10 to 89 °", 1850, 400, 2.5, 90, 10)]
+        [TestCase("maximum age: NaN ms is out of range; allowed: 20 to 10000 ms", 1850, double.NaN, 2.5, 60, 10)]
+        [TestCase("maximum distance: -1 m is out of range; allowed: 0.1 to 20 m", 1850, 400, -1, 60, 10)]
+        [TestCase("maximum viewing angle: 90 ° is out of range; allowed: 10 to 89 °", 1850, 400, 2.5, 90, 10)]
         [TestCase("tolerance: 2 m is out of range; allowed: 0.001 to 1 m", 1850, 400, 2.5, 60, 2000)]
         public void Settings_OutOfRange_ThrowWithTheName(
             string message, double settle, double oldest, double farthest, double oblique, double toleranceMm)

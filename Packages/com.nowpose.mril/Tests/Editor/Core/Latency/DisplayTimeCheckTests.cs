@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(0.2, true)]
         [TestCase(0.3, false)]
         [TestCase(10, false)]
-        public void Add_GapAfterFewDeviatingFrames_CountsOnlyIfShort(double gapSeconds, bool isInconsistent)
+        public void Add_GapAfterFewDeviatingFrames_CountsAsDeviationOnlyIfShort(double gapSeconds, bool isInconsistent)
         {
             // The median exceeds the threshold from the 31st deviating frame on, half a second before the gap. The frames after the gap last less
             // than half a second, so the deviation reaches the required second only if the gap counts.

@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_GpuTimeOfTheHeadsetStops_UsesThatOfTheEngine()
+        public void EndFrame_GpuTimeOfTheHeadsetStops_UsesGpuTimeOfTheEngine()
         {
             Frames(100, "01");
 

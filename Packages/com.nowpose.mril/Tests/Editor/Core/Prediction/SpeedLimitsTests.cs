@@ -25,7 +25,8 @@ namespace Nowpose.Tests.Core.Prediction
         {
             var limited = Fed(With(acceleration: 0.2));
             var newest = limited.NewestTime;
-            // The mean speed before the newest sample was 0.975, at 25 ms before it. The requested speed is that at 287.5 ms after it.
+            // The mean speed in the last interval was 0.975, which applies 25 ms before the newest sample. The requested speed applies 287.5 ms after
+            // the newest sample.
             var speedThen = (limited.At(newest + 0.3).Position - limited.At(newest + 0.275).Position) / 0.025;
 
             Assert.That(speedThen, Is.LessThan(0.975 + 0.2 * (0.025 + 0.2875) + 1e-9));

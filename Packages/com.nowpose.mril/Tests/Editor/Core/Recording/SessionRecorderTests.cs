@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Frame_EstimatedError_EqualsThatOfTheClock()
+        public void Frame_EstimatedError_EqualsErrorOfTheClock()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var expected = new List<long?>();

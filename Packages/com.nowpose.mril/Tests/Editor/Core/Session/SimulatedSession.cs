@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Session
             NetworkProfile network, int seed, string predictor = "quadratic", ConstantLatencyRange range = null,
             OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
-            Link = new SimulatedLink(network, seed, skewPpm: 45, driftPpm: 2);
+            Link = new SimulatedLink(network, seed, skewPpm: 45, skewVariationPpm: 2);
             _sampleDelay = network.Down(seed + 1000);
             _random = new Random(seed);
             Session = new CompensationSession(

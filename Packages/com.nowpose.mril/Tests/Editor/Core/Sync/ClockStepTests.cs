@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Sync
         static SimulatedLink Link(string network, int seed, bool isLoaded = false)
         {
             var link = new SimulatedLink(
-                NetworkProfile.Named(network), seed, skewPpm: 60 - 30 * (seed % 4), driftPpm: 2, lossChance: isLoaded ? 0.02 : 0, driftPeriod: 400);
+                NetworkProfile.Named(network), seed, skewPpm: 60 - 30 * (seed % 4), skewVariationPpm: 2, lossChance: isLoaded ? 0.02 : 0, skewPeriod: 400);
             if (isLoaded) link.Load = SimulatedLink.Queues;
             return link;
         }

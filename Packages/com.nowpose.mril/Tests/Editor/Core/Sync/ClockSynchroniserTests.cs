@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void State_NoExchanges_IsHoldoverWithAGrowingValidBound()
         {
-            var link = new SimulatedLink(NetworkProfile.Wifi, 2, -60, driftPpm: 2);
+            var link = new SimulatedLink(NetworkProfile.Wifi, 2, -60, skewVariationPpm: 2);
             var run = NewRun();
             run.Run(link, 0, 60);
             var boundBefore = run.Instants.Last().Model.ErrorBound;
@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core.Sync
             foreach (var network in NetworkProfile.All)
             {
                 var run = NewRun();
-                run.Run(new SimulatedLink(network, 6, skewPpm, driftPpm: 2), 0, 60 * intervalSeconds, intervalSeconds: intervalSeconds);
+                run.Run(new SimulatedLink(network, 6, skewPpm, skewVariationPpm: 2), 0, 60 * intervalSeconds, intervalSeconds: intervalSeconds);
 
                 Assert.That(run.Clock.Steps, Is.EqualTo(0), network.Name);
                 Assert.That(run.Instants.Last().Model.IsKnown, Is.True);
@@ -133,7 +133,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void State_AfterALongSleep_ConvergesAgain()
         {
-            var link = new SimulatedLink(NetworkProfile.Wifi, 8, 60, driftPpm: 2);
+            var link = new SimulatedLink(NetworkProfile.Wifi, 8, 60, skewVariationPpm: 2);
             var run = NewRun();
             run.Run(link, 0, 30);
 

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Sync
         static SimulatedLink Link(string network, int seed, double loss = 0, bool isLoaded = false)
         {
             var skewPpm = (seed % 2 == 0 ? 1 : -1) * (5 + 25 * (seed % 4));
-            var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm, driftPpm: 2, loss, driftPeriod: 300 + 100 * (seed % 4));
+            var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm, skewVariationPpm: 2, loss, skewPeriod: 300 + 100 * (seed % 4));
             if (isLoaded) link.Load = SimulatedLink.Queues;
             return link;
         }
@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("lan", 0, 0.03, 0.5)]
         [TestCase("wifi", 0, 0.05, 0.25)]
         [TestCase("busy-wifi", 0.02, 0.12, 0.15)]
-        public void Error_AfterTenSeconds_IsAFractionOfThatOfThePapersEstimator(string network, double loss, double limitMs, double share)
+        public void Error_AfterTenSeconds_IsAFractionOfTheErrorOfThePapersEstimator(string network, double loss, double limitMs, double share)
         {
             double ours = 0, papers = 0;
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)

@@ -9,7 +9,7 @@ namespace Nowpose.Tests.Core.Sync
 {
     public class ExchangePaceTests
     {
-        static SimulatedLink Link(string network, int seed = 400) => new SimulatedLink(NetworkProfile.Named(network), seed, 35, 2, driftPeriod: 400);
+        static SimulatedLink Link(string network, int seed = 400) => new SimulatedLink(NetworkProfile.Named(network), seed, 35, 2, skewPeriod: 400);
 
         [Test]
         public void Next_QuietNetwork_IsFastAtTheStartAndSlowWhenSettled()

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Sync
         const double ChangeAt = 150;
 
         static SimulatedLink Link(string network, int seed) => new SimulatedLink(
-            NetworkProfile.Named(network), seed, skewPpm: 33 - 30 * (seed % 3), driftPpm: 1, driftPeriod: 400);
+            NetworkProfile.Named(network), seed, skewPpm: 33 - 30 * (seed % 3), skewVariationPpm: 1, skewPeriod: 400);
 
         static SyncRun Run(SimulatedLink link, double upMs, double downMs, double? backAfter = null)
         {

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Sync
             const int seeds = 4;
             for (var seed = 0; seed < seeds; seed++)
             {
-                var link = new SimulatedLink(network, seed, skewPpm: (seed % 2 == 0 ? 1 : -1) * (5 + 25 * seed), driftPpm: 2, lossChance: loss);
+                var link = new SimulatedLink(network, seed, skewPpm: (seed % 2 == 0 ? 1 : -1) * (5 + 25 * seed), skewVariationPpm: 2, lossChance: loss);
                 if (load != null) link.Load = load;
                 var run = new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
                 run.Run(link, 0, 300);
@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_Lan_IsNearThatOfTheReference()
+        public void Error_Lan_IsCloseToTheReference()
         {
             var error = Worst(NetworkProfile.Lan, 0, 10);
 
@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_BusyWifi_IsNearThatOfTheReference()
+        public void Error_BusyWifi_IsCloseToTheReference()
         {
             var error = Worst(NetworkProfile.BusyWifi, 0.02, 10);
 
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Error_BusyWifiUnderLoad_IsNearThatOfTheReference()
+        public void Error_BusyWifiUnderLoad_IsCloseToTheReference()
         {
             var error = Worst(NetworkProfile.BusyWifi, 0.02, 60, SimulatedLink.Queues);
 

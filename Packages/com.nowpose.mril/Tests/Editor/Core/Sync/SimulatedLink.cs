@@ -14,19 +14,19 @@ namespace Nowpose.Tests.Core.Sync
     {
         readonly PathDelay _up, _down;
         readonly Random _random;
-        readonly double _skew, _driftAmplitude, _driftPeriod, _lossChance;
+        readonly double _skew, _skewVariation, _skewPeriod, _lossChance;
         readonly ControlTime _controlStart;
 
         public SimulatedLink(
-            NetworkProfile network, int seed, double skewPpm, double driftPpm = 0, double lossChance = 0, double controlEpoch = 1.7e9,
-            double driftPeriod = 120)
+            NetworkProfile network, int seed, double skewPpm, double skewVariationPpm = 0, double lossChance = 0, double controlEpoch = 1.7e9,
+            double skewPeriod = 120)
         {
             _up = network.Up(seed * 2 + 1);
             _down = network.Down(seed * 2 + 2);
             _random = new Random(seed);
             _skew = skewPpm * 1e-6;
-            _driftAmplitude = driftPpm * 1e-6;
-            _driftPeriod = driftPeriod;
+            _skewVariation = skewVariationPpm * 1e-6;
+            _skewPeriod = skewPeriod;
             _lossChance = lossChance;
             _controlStart = ControlTime.FromSeconds(controlEpoch);
         }
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Sync
         public ClockOffset TrueOffset(HeadsetTime t)
         {
             var s = t.SinceEpoch.TotalSeconds;
-            var wander = _driftAmplitude * _driftPeriod / (2 * Math.PI) * (1 - Math.Cos(2 * Math.PI * s / _driftPeriod));
+            var wander = _skewVariation * _skewPeriod / (2 * Math.PI) * (1 - Math.Cos(2 * Math.PI * s / _skewPeriod));
             return new ClockOffset(TimeSpan.FromTicks((long)((_skew * s + wander) * TimeSpan.TicksPerSecond)) - _controlStart.SinceEpoch - Step);
         }
 

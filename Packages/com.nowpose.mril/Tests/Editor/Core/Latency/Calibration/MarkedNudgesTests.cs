@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Add_SignedSpeed_CountsTheDirection()
+        public void Add_SignedSpeed_CountsTheMarkForItsDirection()
         {
             var marks = new MarkedNudges(40);
             marks.Add(5, 250);

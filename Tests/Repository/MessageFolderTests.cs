@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Repository;
 
 /// <summary>Checks that all texts that a product shows to users are in its message catalogue, the folder Messages of its sources.</summary>
-public sealed class MessageRoomTests
+public sealed class MessageFolderTests
 {
     const int MaxWords = 3;
     const string Core = RepositoryFiles.Package + "/Runtime/Core/";

@@ -8,7 +8,7 @@ namespace Nowpose.Headless.Tests.Repository;
 /// Checks that each namespace is the assembly's root namespace plus the folder path below it, and that each folder holds at least three
 /// files.
 /// </summary>
-public sealed partial class RoomTests
+public sealed partial class FolderTests
 {
     const int MinFiles = 3;
 
