@@ -1,6 +1,6 @@
 import { candidatesIn } from './candidates';
 import { cellLight, pairDeviation, whiteShare, type CellLight } from './cellLight';
-import { distance, isWithin, scaled, sizeOf, turned, type Quad } from './geometry';
+import { distance, isWithin, scaled, sizeOf, type Quad } from './geometry';
 import { inPicture, layerFor, layersOf, smooth, type Layer } from './layers';
 import { brightened, coloursOf, lightOf, type Grey, type Light } from './levels';
 import { Matcher } from './match';
@@ -168,7 +168,8 @@ function distinct(quads: Quad[], side: number): Quad[] {
   const kept: Quad[] = [];
   for (const quad of quads) {
     const near = (maxDistanceOfSame * sizeOf(quad)) / side;
-    const isSame = (other: Quad) => [0, 1, 2, 3].some(turns => turned(other, turns).every((p, i) => distance(p, quad[i]) <= near));
+    const isNear = (other: Quad, turns: number) => quad.every((p, i) => distance(p, other[(i + turns) & 3]) <= near);
+    const isSame = (other: Quad) => isNear(other, 0) || isNear(other, 1) || isNear(other, 2) || isNear(other, 3);
     if (!kept.some(isSame)) kept.push(quad);
   }
   return kept;
