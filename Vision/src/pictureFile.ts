@@ -47,6 +47,10 @@ async function readJpeg(bytes: Buffer): Promise<ImageData> {
   return picture;
 }
 
+/** Colour spaces of JPEG files, as MozJPEG numbers them. */
+const greyscale = 1;
+const yCbCr = 3;
+
 /** @param path Path with the extension .png or .jpg. */
 export async function writePicture(path: string, grey: Grey): Promise<void> {
   if (path.endsWith('.png')) return writePng(path, grey);
@@ -54,7 +58,13 @@ export async function writePicture(path: string, grey: Grey): Promise<void> {
   isEncoding = true;
   const data = grey.colours ?? Uint8Array.from({ length: 4 * grey.data.length }, (_, i) => (i % 4 < 3 ? grey.data[i >> 2] : 255));
   const picture = new ImageData(new Uint8ClampedArray(data), grey.width, grey.height);
-  const options = { quality: 88, color_space: 1, progressive: false, optimize_coding: false, trellis_multipass: false };
+  const options = {
+    quality: 88,
+    color_space: grey.colours ? yCbCr : greyscale,
+    progressive: false,
+    optimize_coding: false,
+    trellis_multipass: false,
+  };
   writeFileSync(path, Buffer.from(await encodeJpeg(picture, options)));
 }
 

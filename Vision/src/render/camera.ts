@@ -42,7 +42,11 @@ const scenesKept = 4;
 export function take(shot: Shot): Grey {
   if (shot.codes.every(({ colour }) => !colour)) return takeGrey(shot);
   const seen = [0, 1, 2].map(channel =>
-    takeGrey({ ...shot, codes: shot.codes.map(code => ({ ...code, light: code.light * (code.colour?.[channel] ?? 1) })), noiseSeed: shot.noiseSeed + channel }),
+    takeGrey({
+      ...shot,
+      codes: shot.codes.map(code => ({ ...code, light: code.light * (code.colour?.[channel] ?? 1) })),
+      noiseSeed: shot.noiseSeed + channel,
+    }),
   );
   const colours = new Uint8Array(4 * shot.width * shot.height).fill(255);
   seen.forEach(({ data }, channel) => data.forEach((byte, i) => (colours[4 * i + channel] = byte)));
