@@ -19,7 +19,7 @@ public class SocketFuzzTests
 {
     const int Seed = 11;
     const int Messages = 20_000, FrameConnections = 250, FramesEach = 20, SyncConnections = 1000, ServerMessages = 10_000;
-    const string Last = "after the spoilt ones";
+    const string Last = "after the damaged ones";
     const long MaxGrowthBytes = 16 * 1024 * 1024;
 
     [Test]

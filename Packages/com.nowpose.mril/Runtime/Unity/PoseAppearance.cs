@@ -70,7 +70,7 @@ namespace Nowpose.Unity
         {
             get
             {
-                if (!(_pose is PoseState pose)) return PoseLook.Abandoned;
+                if (!(_pose is PoseState pose)) return PoseLook.NoSession;
                 var look = _base.Over(_object?.IsUnplaced == true ? PoseLook.Unplaced : PoseLook.Of(pose, _outsideRange));
                 return look.IsDrawn && Unmoved is PoseCarrier unmoved ? unmoved.Unmoved(look) : look;
             }
@@ -141,7 +141,7 @@ namespace Nowpose.Unity
             if (_source != null)
             {
                 _source.Shown += Show;
-                _source.Hidden += Abandon;
+                _source.Hidden += ShowNoSession;
                 if (_source.Frame != null) Take(_source.Frame);
             }
             Refresh();
@@ -153,7 +153,7 @@ namespace Nowpose.Unity
             if (_source is object)
             {
                 _source.Shown -= Show;
-                _source.Hidden -= Abandon;
+                _source.Hidden -= ShowNoSession;
             }
             _isOn = false;
             _pose = PoseState.Current;
@@ -189,7 +189,7 @@ namespace Nowpose.Unity
 
         PoseState StateIn(DisplayFrame frame) => _object != null ? _object.State : _rig != null ? _rig.StateIn(frame) : frame.State;
 
-        void Abandon()
+        void ShowNoSession()
         {
             _pose = null;
             Draw();
@@ -201,7 +201,7 @@ namespace Nowpose.Unity
             foreach (var part in _parts.Values)
             {
                 if (_pose.HasValue) part.Draw(look, _opacity);
-                else part.Abandon(_opacity);
+                else part.ShowNoSession(_opacity);
             }
             SetWords(look.Words);
         }

@@ -68,7 +68,7 @@ namespace Nowpose.Sync
                 (_violations, _broken, _other) = (0, 0, double.PositiveInfinity);
             }
             var margin = Margin(exchange, _line, _past);
-            var (below, above) = OffsetCorridor.Beside(_line, new OffsetBounds(exchange));
+            var (below, above) = OffsetCorridor.Residuals(_line, new OffsetBounds(exchange));
             var violation = Violation(exchange, _line, _past);
             _since.Add(exchange);
             if (violation > margin) _violations++;
@@ -83,7 +83,7 @@ namespace Nowpose.Sync
 
         double Violation(in SyncExchange exchange, in ClockLine line, OffsetCorridor past)
         {
-            var (below, above) = OffsetCorridor.Beside(line, new OffsetBounds(exchange));
+            var (below, above) = OffsetCorridor.Residuals(line, new OffsetBounds(exchange));
             return _sign > 0 ? below - past.Lower : past.Upper - above;
         }
 

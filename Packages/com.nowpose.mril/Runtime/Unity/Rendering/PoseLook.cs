@@ -9,7 +9,7 @@ namespace Nowpose.Unity.Rendering
     readonly struct PoseLook
     {
         /// <summary>Look of the last pose while no more frames are computed.</summary>
-        public static readonly PoseLook Abandoned = new PoseLook("no session", PoseMessages.SessionPaused, 0.8f);
+        public static readonly PoseLook NoSession = new PoseLook("no session", PoseMessages.SessionPaused, 0.8f);
 
         /// <summary>Look of an object that has not been placed yet. It is visible, so that the user can grasp it.</summary>
         public static readonly PoseLook Unplaced = new PoseLook("not placed", PoseMessages.NotPlaced, 0.5f);
@@ -72,7 +72,7 @@ namespace Nowpose.Unity.Rendering
         /// Returns the fade for a reduced opacity. The opacity does not make a pose that is not current fainter than the faintest of these looks.
         /// </summary>
         /// <param name="opacity">Opacity from 0 to 1 (not reduced).</param>
-        public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, Abandoned.Fade) : 1 - opacity);
+        public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, NoSession.Fade) : 1 - opacity);
 
         /// <summary>
         /// Returns a striped look with an additional reason. Its fade is the larger of the two; its text starts with the earlier text.

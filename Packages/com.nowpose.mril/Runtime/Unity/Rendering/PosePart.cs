@@ -67,7 +67,7 @@ namespace Nowpose.Unity.Rendering
         }
 
         /// <summary>Changes the part to the look of an ended session. A hidden part stays hidden.</summary>
-        public void Abandon(float opacity) => Show(PoseLook.Abandoned, opacity);
+        public void ShowNoSession(float opacity) => Show(PoseLook.NoSession, opacity);
 
         /// <summary>Restores the original look of the renderer.</summary>
         public void Restore()

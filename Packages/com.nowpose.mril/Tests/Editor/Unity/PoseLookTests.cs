@@ -63,11 +63,11 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Abandoned_AnyState_IsDrawnAsNotCurrent()
+        public void NoSession_Look_IsDrawnAsNotCurrent()
         {
-            Assert.That(PoseLook.Abandoned.IsDrawn, Is.True);
-            Assert.That(PoseLook.Abandoned.IsHatched, Is.True);
-            Assert.That(PoseLook.Abandoned.Words, Is.Not.Empty);
+            Assert.That(PoseLook.NoSession.IsDrawn, Is.True);
+            Assert.That(PoseLook.NoSession.IsHatched, Is.True);
+            Assert.That(PoseLook.NoSession.Words, Is.Not.Empty);
         }
     }
 }

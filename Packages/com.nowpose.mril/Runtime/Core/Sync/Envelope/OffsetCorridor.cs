@@ -55,7 +55,7 @@ namespace Nowpose.Sync.Envelope
 
         public void Add(in ClockLine line, in OffsetBounds bounds)
         {
-            var (below, above) = Beside(line, bounds);
+            var (below, above) = Residuals(line, bounds);
             Count++;
             _sumBelow += below;
             _sumAbove += above;
@@ -71,10 +71,10 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>Returns both bounds of an exchange minus the line, s.</summary>
-        public static (double Below, double Above) Beside(in ClockLine line, in OffsetBounds bounds) => (
-            Beside(line, bounds.Sent, bounds.Lower), Beside(line, bounds.Received, bounds.Upper));
+        public static (double Below, double Above) Residuals(in ClockLine line, in OffsetBounds bounds) => (
+            Residual(line, bounds.Sent, bounds.Lower), Residual(line, bounds.Received, bounds.Upper));
 
-        static double Beside(in ClockLine line, HeadsetTime at, long bound) =>
+        static double Residual(in ClockLine line, HeadsetTime at, long bound) =>
             (bound - line.Offset.HeadsetMinusControl.Ticks) * SecondsPerTick - ClockTicks.Seconds(at - line.Reference) * line.Skew;
     }
 }
