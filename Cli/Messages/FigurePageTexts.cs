@@ -17,7 +17,7 @@ static class FigurePageTexts
         "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, because the paper states none";
 
     public static string Runs(int phases, int clockRuns, string clockSeconds) =>
-        $"{phases} with random phases of sampling and frames; clock: {clockRuns} of {clockSeconds} s";
+        $"{phases} with random phases of sampling and frames; clock: {clockRuns} runs of {clockSeconds} s each";
 
     public const string Rms = "RMS over all frames of all runs; ratio: divided by the RMS of hold, the newest sample that has arrived";
     public const string VirtualTime = "virtual time, the same on every machine";

@@ -10,7 +10,7 @@ static class SineMessages
         $"{option}: {x},{y},{width},{height} px is not inside the picture of {pictureWidth}x{pictureHeight} px; choose a smaller box";
 
     public static string TooShort(double seconds, double maxLagSeconds) =>
-        FormattableString.Invariant($"recording: {seconds:0.0} s are too short to find lags up to {maxLagSeconds} s; record at least ten ")
+        FormattableString.Invariant($"recording: {seconds:0.0} s is too short to find lags up to {maxLagSeconds} s; record at least ten ")
         + "seconds";
 
     public static string NoMotion(string what) => $"recording: {what} does not move; jog a joint back and forth while it is filmed";

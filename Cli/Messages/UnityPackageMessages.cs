@@ -16,7 +16,7 @@ static class UnityPackageMessages
     public static string NotAnObject(string place) => $"{place} must be an object";
     public static string NotAString(string place, string name) => $"{place}{name} must be a string";
 
-    public const string FilesMissing = "the files of the package are missing beside this program; publish it again, or run it from a clone";
+    public const string FilesMissing = "the files of the package are not next to this program; publish the program again, or run it from a clone";
 
     public static string UnknownSample(string name, string allowed) => $"--sample: '{name}' is not a sample of the package; allowed: {allowed}";
     public static string SampleMissing(string sample, string folder) =>

@@ -29,7 +29,7 @@ static class CellVerb
             CellCode.MaxSizeMetres * 1000, "mm");
         var sync = NumberOption.Create("--sync-port", "TCP port of the clock synchronisation", ProtocolLimits.SyncPort, 1, IPEndPoint.MaxPort, "");
         var socket = NumberOption.Create("--ws-port", "TCP port of the WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
-        var file = new Option<string>("--out") { Description = "File for the code, .svg in true size or .png [default: the terminal]", HelpName = "FILE" };
+        var file = new Option<string>("--out") { Description = "File for the code, .svg at its true size or .png [default: the terminal]", HelpName = "FILE" };
         var command = new Command("cell", "Create the code of a robot's marker with the cell, the gateway and the marker's pose; it contains no secret")
         {
             cell, host, offset, size, sync, socket, file,

@@ -19,7 +19,7 @@ static class FramingCases
             "rosbridge's JSON is text: binary messages are refused and the connection stays open.",
             [.. Sizes.Select((size, i) => Case($"1.2.{i + 1}", "refused", s => Sized(s, Binary, size))),
              Case("1.2.8", "refused", s => { s.Chop = 997; Sized(s, Binary, 65536); })]);
-        yield return Section("2.1–2.6", "pings of 0, some, binary, 125 and 126 bytes, byte by byte", "",
+        yield return Section("2.1–2.6", "pings: empty, with text, with binary bytes, with 125 bytes, with 126 bytes, and with 125 bytes sent byte by byte", "",
             Case("2.1", "pong", s => s.SendPing()), Case("2.2", "pong", s => s.SendPing("Hello, world!")),
             Case("2.3", "pong", s => s.SendPing("\u0000\u0001\u007f\u0002")), Case("2.4", "pong", s => s.SendPing(new string('x', 125))),
             Case("2.5", Refused, s => s.SendPing(new string('x', 126))),

@@ -25,7 +25,10 @@ export enum Cell {
   Right,
 }
 
-/** Expected step of light from a cell to its neighbour, for any value of the code: none, a rise by the code's light, or a rise or fall by it. */
+/**
+ * Expected change of the light from a cell to its neighbour, whatever value the code shows: none, a rise by the code's
+ * light, or either a rise or a fall by the code's light.
+ */
 export enum Expected {
   Level,
   Rise,

@@ -110,7 +110,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     await page.waitForSelector('#print', { state: 'visible' });
   });
 
-  it('prints the marker in true size, without the secret code', async () => {
+  it('prints the marker at its true size, without the secret code', async () => {
     await page.fill('#size', '80');
     await page.waitForFunction(() => document.querySelector('#caption').textContent.includes('80 mm'));
     await page.click('form button');
@@ -141,7 +141,7 @@ describe('pairing', { skip: gateway ? false : 'no gateway was built' }, () => {
     assert.ok(Number(valueOf(text, 'valid_s')) > 200);
   });
 
-  it('writes a readable code to a terminal and to a file in true size', async () => {
+  it('writes a readable code to a terminal and to a file at its true size', async () => {
     const pin = 'sha256/AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8=';
     const args = ['cell', '--cell', 'Prüfzelle 3', '--host', '192.168.10.20', '--pin', pin, '--offset', '0.25,-0.1,0,0,0,90', '--size-mm', '100'];
     const expected = 'nowpose:cell/1?n=Pr%C3%BCfzelle%203&h=192.168.10.20&p=AAECAwQFBgcICQoLDA0ODxAREhMUFRYXGBkaGxwdHh8&o=0.25,-0.1,0,0,0,90&m=0.1';

@@ -151,7 +151,7 @@ describe('silence', () => {
     assert.ok(cell.status.values()['joint/a'].endsWith(stateMessages.assumedAtRest(silenceMessages.basis(silenceMessages.confirmed, null), 'joint', reason)), cell.status.values()['joint/a']);
   });
 
-  it('Motion_OfAllJointsInterruptedAtLowSpeedAndNoLongerWritten_JointIsInFault', () => {
+  it('Motion_OfAllJointsInterruptedAtLowSpeedAndOneNoLongerWritten_OnlyThatJointIsInFault', () => {
     const prepare = cell => { cell.output.sourceStopOf = joint => joint === 0 && cell.time.ms > 1000 * Math.PI * 3 + 700 ? 'after-change' : null; };
     const cell = swing([0, 1], { prepare });
 

@@ -197,7 +197,7 @@ public sealed class BadInputTests : CalibrationFolder
     // The picture file is empty, so this error shows that the profile is checked before any picture is read.
     [Test]
     public async Task Vlc_EarlierProfileHasAnotherVersion_FailsBeforeReadingPictures() => await RefusedWith(
-        "earlier.json: the latency profile has version 2; this Nowpose reads up to version 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
+        "earlier.json: the latency profile has version 2; this release of Nowpose reads versions up to 1", "vlc", Write("a.png", []), "--profile", ProfileOfAnotherVersion());
 
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherDevice_FailsBeforeReadingPictures() => await RefusedWith(

@@ -56,7 +56,7 @@ public class RevocationTests
 
     /// <summary>Checks the sum of the waits in the design, because the delays of a busy machine are not part of the promise.</summary>
     [Test]
-    public void Token_Removed_TakesEffectWithinTwoSeconds() =>
+    public void Token_Removed_EndsItsConnectionsWithinTwoSeconds() =>
         Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.CloseTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
 
     [Test]

@@ -37,7 +37,7 @@ public class DemoScoreTests
             var wrong = wrongAt(elapsed.TotalSeconds);
             var light = new ControlTime(elapsed);
             var state = elapsed >= converged ? ClockState.Synchronised : ClockState.Converging;
-            // These joint values do not match the errors on purpose: the score must use the position of the tool in the scene.
+            // These joint values deliberately do not match the errors: the score must use the position of the tool in the scene.
             frames.Add([nan ?? 7], [7], new DemoFrames.Row(
                 elapsed, new HeadsetTime(elapsed), light, light + TimeSpan.FromMilliseconds(wrong.LightMs),
                 new ClockModel(default, default, (Truth.SkewPpm + skewErrorPpm) * 1e-6, default, state, estimatedError: Stated), PoseState.Current, wrong.OffsetUs,

@@ -1,6 +1,6 @@
 /** Texts of the operations page in place of empty tables. */
 export const emptyMessages = {
-  adapters: 'No adapter runs: joint positions come from the gateway itself, or from other rosbridge clients.',
+  adapters: 'No adapter is running: joint positions come from the gateway itself, or from other rosbridge clients.',
   joints: 'No joint is configured, and no joint positions have arrived.',
   sources: 'No joint positions arrive.',
   clocks: 'No plant offers its clock: the gateway serves its own.',

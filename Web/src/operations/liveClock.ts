@@ -19,7 +19,7 @@ export class LiveClock {
     while (this.seen[0][0] < now - WINDOW_S) this.seen.shift();
   }
 
-  /** Returns the control time, estimated as if a sample could arrive without delay; null before the first sample. */
+  /** Returns the control time, estimated as if the sample with the smallest delay had arrived without delay; null before the first sample. */
   at(now: number): number | null {
     return this.seen.length === 0 ? null : now + this.seen[0][1];
   }

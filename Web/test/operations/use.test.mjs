@@ -192,7 +192,7 @@ describe('a gateway that does not answer', () => {
 describe('accessibility in any window', () => {
   withGraphics();
 
-  it('reaches every control with the keyboard, visibly', async () => {
+  it('reaches every control with the keyboard and shows the focus', async () => {
     const page = await open({ reducedMotion: 'reduce' });
     const wanted = await page.evaluate(() => [...document.querySelectorAll('a, button, input, [tabindex="0"]')]
       .filter(e => e.checkVisibility() && !e.disabled && !(e.type === 'radio' && !e.checked)).length);

@@ -13,7 +13,7 @@ export interface CycleValue {
 }
 
 /**
- * Assigns to each value of a PLC the time that a variable had in the same cycle. Values with equal stamps belong to the same cycle.
+ * Assigns to each PLC value the time that the time variable contained in the same cycle. Values with equal stamps belong to the same cycle.
  */
 export class Cycles {
   readonly #waiting = new Map<bigint, CycleValue[]>();

@@ -5,7 +5,7 @@ import { rtdeMessages } from '../messages/rtde';
 /** Maximum skew between the controller's clock and this machine's counter. Headsets use the same limit. */
 const MAX_SKEW_PPM = 700n;
 
-/** Maximum age of the newest package for which the time can be read. */
+/** Maximum age of the newest package. If it is older, the clock cannot be read. */
 const SILENCE: Nanoseconds = NS_PER_S;
 
 /**

@@ -48,7 +48,7 @@ describe('signals', () => {
     assert.deepEqual(changes(), [['closed', 1, 0n]]);
   });
 
-  it('Gateway_Reconnected_GetsTheValuesAgainForThirtySeconds', () => {
+  it('Gateway_Reconnected_ReceivesTheValuesRepeatedlyForThirtySeconds', () => {
     const { take, changes, output, time } = two();
     take({ 0: 1, 1: 2 });
 

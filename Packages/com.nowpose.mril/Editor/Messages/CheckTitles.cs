@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Messages
         public const string UseInputSystem = "Use the Input System (then restart Unity)";
         public const string InternetAccess = "Internet Access is set to Require";
         public const string UndoClear = "Clear to transparent black";
-        public const string MrtkGeneration = "MRTK has version 3 and XR Interaction Toolkit has version 2, if installed";
+        public const string MrtkGeneration = "MRTK is version 3 and XR Interaction Toolkit is version 2, if installed";
         public const string NearClip = "Main camera's near clip plane is at 0.1 m";
 
         public static string OpenXrLoader(string player) => $"OpenXR starts in the {player} player";

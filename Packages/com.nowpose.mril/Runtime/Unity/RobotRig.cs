@@ -198,7 +198,7 @@ namespace Nowpose.Unity
             return links;
         }
 
-        // Destroy takes effect at the end of the frame. The links are detached first, so that a search below the rig does not find them until then.
+        // Destroy takes effect at the end of the frame. Detaches the links first, so that a search below the rig no longer finds them.
         void Unbuild()
         {
             if (_built == null) return;

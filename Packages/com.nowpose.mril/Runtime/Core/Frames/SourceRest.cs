@@ -16,7 +16,7 @@ namespace Nowpose.Frames
         /// <summary>Maximum differences that count as rounding errors, in m and rad.</summary>
         const double SamePosition = 1e-6, SameRotation = 1e-6;
 
-        /// <summary>Maximum difference of two samples of one pose, relative to the mean difference of consecutive samples.</summary>
+        /// <summary>Maximum difference between two samples of the same pose, relative to the mean difference between consecutive samples.</summary>
         const double MaxDifference = 6;
 
         /// <summary>Minimum number of consecutive samples of another pose that count as a motion if the samples have noise; a single one may be an outlier.</summary>

@@ -7,7 +7,7 @@ namespace Nowpose.Messages
         public const string BeingPlaced = "being placed by hand";
 
         public static string Conflict(string first, string second, string difference) =>
-            $"{first} and {second} contradict each other by {difference}: measure their poses again";
+            $"{first} and {second} disagree by {difference}: measure their poses again";
 
         public static string Scatters(string marker, string spread) => $"the poses of {marker} scatter by {spread}: move closer and keep still";
         public static string Gathers(int inView, int count) => $"{inView} of {count} markers in view: keep looking at them";

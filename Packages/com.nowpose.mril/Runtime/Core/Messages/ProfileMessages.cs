@@ -11,7 +11,7 @@ namespace Nowpose.Messages
             $"it is not a latency profile: its format is '{format}', not '{expected}'; choose a file that calibrate has written";
 
         public static string NewerVersion(int version, int max) =>
-            $"the latency profile has version {version}; this Nowpose reads up to version {max}; update Nowpose or calibrate again";
+            $"the latency profile has version {version}; this release of Nowpose reads versions up to {max}; update Nowpose or calibrate again";
 
         public static string Version(int version, int allowed) => $"version: {version} is not supported; allowed: {allowed}; calibrate again";
         public static string UnknownMethod(string name, string allowed) => $"method: '{name}' is unknown; allowed: {allowed}";

@@ -35,8 +35,8 @@ namespace Nowpose.Session
         Stale = 16,
 
         /// <summary>
-        /// The predicted display times of the headset's runtime and the calibrated L_visu differ by more than 5 ms for some time, so one of
-        /// them is wrong. Reported again only after they have agreed.
+        /// The display times that the headset's runtime predicts have differed from the calibrated L_visu by more than 5 ms for some time, so one
+        /// of the two is wrong. Reported again only after the two have agreed.
         /// </summary>
         DisplayTimeInconsistent = 32,
 

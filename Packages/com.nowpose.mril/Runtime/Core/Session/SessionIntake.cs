@@ -60,8 +60,8 @@ namespace Nowpose.Session
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
-        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if the settings
-        /// do not follow plans. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if
+        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if Follow Plan
+        /// is off in the settings. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if
         /// the message contains no joint of the robot or the queue is full.
         /// </summary>
         /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>

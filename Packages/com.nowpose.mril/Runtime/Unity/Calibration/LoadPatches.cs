@@ -48,7 +48,7 @@ namespace Nowpose.Unity.Calibration
         /// <summary>Number of vertices of all visible patches.</summary>
         public int VerticesShown { get; private set; }
 
-        /// <summary>Requests a load, given in vertices. Hides the patches that do not belong to it without delay.</summary>
+        /// <summary>Requests a load, given in vertices. Immediately hides the patches that do not belong to it.</summary>
         public void Ask(int vertices)
         {
             if (vertices == _asked) return;

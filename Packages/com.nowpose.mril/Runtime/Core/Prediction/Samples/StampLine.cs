@@ -48,8 +48,8 @@ namespace Nowpose.Prediction.Samples
         int _misfits;
         double _newestStamp;
 
-        // Weighted sums over the stamps. Number and time are relative to the newest stamp, so that neither the epoch nor a count of
-        // weeks reduces the precision.
+        // Weighted sums over the stamps. Sample numbers and times are relative to the newest stamp, so that neither an early epoch nor a run of
+        // several weeks reduces the precision.
         double _sum, _sumN, _sumT, _sumNn, _sumNt, _sumTt;
 
         /// <summary>Whether the line is known.</summary>

@@ -108,7 +108,7 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>Returns the largest tightness of the measured bounds in a range. Only differences between values have a meaning.</summary>
         /// <param name="from">Age of the newest bound of the range.</param>
-        /// <param name="to">Age after the oldest bound of the range.</param>
+        /// <param name="to">Age of the oldest bound of the range plus 1 (exclusive).</param>
         public double Tightest(int from, int to)
         {
             var max = double.NegativeInfinity;

@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Anchoring
             _cell.Shifted["b"] = RigidTransform.FromXyzRpy(-0.0866 - 0.0433, 0.175, 0, 0, 0, 2);
 
             Assert.That(
-                Words(3), Does.Match("^marker 'a' and marker 'b' contradict each other by (49|50|51) mm, \\d\\.\\d°: measure their poses again$"));
+                Words(3), Does.Match("^marker 'a' and marker 'b' disagree by (49|50|51) mm, \\d\\.\\d°: measure their poses again$"));
         }
 
         [Test]

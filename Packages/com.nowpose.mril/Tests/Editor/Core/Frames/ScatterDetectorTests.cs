@@ -50,7 +50,10 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(left, Is.Positive, "in motion");
         }
 
-        /// <summary>The last sample is outside the noise in both cases. A last step as short as the noise has no direction of a motion.</summary>
+        /// <summary>
+        /// In both cases, the last sample is outside the noise. If the last step is as short as the noise, its direction does not indicate
+        /// a motion.
+        /// </summary>
         [TestCase(2.5, false)]
         [TestCase(40, true)]
         public void HasLeft_SampleOutsideTheNoise_DependsOnTheLastStep(double position, bool expected)

@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Pairing
 
         [TestCase(true)]
         [TestCase(false)]
-        public void AskToForget_UsedCell_ForgetsOnlyWithConsent(bool isAgreed)
+        public void AskToForget_CellInUse_ForgetsOnlyWithConsent(bool isAgreed)
         {
             _pairing.Pair(Cell, Token);
 

@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(hindcast.TruthUncertainty, Is.LessThan(0.3 * hindcast.Rms), "a larger uncertainty would be meaningless");
         }
 
-        // Each window of ten seconds contains other moves. Its interval must nevertheless cover the reduction of the whole run.
+        // Each ten-second window contains different moves. Nevertheless, the intervals of at least 85 % of the windows must cover the reduction of the whole run.
         [Test]
         public void ToolError_TenSeconds_UncertaintyCoversTheWholeRun()
         {

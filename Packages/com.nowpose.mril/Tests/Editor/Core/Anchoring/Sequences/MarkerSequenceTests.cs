@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             played.Play(8);
 
             Assert.That(played.Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
-            Assert.That(played.Tracker.Words, Does.Match("^marker 'left' and marker 'right' contradict each other by (25|26|27) mm, "));
+            Assert.That(played.Tracker.Words, Does.Match("^marker 'left' and marker 'right' disagree by (25|26|27) mm, "));
         }
 
         [Test]

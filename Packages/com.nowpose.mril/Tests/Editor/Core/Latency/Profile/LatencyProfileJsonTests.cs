@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             Assert.That(LatencyProfileJson.Read(text, "profile.json").Measurements, Is.EqualTo(300));
         }
 
-        [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: the latency profile has version 2; this Nowpose reads up to version 1; "
+        [TestCase(@"""version"": 1", @"""version"": 2, ""lengths"": {}", "profile.json: the latency profile has version 2; this release of Nowpose reads versions up to 1; "
             + "update Nowpose or calibrate again", TestName = "Read_NewerVersion_NamesTheRemedy")]
         [TestCase(@"""version"": 1", @"""version"": 0", "profile.json: version: 0 is not supported; allowed: 1; calibrate again")]
         [TestCase(@"""version"": 1,", "", "profile.json: version is missing")]

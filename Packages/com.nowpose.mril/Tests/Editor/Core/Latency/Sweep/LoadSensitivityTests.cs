@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + (t < atSeconds ? 0 : 0.8));
 
         [Test]
-        public void Camera_ChangesSlightlyWithTheLoad_DoesNotRespondToLoad() =>
+        public void Camera_ChangesTooLittleWithTheLoad_CountsAsNotResponding() =>
             AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + 0.1 * v / SweepPlan.MaxVertices);
 
         [Test]
