@@ -39,7 +39,7 @@ export class Overall {
     const lines = worst
       .slice(0, MAX_ALARMS)
       .map(event => ({ level: event.level, text: `${eventWords(event)} – since ${localTime(event.since_utc)}` }));
-    if (worst.length > MAX_ALARMS) lines.push({ level: 'warning', text: operationsLabels.moreEvents(worst.length - MOST_ALARMS) });
+    if (worst.length > MAX_ALARMS) lines.push({ level: 'warning', text: operationsLabels.moreEvents(worst.length - MAX_ALARMS) });
     this.alarms.hidden = lines.length === 0;
     while (this.alarms.children.length > lines.length) this.alarms.lastElementChild!.remove();
     while (this.alarms.children.length < lines.length) this.alarms.append(el('li'));
