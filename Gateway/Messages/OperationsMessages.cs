@@ -16,7 +16,7 @@ static class OperationsMessages
     public static string LoggedIn(Role role) => $"operations: a browser logged in as {role}";
 
     public const string ThisMachineOnly =
-        "without tokens, the operations page is available only at the gateway's address, at its machine's name and at localhost";
+        "without tokens, the operations page is available only at the gateway's address, at its machine's name and at localhost; use one of them";
 
     public const string UseOwnAddress = "use the gateway's address, its name or localhost";
     public const string Format = "format: json or csv is allowed";

@@ -26,7 +26,7 @@ export enum Cell {
 }
 
 /**
- * Expected change of the light from a cell to its neighbour, whatever value the code shows: none, a rise by the code's
+ * Expected change of the light from a cell to its neighbour, for each value of the code: none, a rise by the code's
  * light, or either a rise or a fall by the code's light.
  */
 export enum Expected {
