@@ -61,8 +61,8 @@ namespace Nowpose.Session
 
         /// <summary>
         /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if Follow Plan
-        /// is off or the predictor is hold. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the receiving thread if
-        /// the message contains no joint of the robot or the queue is full.
+        /// is off or the predictor is hold. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the
+        /// receiving thread if the message contains no joint of the robot or the queue is full.
         /// </summary>
         /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<PlanArrival, DropReason> PlanJudged;
