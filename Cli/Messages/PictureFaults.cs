@@ -4,6 +4,7 @@ namespace Nowpose.Cli.Messages;
 static class PictureFaults
 {
     const string Unclear = "; use a plain background behind the hologram, or a shorter exposure";
+    const string ShowBoth = "; show both codes in focus, each at least a tenth as high as the picture";
 
     public const string PartlyDark = "partly dark: covered, or only a part was lit during the exposure; remove what covers it, or use the exposure for scanning displays";
     public const string Overexposed = "overexposed, or with a reflection on it; shorten the exposure, or move the lamp";
@@ -19,9 +20,9 @@ static class PictureFaults
     public const string Inconsistent = "inconsistent" + Unclear;
     public const string TooWeak = "too weak" + Unclear;
     public const string AmbiguousTime = "ambiguous" + Unclear;
-    public const string NoCode = "no code found; show both codes in focus, each at least a tenth as high as the picture";
-    public const string NoControlCode = "no control code found; show both codes in focus, each at least a tenth as high as the picture";
-    public const string NoHeadsetCode = "no headset code found; show both codes in focus, each at least a tenth as high as the picture";
+    public const string NoCode = "no code found" + ShowBoth;
+    public const string NoControlCode = "no control code found" + ShowBoth;
+    public const string NoHeadsetCode = "no headset code found" + ShowBoth;
     public const string ControlCodeCutOff = "control code partly outside the picture; move the camera";
     public const string HeadsetCodeCutOff = "headset code partly outside the picture; move the camera";
     public const string Ambiguous = "two codes equally likely, because the frame changed during the exposure; take more pictures";
