@@ -15,8 +15,8 @@ namespace Nowpose.Frames
         /// <summary>
         /// Parts of <c>adaptive</c> for a body. A tracker's noise makes two samples of an object at rest look like the start of a fast
         /// motion, so the rule for first moves is left out: with it, the error at rest was 1.4 times as large. An object has no drive limits,
-        /// so there are no profiles. The search for repeated moves makes the errors of a shuttle and of a cam 0.25 and 0.46 times as large;
-        /// it is sparse, because a cell has many objects (<see cref="Prediction.Candidates.SearchDensity"/>).
+        /// so profiles are left out as well. The search for repeated moves makes the errors of a shuttle and of a cam 0.25 and 0.46 times as
+        /// large; it is sparse, because a cell has many objects (<see cref="Prediction.Candidates.SearchDensity"/>).
         /// </summary>
         const PredictionParts Parts =
             PredictionParts.All & ~PredictionParts.FirstMoves & ~PredictionParts.Profiles & ~PredictionParts.DenseSearch;

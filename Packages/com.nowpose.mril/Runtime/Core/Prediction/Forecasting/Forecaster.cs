@@ -13,7 +13,7 @@ namespace Nowpose.Prediction.Forecasting
         public virtual double Span => double.PositiveInfinity;
 
         /// <summary>Solves for the newest samples.</summary>
-        /// <returns>False if there is no forecast for these samples.</returns>
+        /// <returns>Whether the forecaster can forecast from these samples.</returns>
         public abstract bool Solve(MotionState motion);
 
         /// <summary>Returns the forecast position relative to the position of the newest sample, from the last solve.</summary>
