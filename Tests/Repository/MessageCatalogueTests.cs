@@ -1,7 +1,7 @@
-using System.Globalization;
 using System.Net;
 using System.Reflection;
 using System.Text.RegularExpressions;
+using Nowpose.Tests.Core;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
@@ -123,16 +123,9 @@ public sealed partial class MessageCatalogueTests
     {
         var catalogues = Catalogues.Where(type => type.Assembly.GetName().Name == assembly).ToList();
         var expected = catalogues.SelectMany(TextsOf).ToList();
-        var before = CultureInfo.CurrentCulture;
-        CultureInfo.CurrentCulture = new CultureInfo("") { NumberFormat = { NumberDecimalSeparator = "," } };
-        try
-        {
-            Assert.That(catalogues.SelectMany(TextsOf).Except(expected).Select(text => $"{text.Name}: {text.Text}"), Is.Empty);
-        }
-        finally
-        {
-            CultureInfo.CurrentCulture = before;
-        }
+        using var culture = new DecimalComma();
+
+        Assert.That(catalogues.SelectMany(TextsOf).Except(expected).Select(text => $"{text.Name}: {text.Text}"), Is.Empty);
     }
 
     [Test]

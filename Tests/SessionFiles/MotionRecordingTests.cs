@@ -2,6 +2,7 @@ using System.Globalization;
 using System.IO.Compression;
 using System.Text;
 using Nowpose.Gateway.MotionRecordings;
+using Nowpose.Tests.Core;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.SessionFiles;
@@ -87,19 +88,9 @@ public class MotionRecordingTests
     [Test]
     public void Read_CultureWithDecimalComma_ReadsDecimalPoints()
     {
-        var before = CultureInfo.CurrentCulture;
-        var comma = (CultureInfo)CultureInfo.InvariantCulture.Clone();
-        comma.NumberFormat.NumberDecimalSeparator = ",";
-        comma.NumberFormat.NumberGroupSeparator = ".";
-        CultureInfo.CurrentCulture = comma;
-        try
-        {
-            Assert.That(MotionRecording.Read(Write("t,a\n0.5,1.25\n1,2\n")).Start, Is.EqualTo(0.5));
-        }
-        finally
-        {
-            CultureInfo.CurrentCulture = before;
-        }
+        using var culture = new DecimalComma();
+
+        Assert.That(MotionRecording.Read(Write("t,a\n0.5,1.25\n1,2\n")).Start, Is.EqualTo(0.5));
     }
 
     [Test]

@@ -1,5 +1,4 @@
 using System.Linq;
-using System.Threading;
 using Nowpose.Kinematics;
 using NUnit.Framework;
 
@@ -108,18 +107,9 @@ namespace Nowpose.Tests.Core.Kinematics
         [Test]
         public void Read_CultureWithDecimalComma_ReadsDecimalPoints()
         {
-            var before = Thread.CurrentThread.CurrentCulture;
-            try
-            {
-                var comma = (System.Globalization.CultureInfo)before.Clone();
-                comma.NumberFormat.NumberDecimalSeparator = ",";
-                Thread.CurrentThread.CurrentCulture = comma;
-                Assert.That(Joint("fixed", "<origin xyz='0.25 0 0'/>").Origin.X, Is.EqualTo(0.25));
-            }
-            finally
-            {
-                Thread.CurrentThread.CurrentCulture = before;
-            }
+            using var culture = new DecimalComma();
+
+            Assert.That(Joint("fixed", "<origin xyz='0.25 0 0'/>").Origin.X, Is.EqualTo(0.25));
         }
 
         [Test]

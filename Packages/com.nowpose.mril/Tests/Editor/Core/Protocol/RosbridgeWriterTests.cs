@@ -1,8 +1,6 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
-using System.Threading;
 using NUnit.Framework;
 using Nowpose.Protocol;
 
@@ -48,20 +46,10 @@ namespace Nowpose.Tests.Core.Protocol
         [Test]
         public void JointState_CultureWithDecimalComma_WritesDecimalPoints()
         {
-            var before = Thread.CurrentThread.CurrentCulture;
-            try
-            {
-                var german = (CultureInfo)CultureInfo.InvariantCulture.Clone();
-                german.NumberFormat.NumberDecimalSeparator = ",";
-                Thread.CurrentThread.CurrentCulture = german;
-                var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { 1.5 });
+            using var culture = new DecimalComma();
+            var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { 1.5 });
 
-                Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec), Does.Contain("[1.5]"));
-            }
-            finally
-            {
-                Thread.CurrentThread.CurrentCulture = before;
-            }
+            Assert.That(RosbridgeWriter.PublishJointState("/joint_states", state, RosTimeForm.Sec), Does.Contain("[1.5]"));
         }
 
         [Test]

@@ -1,0 +1,20 @@
+using System;
+using System.Globalization;
+
+namespace Nowpose.Tests.Core
+{
+    /// <summary>Sets a culture with a decimal comma until it is disposed.</summary>
+    sealed class DecimalComma : IDisposable
+    {
+        readonly CultureInfo _before = CultureInfo.CurrentCulture;
+
+        public DecimalComma()
+        {
+            var comma = (CultureInfo)CultureInfo.InvariantCulture.Clone();
+            (comma.NumberFormat.NumberDecimalSeparator, comma.NumberFormat.NumberGroupSeparator) = (",", ".");
+            CultureInfo.CurrentCulture = comma;
+        }
+
+        public void Dispose() => CultureInfo.CurrentCulture = _before;
+    }
+}
