@@ -13,5 +13,5 @@ static class CalibrationMessages
 
     public const string NoSpeed = "--speed-mm-s is missing; allowed: 1 to 10000 mm/s";
 
-    public static string BothNames(string former, string present) => $"{former} is the former name of {present}; use only {present}";
+    public static string BothNames(string former, string present) => $"{former} is the former name of {present}; use only {present}.";
 }
