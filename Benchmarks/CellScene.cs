@@ -53,7 +53,7 @@ sealed class CellScene : IDisposable, IHeadsetClock
         _player.Step(_frame * FrameSeconds);
     }
 
-    /// <summary>Only delivers the samples of the plants that are due in the next frame.</summary>
+    /// <summary>Delivers the samples that are due in the next frame, without running the player loop.</summary>
     public void Receive()
     {
         _frame++;

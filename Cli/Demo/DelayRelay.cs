@@ -4,7 +4,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>A TCP relay on loopback. Delays the data in each direction by a network profile and keeps its order.</summary>
+/// <summary>A TCP relay on loopback. Delays the data in each direction as a network profile defines, and keeps their order.</summary>
 sealed class DelayRelay : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);

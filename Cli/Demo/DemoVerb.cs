@@ -98,7 +98,7 @@ static class DemoVerb
         return Settings(parsed) with { Seconds = seconds };
     }
 
-    // Returns the option if it was given a value other than the paper's own.
+    // Returns the option if the user gave it a value other than the paper's value.
     static IEnumerable<Option> Others<T>(ParseResult parsed, Option<T> option, T papers = default) =>
         IsGiven(parsed, option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
 

@@ -11,7 +11,7 @@ readonly struct RangeSplit
 {
     const double MinShareBelow = 0.005, MaxShareBelow = 0.2, MinShareBeyond = 0.7, MaxShareBeyond = 0.999;
 
-    /// <summary>Number of pairs as which a bad pair counts.</summary>
+    /// <summary>Weight of a bad pair: it counts as this number of pairs.</summary>
     const double WeightOfBad = 3;
 
     /// <summary>Minimum number of pairs beyond a limit. A few of them can be misread.</summary>
