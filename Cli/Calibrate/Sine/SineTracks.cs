@@ -21,7 +21,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         return OnGrid(recording, recording, robot, shown, path);
     }
 
-    /// <summary>Reads the hologram's track from a camera's file and the robot's track from a control system's file. Both use the same clock.</summary>
+    /// <summary>Reads the hologram's track from a camera's file and the robot's from a control system's file. Both use the same clock.</summary>
     /// <param name="joint">Column of the control system's file. If null, the file must have exactly one column of positions.</param>
     public static SineTracks Of(string path, string columns, string controlPath, string joint)
     {

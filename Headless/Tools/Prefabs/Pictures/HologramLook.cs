@@ -8,7 +8,7 @@ static class HologramLook
     /// <summary>Width of a stripe. Corresponds to NOWPOSE_STRIPE_METRES in the shader.</summary>
     public const float StripeMetres = 0.01f;
 
-    /// <summary>Factor of the opacity in the stripes of the shader.</summary>
+    /// <summary>Factor by which the shader reduces the opacity in the second half of each stripe.</summary>
     public const double StripeKeeps = 1 - 0.85;
 
     static readonly float Diagonal = 0.70710678f / (2 * StripeMetres);
