@@ -90,7 +90,9 @@ public class PathRunTests
         if (!name.Contains("shorter", StringComparison.Ordinal)) Assert.That(runs.Min(run => run.Within), Is.GreaterThanOrEqualTo(0.95));
     }
 
-    /// <summary>Runs in which an earlier stated error, which included only detected changes, was too small for 2 to 20 % of the time.</summary>
+    /// <summary>
+    /// Runs in which the stated error of an earlier version was too small for 2 to 20 % of the time, because it included only detected changes.
+    /// </summary>
     [TestCase("bad", "requests longer", 20014)]
     [TestCase("bad", "requests longer", 20025)]
     [TestCase("bad", "replies longer", 20000)]

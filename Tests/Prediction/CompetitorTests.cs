@@ -52,7 +52,7 @@ public class CompetitorTests
     }
 
     [Test]
-    public void OneEuro_NoiseAtRest_SmoothsIt()
+    public void OneEuro_NoiseAtRest_SmoothsTheNoise()
     {
         // A low-pass filter of 1 Hz weights each sample with a = 0.24, so the factor for white noise is √(a / (2 − a)) = 0.37.
         Assert.That(NoiseLeft(Candidates.OneEuro(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));

@@ -94,7 +94,7 @@ public class RecorderDiskTests
     }
 
     [Test]
-    public async Task Record_DiskFailsBeyondTheMaximumSize_RequestsNoFurtherFile()
+    public async Task Record_DiskFailsWithMoreThanTheMaximumSizeWaiting_RequestsNoFurtherFile()
     {
         var time = new CountedTime();
         using var goOn = new ManualResetEventSlim();
@@ -132,7 +132,7 @@ public class RecorderDiskTests
             _ => new LineFile(new SmallDisk(10_000_000)),
         });
         recorder.SwitchOn();
-        // A thread of its own opens each file. Waits, so that the second file is not opened before the first.
+        // A separate thread opens each file. Waits for the first file, so that the second one is not opened before it.
         await Soon.BecomesAsync(() => Volatile.Read(ref files) == 1, "the first file is opened");
         _cell.Publish(5, "a");
         _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
