@@ -21,7 +21,10 @@ static class HeadMotionFit
     const double MaxShareOfDirection = 0.8;
 
     /// <summary>A picture is an outlier if it deviates from the fit by more than this number of standard deviations.</summary>
-    const double MaxDeviations = 4, PerMedianDeviation = 1.4826;
+    const double MaxDeviations = 4;
+
+    /// <summary>Standard deviation of a normal distribution divided by its median absolute deviation.</summary>
+    const double PerMedianDeviation = 1.4826;
 
     /// <summary>Minimum root mean square of the speed, px/s. At lower speeds, 1 px of noise is as large as the effect of the latency.</summary>
     const double MinSpeed = 60;

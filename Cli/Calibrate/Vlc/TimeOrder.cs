@@ -11,8 +11,8 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed class TimeOrder
 {
     /// <summary>
-    /// Minimum share of the steps between consecutive pictures that go forward in time, or of those that go backward, for an order that counts as the
-    /// order in which the pictures were taken, or its reverse.
+    /// Minimum share of the steps between consecutive pictures that have the same direction in time. With at least this share, the given order
+    /// counts as the order in which the pictures were taken, or its reverse.
     /// </summary>
     const double MinShareInOrder = 0.9;
 
