@@ -10,7 +10,7 @@ static class MaterialAssets
     /// <summary>Render queue of opaque objects.</summary>
     const int Opaque = 2000;
 
-    /// <summary>Render queue after the virtual parts. An object in this queue does not hide them: they shine through an object in front.</summary>
+    /// <summary>Render queue after the virtual parts. An object in this queue does not hide the parts behind it: they are already drawn.</summary>
     const int AfterVirtualParts = 3100;
 
     /// <summary>Creates the material of virtual parts. It is bright, because a headset's display can only add light.</summary>
