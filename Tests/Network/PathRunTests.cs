@@ -78,8 +78,8 @@ public class PathRunTests
 
     /// <summary>
     /// Where 0.5 ms is less than the jitter, the change cannot be distinguished from a late packet for up to two minutes, and the estimate follows
-    /// the change. The true error must still be within the stated error. A shorter path shows only with the first packet that is faster than all
-    /// earlier ones.
+    /// the change. The true error must still be within the stated error. A shorter path can be detected only after the first packet that is
+    /// faster than all earlier ones.
     /// </summary>
     [TestCaseSource(nameof(SmallChanges))]
     public void Within_ChangeTooSmallToDetect_IsAtLeast99Percent(string link, string name)
