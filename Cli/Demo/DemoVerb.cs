@@ -11,7 +11,9 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
+/// <summary>
 /// <c>demo</c>, the default verb: runs gateway, network, headset runtime and robot in one process and compares the display with the truth.
+/// </summary>
 static class DemoVerb
 {
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 5, 3600, "s");
