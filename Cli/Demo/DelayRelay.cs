@@ -30,7 +30,7 @@ sealed class DelayRelay : IDisposable
     public void Dispose()
     {
         _listener.Stop();
-        // The accepting thread has ended, so the list no longer changes.
+        // When the accepting thread has ended, the list no longer changes.
         _accepting.Join();
         foreach (var connection in _connections) connection.Dispose();
     }

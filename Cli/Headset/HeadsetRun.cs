@@ -68,7 +68,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         _wasTimeTrusted |= frame.IsTimeTrusted;
         if (_wasCurrent || frame.State != PoseState.Current) return;
         _wasCurrent = true;
-        // The statistics of a recording start with the first current frame.
+        // Restarts the error statistics, so that those in a recording start with the first current frame.
         session.RestartErrorRun();
     }
 

@@ -84,7 +84,7 @@ sealed partial class SourceTexts
         }
     }
 
-    // Comments, directives, blanks and characters.
+    // Skips comments, directives, blanks and character literals.
     bool Skip()
     {
         var skipped = Blank().Match(_source, _at);

@@ -36,7 +36,7 @@ readonly struct RangeSplit
     /// <summary>Number of pairs below the split if a bad pair counts as one pair. At least <see cref="Count"/>.</summary>
     public int MaxCount { get; }
 
-    /// <summary>Whether enough pairs beyond the split are bad to establish a limit.</summary>
+    /// <summary>Whether there are enough pairs beyond the split, and enough of them are bad, to establish a limit.</summary>
     public bool IsReached { get; }
 
     /// <param name="good">Whether each pair is good, sorted by render time.</param>
