@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>
-/// Compares the reader with an earlier reader, which parsed each message with Newtonsoft.Json. <c>message-verdicts.tsv</c> contains messages,
-/// most of which are malformed, and the earlier reader's verdict on each of them: the reason and the message per line.
+/// Compares the reader with an earlier reader, which parsed each message with Newtonsoft.Json. Each line of <c>message-verdicts.tsv</c>
+/// contains the earlier reader's verdict (the reason of a rejection, or None) and the message. Most messages are malformed.
 /// </summary>
 public class MessageVerdictsTests
 {
