@@ -48,8 +48,8 @@ sealed record DemoResult(
     }
 
     /// <summary>The runtime's range state in a run under load. Times are in s since the start of the run.</summary>
-    /// <param name="LeftS">Time at which the runtime detected that the render time had left the constant-latency range.</param>
-    /// <param name="FoundS">Time at which the runtime finally detected the return of the render time to the range; null if it did not return.</param>
+    /// <param name="LeftS">Time of the first frame that the runtime considers outside the constant-latency range; null if there is none.</param>
+    /// <param name="FoundS">Time of the first frame after the last one outside the range; null if there is none.</param>
     /// <param name="FramesOutside">Number of frames outside the range.</param>
     public sealed record Ranges(double? LimitRenderMs, double? LeftS, double? FoundS, int FramesOutside, int Alarms);
 
