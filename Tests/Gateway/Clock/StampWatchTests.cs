@@ -143,7 +143,7 @@ public class StampWatchTests
 
         (_isOwnServed, _plantAhead) = (true, TimeSpan.Zero);
         Run(StampWatch.Seconds + 2, () => System);
-        Assert.That(_watch.Warning, Is.Null, "the own clock is served again");
+        Assert.That(_watch.Warning, Is.Null, "the gateway serves its own clock again");
     }
 
     [Test]
@@ -279,7 +279,7 @@ public class StampWatchTests
         _own.Skew = 100e-6;
         for (var i = 0; i < 3600; i++)
         {
-            // The system clock loses 100 µs per second against the own clock.
+            // The system clock loses 100 µs per second relative to the gateway's own clock.
             _correction = TimeSpan.FromSeconds(-100e-6 * i);
             Run(1);
         }
