@@ -5,7 +5,7 @@ using Nowpose.Messages;
 namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Describes a tracker's state in one line.</summary>
-    /// <remarks>Creates a new text only for a change of its content, and at most once a second if only numbers change.</remarks>
+    /// <remarks>Creates a new text only when the content changes, and at most once a second if only numbers change.</remarks>
     sealed class BaseStatusText
     {
         static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);

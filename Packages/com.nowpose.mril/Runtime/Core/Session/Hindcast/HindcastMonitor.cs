@@ -65,7 +65,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Reason why the current errors are withheld.</summary>
         public ErrorWithheldReason Withheld { get; private set; }
 
-        /// <summary>Reason why the errors of the run are withheld, which is the reason of the first frame that cannot be scored.</summary>
+        /// <summary>Reason why the errors of the run are withheld, which is the reason for the first frame that cannot be scored.</summary>
         public ErrorWithheldReason WithheldOfRun => _hasRunBegun ? _withheldOfRun : Withheld;
 
         bool IsKnown => _now.HasValue && Withheld == ErrorWithheldReason.None;
