@@ -13,12 +13,12 @@ namespace Nowpose.Recording
     /// <summary>Writes records as lines of a file, on its own thread, which is the only thread that waits for the disk.</summary>
     sealed class RecordWriter
     {
-        /// <summary>Space that is reserved for the line with the reason for the end of the file.</summary>
+        /// <summary>Space reserved for the last line, which states why the file ends.</summary>
         const int LastLineBytes = 100;
 
         static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);
 
-        /// <summary>Maximum duration of the data that are lost if the process crashes.</summary>
+        /// <summary>Duration of the data that are lost at most if the process crashes.</summary>
         static readonly TimeSpan FlushInterval = TimeSpan.FromSeconds(1);
 
         readonly RecordingSettings _settings;
