@@ -198,8 +198,8 @@ namespace Nowpose.Unity
                 Abandon(problem);
                 return;
             }
-            // Also logs frames while a load is being built. The codes repeat after a period: a picture of a frame missing from the log could be
-            // matched to a frame one period later.
+            // Also logs frames while a load is being built. The codes repeat after a period, so a picture of a frame that is missing in the
+            // log could be matched to a frame one period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             ShowPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);
