@@ -192,7 +192,7 @@ namespace Nowpose.Unity
         // Logs the previous frame. Its code may have changed until it was rendered.
         void Follow()
         {
-            // Checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
+            // The load is checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
             if (ProblemOfLoad() is string problem)
             {
                 Abandon(problem);

@@ -28,7 +28,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
-            // The time before the first frame and the duration of a pause of the application do not count.
+            // The time before the first frame and the duration of a pause of the application do not count as search time.
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);
