@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         static JointPredictor NewJoint() => TestPredictors.Polynomial(2, 4);
 
-        // Adds samples of two seconds, in order.
+        // Returns a joint with samples of two seconds, which were added in order.
         static JointPredictor FedJoint()
         {
             var joint = NewJoint();
@@ -177,7 +177,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_SampleOlderThanTheHistory_IsTooOld()
+        public void Add_SampleOlderThanTheHistory_IsDroppedAsLate()
         {
             var joint = FedJoint();
             var inOrder = FedJoint();
