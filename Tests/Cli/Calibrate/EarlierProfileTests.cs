@@ -30,7 +30,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
 
         Assert.That(WarningsOf(earlier), Is.EqualTo(new[]
         {
-            "--sweep: the log was written with graphics API 'Direct3D11', the options say 'Vulkan'; the pictures must belong to the sweep: "
+            "--sweep: the log was written with graphics API 'Direct3D11', but the options state 'Vulkan'; the pictures must belong to the sweep: "
                 + "repeat both with the same settings",
             "other",
         }));
