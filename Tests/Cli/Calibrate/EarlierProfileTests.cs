@@ -45,7 +45,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
         var earlier = EarlierProfile.Read(path, DisplayConditions.Unknown, Vulkan);
 
         Assert.That(WarningsOf(earlier)[0], Is.EqualTo(
-            $"--profile: {path}: was measured with graphics API 'Direct3D11', this measurement has 'Vulkan'; "
+            $"--profile: {path}: was measured with graphics API 'Direct3D11', but this measurement has 'Vulkan'; "
             + "the values kept from the profile may be wrong: repeat the load sweep"));
     }
 
