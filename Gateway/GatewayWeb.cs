@@ -26,7 +26,7 @@ static class GatewayWeb
     /// Handlers called before <paramref name="rosbridge"/>, in this order. Each serves a request or calls the next handler.
     /// </param>
     public static WebApplication Build(
-        GatewayOptions options, PendingPlaces pending, Action<string> log, RequestDelegate rosbridge,
+        GatewayOptions options, PendingWebConnections pending, Action<string> log, RequestDelegate rosbridge,
         params Func<HttpContext, RequestDelegate, Task>[] before)
     {
         // Uses the empty builder, so that settings in the working folder or the environment do not change the gateway's behaviour.
@@ -43,7 +43,7 @@ static class GatewayWeb
         builder.Services.AddSingleton<IConnectionListenerFactory>(
             services => new ResilientListenerFactory(services.GetRequiredService<IOptions<SocketTransportOptions>>(), log));
         var web = builder.Build();
-        web.Use(next => context => PendingPlaces.CompleteHandshakeAsync(context, next));
+        web.Use(next => context => PendingWebConnections.CompleteHandshakeAsync(context, next));
         web.Use(next => context => SecurityHeaders.AddAsync(context, next));
         foreach (var serve in before) web.Use(next => context => serve(context, next));
         web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = Timeout.InfiniteTimeSpan });
@@ -51,7 +51,7 @@ static class GatewayWeb
         return web;
     }
 
-    static void Configure(KestrelServerOptions kestrel, GatewayOptions options, PendingPlaces pending)
+    static void Configure(KestrelServerOptions kestrel, GatewayOptions options, PendingWebConnections pending)
     {
         kestrel.AddServerHeader = false;
         // The first timeout starts with the first byte of a request; the second limits the time before that byte.
@@ -66,7 +66,7 @@ static class GatewayWeb
         kestrel.Listen(options.Bind, options.WebSocketPort, listen => Configure(listen, options, pending));
     }
 
-    static void Configure(ListenOptions listen, GatewayOptions options, PendingPlaces pending)
+    static void Configure(ListenOptions listen, GatewayOptions options, PendingWebConnections pending)
     {
         listen.Use(next => connection => pending.ServeAsync(connection, next));
         listen.Protocols = HttpProtocols.Http1;
@@ -78,6 +78,6 @@ static class GatewayWeb
             https.SslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13;
             https.HandshakeTimeout = options.TokenTimeout;
         });
-        listen.Use(next => connection => PendingPlaces.CompleteHandshakeAsync(connection, next));
+        listen.Use(next => connection => PendingWebConnections.CompleteHandshakeAsync(connection, next));
     }
 }

@@ -20,7 +20,7 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl
     const string TimePath = "/vlc/time";
 
     readonly HtmlPage _page = new(html);
-    readonly TimePlaces _places = new(options, counters, log);
+    readonly TimeRequestLimits _places = new(options, counters, log);
 
     public bool IsBuilt => _page.IsBuilt;
 

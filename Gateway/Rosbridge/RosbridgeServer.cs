@@ -74,7 +74,7 @@ sealed class RosbridgeServer(
             // Disables the pings of .NET, because ReaderProgress sends pings that also measure how much the client has read.
             KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
-        PendingPlaces.Release(context);
+        PendingWebConnections.Release(context);
         var isSource = role == Role.Source;
         // Only a source may send long messages.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;

@@ -57,7 +57,7 @@ public class AnswerReaderTests
         var isBegun = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         var isEnded = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         await using var web = GatewayWeb.Build(
-            Options, new PendingPlaces(new PendingConnections(Options.MaxPendingConnections), new ConnectionCounters(), _ => { }), _ => { },
+            Options, new PendingWebConnections(new PendingConnections(Options.MaxPendingConnections), new ConnectionCounters(), _ => { }), _ => { },
             context => AnswerAsync(context, isBegun, isEnded));
         await web.StartAsync().Bounded();
         using var reader = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { ReceiveBufferSize = 4096 };

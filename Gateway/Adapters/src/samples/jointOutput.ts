@@ -8,7 +8,7 @@ import { grouped, type Sample } from './grouping';
 import { numberIn } from './number';
 import { Silence } from './silence';
 import { OF_LONG_AGO, type Refusal, StampRule } from './stampRule';
-import { Standing } from './standing';
+import { RestingSamples } from './restingSamples';
 import { refusalMessages, silenceMessages } from '../messages/values';
 
 /** A joint's value from the control system. */
@@ -58,7 +58,7 @@ interface Publisher {
 /** Publishes joint states from a plant's values. Refuses values that are not a valid position with a valid stamp. */
 export class JointOutput {
   readonly #rule: StampRule;
-  readonly #standing: Standing;
+  readonly #resting: RestingSamples;
   readonly #ends: EndOfData[];
   /** Joints whose end of data was already judged since their last sample. */
   readonly #judged = new Set<number>();
@@ -83,7 +83,7 @@ export class JointOutput {
     counter?: () => number,
   ) {
     this.#rule = new StampRule(joints.length, options.oldest);
-    this.#standing = new Standing(joints.length);
+    this.#resting = new RestingSamples(joints.length);
     this.#ends = joints.map(joint => new EndOfData(decelerationFloor(joint.isLinear), joint.maxDeceleration ?? null));
     const limits = new Map(joints.map(joint => [joint.joint, joint.faultAfterMs ?? null]));
     this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
@@ -108,23 +108,23 @@ export class JointOutput {
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     const { now, isSettled } = this.clock;
     if (!isSettled || now === null) return;
-    const silent = this.#standing
+    const silent = this.#resting
       .at(time, joint => this.#silenceOf(joint, silence))
       .filter(({ joint }) => !except.has(joint) && !this.#hasEnded(joint, time) && !this.#isAbandoned(joint));
-    const standing = silent.filter(({ joint }) => this.#rule.judge(joint, time, now) === null);
-    for (const sample of standing) {
-      this.#standing.heard(sample);
+    const resting = silent.filter(({ joint }) => this.#rule.judge(joint, time, now) === null);
+    for (const sample of resting) {
+      this.#resting.heard(sample);
       this.#repeated.add(sample.joint);
       this.silence.confirm(this.joints[sample.joint].joint, this.#uncertaintyOf(sample.joint));
     }
-    this.#send(standing);
+    this.#send(resting);
   }
 
   /** Updates the state of joints that have been silent for too long. Samples of joints with a fault are no longer repeated. */
   checkSilence(): void {
     const faults = new Set(this.silence.check());
     this.joints.forEach(({ joint }, i) => {
-      if (faults.has(joint)) this.#standing.forget(i);
+      if (faults.has(joint)) this.#resting.forget(i);
     });
   }
 
@@ -135,7 +135,7 @@ export class JointOutput {
 
   /** Reports that the control system no longer has the variable of this joint. */
   lose(joint: number, reason: string): void {
-    this.#standing.forget(joint);
+    this.#resting.forget(joint);
     this.status.joints.fault(this.joints[joint].joint, reason);
   }
 
@@ -147,14 +147,14 @@ export class JointOutput {
   /** Prepares for a new connection. Joints at rest may have moved since the previous one. */
   restart(): void {
     for (let joint = 0; joint < this.joints.length; joint++) {
-      this.#standing.forget(joint);
+      this.#resting.forget(joint);
       this.#ends[joint].restart();
     }
   }
 
   /** Counts an unusable value. */
   refuse(joint: number, reason: string, text: string): void {
-    this.#standing.forget(joint);
+    this.#resting.forget(joint);
     this.status.refuse(reason, this.joints[joint].joint, text);
   }
 
@@ -197,7 +197,7 @@ export class JointOutput {
 
   #end(joint: number, reason: string): void {
     const { joint: name } = this.joints[joint];
-    this.#standing.forget(joint);
+    this.#resting.forget(joint);
     this.#ended.add(joint);
     this.status.joints.fault(name, silenceMessages.endedBecause(reason), this.silence.lastSample(name));
   }
@@ -251,7 +251,7 @@ export class JointOutput {
       if (this.#ended.has(joint) && refusal.reason === 'stamp-not-newer') return null;
       // Does not publish the value before the joint is known to be at rest. If the stamps come from a clock other than the control clock, the next
       // value is refused.
-      this.#standing.heard({ joint, position, stamp: now });
+      this.#resting.heard({ joint, position, stamp: now });
       this.silence.arrived(this.joints[joint].joint);
       return null;
     }
@@ -261,7 +261,7 @@ export class JointOutput {
     }
     const hasVelocity = velocity !== undefined && Number.isFinite(velocity * scale);
     const sample: Sample = { joint, position, stamp: stamp!, ...(hasVelocity ? { velocity: velocity * scale } : {}) };
-    this.#standing.heard(sample);
+    this.#resting.heard(sample);
     this.#judged.delete(joint);
     this.#ended.delete(joint);
     this.#repeated.delete(joint);

@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Codes;
 
 /// <summary>Limits time requests over HTTP. Each connection counts as a WebSocket connection and has the rate limit of sync requests.</summary>
 /// <remarks>Connections stay open between requests, because the time to connect again would be measured as network latency.</remarks>
-sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Action<string> log)
+sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counters, Action<string> log)
 {
     /// <summary>Checks whether a request may be served. Otherwise, answers it with the refusal and ends its connection.</summary>
     /// <returns>True if the request may be served.</returns>
@@ -38,7 +38,7 @@ sealed class TimePlaces(GatewayOptions options, ConnectionCounters counters, Act
         if (!counters.TryEnter(options.MaxConnections)) return null;
         var place = new Place(new RequestRate(options.SyncRequestsPerSecond));
         items.Add(this, place);
-        PendingPlaces.Release(context);
+        PendingWebConnections.Release(context);
         context.Features.GetRequiredFeature<IConnectionLifetimeFeature>().ConnectionClosed.Register(() => counters.Leave(place.Why));
         return place;
     }

@@ -5,7 +5,7 @@ import type { Sample } from './grouping';
  * Stores the last sample of each joint of a control system that sends only changes. If all changes up to a time are known and a joint has sent none,
  * the joint still had its last value at that time. The last value and that time then form a valid sample.
  */
-export class Standing {
+export class RestingSamples {
   readonly #newest: (Sample | null)[];
 
   constructor(joints: number) {
