@@ -9,8 +9,9 @@ namespace Nowpose.Editor
     /// <remarks>
     /// Unity reads a link.xml only from Assets/, so a package must supply one through this interface. The assemblies:
     /// <list type="bullet">
-    /// <item>Nowpose.Unity is protected. Without protection, the linker would keep the components in the scenes of a build, but strip components
-    /// that occur only in an asset bundle or Addressable, and members that only a UnityEvent there calls by name. The assembly is small.</item>
+    /// <item>Nowpose.Unity is protected. Without protection, the linker would keep the components in the scenes of a build, but strip
+    /// components that occur only in an asset bundle or Addressable, and members that only a UnityEvent in such an asset calls by name. The
+    /// assembly is small.</item>
     /// <item>Nowpose.ArFoundation, Nowpose.OpenXR, Nowpose.OpenXR.Anchoring and Nowpose.MRTK3 also contain components. They are protected if they
     /// exist.</item>
     /// <item>Nowpose is not protected: Nowpose.Unity and the user's code call it directly, without reflection.</item>

@@ -11,7 +11,7 @@ namespace Nowpose.Editor
     /// </remarks>
     public static class StlReader
     {
-        /// <summary>Maximum number of triangles. A headset can still draw as many, and no robot link needs more.</summary>
+        /// <summary>Maximum number of triangles. A headset can still draw this number, and no robot link needs more.</summary>
         public const int MaxTriangles = 1_000_000;
 
         [Obsolete("use MaxTriangles")]

@@ -45,7 +45,7 @@ namespace Nowpose.Editor.Import
             }
             catch (XmlException)
             {
-                // Ignored here, because Unity cannot read the file either, and its model importer logs the error.
+                // The error is ignored here, because Unity cannot read the file either, and its model importer logs the error.
                 return UpAxis.Y;
             }
         }

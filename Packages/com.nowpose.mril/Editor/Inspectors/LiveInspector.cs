@@ -47,7 +47,7 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.HelpBox(shortcoming.Message, MessageType.Warning);
                 if (shortcoming.FixLabel != null && GUILayout.Button(shortcoming.FixLabel)) clicked = shortcoming;
             }
-            // Applied after all controls are drawn, because the number of controls must not change within one event.
+            // The fix is applied after all controls are drawn, because the number of controls must not change within one event.
             clicked?.Fix();
         }
     }

@@ -15,7 +15,8 @@ namespace Nowpose.Editor.Inspectors
 
         /// <param name="field">Name of the serialised field.</param>
         /// <param name="above">
-        /// Type of component that the component looks for on its own object and the parents if the reference is empty; null if it does not.
+        /// Type of component that the component looks for on its own object and the parents if the reference is empty; null if the
+        /// component does not search.
         /// </param>
         /// <param name="message">Message to the user.</param>
         /// <param name="remedy">Returns the object to assign; returns null if only the user can choose.</param>

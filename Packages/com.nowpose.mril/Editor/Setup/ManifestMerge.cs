@@ -153,7 +153,7 @@ namespace Nowpose.Editor.Setup
             }
         }
 
-        // Returns the registry from which Unity takes a package: the one with the longest scope that is a prefix of the package's name.
+        // Returns the registry from which Unity takes a package: the registry with the longest scope that is a prefix of the package's name.
         JsonOutline RegistryOf(string package)
         {
             return Items(Registries)

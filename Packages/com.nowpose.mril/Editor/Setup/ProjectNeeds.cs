@@ -40,7 +40,7 @@ namespace Nowpose.Editor.Setup
         public static readonly IReadOnlyList<PackageOrigin> Mrtk3 = new[]
         {
             Mrtk("core", "3.3.0"), Mrtk("uxcore", "3.3.0"), Mrtk("standardassets", "3.2.1"), Mrtk("spatialmanipulation", "3.4.0"),
-            // The menu uses a button with a checkbox, which uxcomponents contains since version 3.3.0.
+            // The menu uses a button with a checkbox, which uxcomponents has contained since version 3.3.0.
             Mrtk("uxcomponents", "3.4.0", "3.3.0"), Mrtk("input", "3.3.0"), Mrtk("windowsspeech", "3.0.4"),
         };
 

@@ -8,7 +8,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>One anchor of AR Foundation: a new one, or one loaded from the store.</summary>
+    /// <summary>One anchor of AR Foundation, either new or loaded from the store.</summary>
     sealed class ArSpatialAnchor : ISpatialAnchor
     {
         /// <summary>Timeout for the creation of an anchor. The device takes some seconds to scan a new room.</summary>

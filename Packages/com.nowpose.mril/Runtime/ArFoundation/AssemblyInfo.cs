@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-// That assembly uses this assembly's internal OriginManager and MarkerRecords.
+// Nowpose.OpenXR.Anchoring uses the internal classes OriginManager and MarkerRecords.
 [assembly: InternalsVisibleTo("Nowpose.OpenXR.Anchoring")]
 
 // The test assembly exists only in the repository, not in the package.

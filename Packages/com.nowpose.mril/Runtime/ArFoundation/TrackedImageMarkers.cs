@@ -22,8 +22,8 @@ namespace Nowpose.ArFoundation
     public sealed class TrackedImageMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
     {
         /// <summary>
-        /// Pose of the marker frame in AR Foundation's image frame. The image frame has x to the right, z to the upper edge and y out of the
-        /// print. In URDF axes the pose is a quarter turn about the normal.
+        /// Pose of the marker frame in AR Foundation's image frame. The image frame has x to the right, z to the upper edge and y out of
+        /// the print. In URDF axes, the pose is a quarter turn about the normal.
         /// </summary>
         static readonly RigidTransform MarkerInImage = RigidTransform.FromXyzRpy(0, 0, 0, 0, 0, -Math.PI / 2);
 

@@ -22,7 +22,7 @@ using System.Runtime.CompilerServices;
 // Exists only in this package's repository: emulates links with the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
-// The package's other assemblies and tools use internals that are not an interface for users.
+// The package's other assemblies, tools and tests, which also use internals.
 [assembly: InternalsVisibleTo("Nowpose.Unity")]
 [assembly: InternalsVisibleTo("Nowpose.Editor")]
 [assembly: InternalsVisibleTo("Nowpose.ArFoundation")]

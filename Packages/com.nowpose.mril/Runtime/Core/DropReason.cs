@@ -6,7 +6,7 @@ namespace Nowpose
     /// </summary>
     public enum DropReason
     {
-        /// <summary>Nothing was dropped. A sample that newer samples have overtaken is used with the next sample.</summary>
+        /// <summary>Nothing was dropped. Also the reason for a sample that newer samples have overtaken: it is used with the next sample.</summary>
         None,
 
         /// <summary>The message is not exactly one JSON object: it has a syntax error, trailing content, or invalid text.</summary>
@@ -30,7 +30,7 @@ namespace Nowpose
         /// <summary>A required field is missing or empty.</summary>
         MissingField,
 
-        /// <summary>A field has another JSON type than the message type requires.</summary>
+        /// <summary>A field does not have the JSON type that the message requires.</summary>
         WrongType,
 
         /// <summary>A field of the message type occurs twice.</summary>
@@ -50,7 +50,7 @@ namespace Nowpose
         /// <summary>A position, or another number that must be finite, is NaN, infinite or null.</summary>
         NotFinite,
 
-        /// <summary>The array position or velocity has another length than the array name.</summary>
+        /// <summary>The array position or velocity does not have the same length as the array name.</summary>
         LengthMismatch,
 
         TooManyJoints,
@@ -81,7 +81,7 @@ namespace Nowpose
         /// <summary>None of the message's joints belongs to the robot.</summary>
         UnknownJoint,
 
-        /// <summary>The robot description is not a URDF, or not a robot that can be computed.</summary>
+        /// <summary>The robot description is not a URDF, or the kinematics of the described robot cannot be computed.</summary>
         NotUrdf,
 
         /// <summary>The headset clock is unsynchronised, so stamps cannot be checked.</summary>

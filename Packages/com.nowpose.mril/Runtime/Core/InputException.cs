@@ -3,8 +3,8 @@ using System;
 namespace Nowpose
 {
     /// <summary>
-    /// The exception for an unusable user input (a file, a setting). The message is one line that names the file, line and
-    /// field or the setting, the value with its unit, and what is allowed; it can be shown unchanged.
+    /// The exception for unusable user input in a file or a setting. The message is one line: it names the file, line and field, or the
+    /// setting, with the value, its unit and what is allowed. It can be shown to the user unchanged.
     /// </summary>
     public class InputException : FormatException
     {

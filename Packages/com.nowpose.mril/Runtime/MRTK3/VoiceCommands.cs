@@ -12,8 +12,8 @@ namespace Nowpose.Mrtk3
     /// <summary>Triggers actions by voice, even while the menu is hidden and wherever the wearer looks.</summary>
     /// <remarks>
     /// Registers its keywords as soon as MRTK3's keyword recognition runs, and unregisters them when this component is disabled. Keywords
-    /// that another component registered first stay registered. Buttons have keywords too, but MRTK3 recognises these only while the button is
-    /// active; those of a hand menu work only while the hand is visible.
+    /// that another component registered first stay registered. Buttons have keywords too, but MRTK3 recognises these only while the button
+    /// is active; the keywords of a hand menu work only while the hand is visible.
     /// </remarks>
     [AddComponentMenu("Nowpose/Voice Commands")]
     [DisallowMultipleComponent]

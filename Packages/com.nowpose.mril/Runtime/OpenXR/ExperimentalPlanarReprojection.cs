@@ -17,7 +17,8 @@ namespace Nowpose.OpenXR
     /// </summary>
     /// <remarks>
     /// A request is valid for one frame, so this component repeats it in each frame. When the component is disabled, the runtime returns to
-    /// its previous mode. The pose of the tool is already predicted to the display time, so a velocity may count its motion twice.
+    /// its previous mode. The pose of the tool is already predicted to the display time, so a velocity may make the runtime compensate the
+    /// motion a second time.
     /// </remarks>
     [AddComponentMenu("Nowpose/Experimental Planar Reprojection")]
     [DisallowMultipleComponent]

@@ -30,7 +30,7 @@ namespace Nowpose.OpenXR
         CounterPairing _pairing;
         bool _isUnusable, _isMissing;
 
-        /// <summary>Opens the counter that the runtime's times are counts of. Tests replace it.</summary>
+        /// <summary>Opens the counter whose counts are the runtime's times. Tests replace it.</summary>
         internal Func<ICounter> OpenCounter { get; set; } = () => new WindowsPerformanceCounter();
 
         /// <summary>The counter of the session's clock. Tests replace it.</summary>

@@ -93,7 +93,7 @@ namespace Nowpose.OpenXR
             try
             {
                 _loading = _anchors.Manager.LoadAnchorStoreAsync();
-                // If this component is destroyed before the task fails, nothing else reads the exception; it must not count as unobserved.
+                // Marks an exception as observed, because nothing else reads it if this component is destroyed before the task fails.
                 _loading.ContinueWith(Observe, TaskContinuationOptions.OnlyOnFaulted | TaskContinuationOptions.ExecuteSynchronously);
             }
             catch (Exception fault)

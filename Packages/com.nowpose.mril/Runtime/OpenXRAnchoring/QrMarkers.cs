@@ -17,7 +17,7 @@ using TransformMode = Microsoft.MixedReality.OpenXR.TransformMode;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// Provides the QR codes that a HoloLens 2 detects as markers. Needs Microsoft's Mixed Reality OpenXR plugin and the capability WebCam.
+    /// Provides the QR codes that a HoloLens 2 detects as markers. Needs Microsoft's Mixed Reality OpenXR plugin and the app's capability WebCam.
     /// </summary>
     /// <remarks>
     /// The plugin reports the pose of a code at its upper left corner, with x to the right, y down and z out of the print. The plugin's mode
@@ -98,8 +98,9 @@ namespace Nowpose.OpenXR
             var rotation = corner.rotation;
             var shift = rotation * new Vector3(code.center.x, code.center.y, 0);
             var isCentre = code.transformMode == TransformMode.Center;
-            // Checks the pose that the device measured: after the shift to the centre, an unknown pose (at the session's origin) would look valid. A
-            // pose at the origin has no rotation, so subtracting the shift also undoes the plugin's own shift.
+            // An unknown pose is at the session's origin. It must be recognised before the shift to the centre, which moves it away from
+            // the origin. In the mode for the centre, the plugin has already shifted the pose. An unknown pose has no rotation, so
+            // subtracting the same shift undoes that of the plugin.
             var isNowhere = _codes.IsSessionOrigin(corner.position) || (isCentre && _codes.IsSessionOrigin(corner.position - shift));
             var centre = isCentre ? corner.position : corner.position + shift;
             return new MarkerSighting(
@@ -113,7 +114,7 @@ namespace Nowpose.OpenXR
             if (code.lastSeenTime == record.LastSeenSeconds) return;
             record.LastSeenSeconds = code.lastSeenTime;
             var ago = (double)seconds - code.lastSeenTime;
-            // After days of operation, the plugin's time (a float in seconds) is rounded to more than a frame, so the age may become negative.
+            // After days of operation, the plugin's time (a float in seconds) is coarser than a frame, so the age may become negative.
             record.LastSeen = now - new TimeSpan((long)(Math.Max(0, ago) * TimeSpan.TicksPerSecond));
             if (string.IsNullOrEmpty(record.Payload)) record.Payload = Text(code.GetDecodedString());
         }

@@ -15,8 +15,8 @@ namespace Nowpose.Unity
     /// until it coincides with the real robot, and marks this shift, once for each direction of the motion.
     /// </summary>
     /// <remarks>
-    /// The error of L_visu is half the difference of the two shifts, divided by the speed. The error of the base position is half the sum of the
-    /// shifts. This method needs no camera. Its error is some ms; see <see cref="NudgeCalibration"/>.
+    /// The error of L_visu is half the difference of the two shifts, divided by the speed. The error of the base position is half the sum
+    /// of the shifts. This method needs no camera. Its error is a few ms; see <see cref="NudgeCalibration"/>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Latency Nudge")]
     [DisallowMultipleComponent]

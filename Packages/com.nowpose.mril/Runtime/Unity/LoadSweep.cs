@@ -192,14 +192,14 @@ namespace Nowpose.Unity
         // Logs the previous frame. Its code may have changed until it was rendered.
         void Follow()
         {
-            // Checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
+            // The load is checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
             if (ProblemOfLoad() is string problem)
             {
                 Abandon(problem);
                 return;
             }
-            // Also logs frames while a load is being built. The codes repeat after a period: a picture of a frame missing from the log could be
-            // matched to a frame one period later.
+            // Also logs frames while a load is being built. The codes repeat after a period, so a picture of a frame that is missing in the
+            // log could be matched to a frame one period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
             ShowPhase();
             var isOver = _run.Advance(_frame?.Start ?? default, _frame?.IsReady ?? false);

@@ -85,7 +85,7 @@ namespace Nowpose.Unity
         /// <summary>Raised when <see cref="Robot"/> changes.</summary>
         public event Action RobotChanged;
 
-        /// <summary>Raised for scripts when one of the UnityEvents is raised.</summary>
+        /// <summary>Raised for each change of the session. If there is a UnityEvent for the change, it is raised before.</summary>
         public event Action<SessionChange> Changed;
 
         /// <summary>

@@ -9,8 +9,8 @@ namespace Nowpose.Anchoring
     /// Determines the pose of a robot's base from its markers: locks it, lets the device store it, and monitors whether it is still valid.
     /// </summary>
     /// <remarks>
-    /// Use it on the frame's thread only. A frame without a new lock allocates nothing, except for a few kB four times a second while
-    /// markers are in view that are not yet part of a lock.
+    /// Use it on the frame's thread only. A frame without a new lock normally allocates nothing. While a marker that is not yet part of the
+    /// lock is in view, a few kB are allocated four times a second.
     /// </remarks>
     public sealed class BaseTracker
     {
@@ -46,7 +46,7 @@ namespace Nowpose.Anchoring
         /// <summary>The state and the required action in one line. Returns the same object as long as the text does not change.</summary>
         public string Words => _words.Text;
 
-        /// <summary>Base in the room frame; null if a person or a script has placed the base.</summary>
+        /// <summary>Pose of the base in the room frame; null if neither markers nor the device have determined it.</summary>
         /// <remarks>During a new search, this is the previous pose.</remarks>
         public RigidTransform? Base { get; private set; }
 
@@ -62,7 +62,7 @@ namespace Nowpose.Anchoring
         /// <summary>Angle by which the device has turned the base since the newest lock, by correcting its map, in radians.</summary>
         public double CorrectedRadians => _correction.Radians;
 
-        /// <summary>Markers that contradict each other, with their deviation; null without a conflict.</summary>
+        /// <summary>Markers that contradict each other, with their deviation; null if there is no conflict.</summary>
         public MarkerConflict Conflict => _attempt.Conflict;
 
         [Obsolete("use Conflict")]
@@ -71,10 +71,10 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
 
-        /// <summary>Reason why a source reports no markers, which is shown during a search; null without a problem.</summary>
+        /// <summary>Reason why a source reports no markers, which is shown during a search; null if there is no problem.</summary>
         public string SourceProblem { get; set; }
 
-        /// <summary>Time of the newest report of any code by a source; null if there is none since the start of the search.</summary>
+        /// <summary>Time at which a source last reported any code; null if none was reported since the start of the search.</summary>
         internal HeadsetTime? LastReport => _lastReport;
 
         /// <summary>Whether a person is moving a marker, and the base with it, by hand.</summary>
@@ -86,7 +86,7 @@ namespace Nowpose.Anchoring
         /// <summary>Name under which the device stores the position across restarts; null when it is not stored.</summary>
         public string KeptAs => _place.KeptAs;
 
-        /// <summary>Reason why the device does not hold or store the position, in one line; null without a problem.</summary>
+        /// <summary>Reason why the device does not hold or store the position, in one line; null if there is no problem.</summary>
         public string Problem => _place.Problem;
 
         /// <summary>Distance to the position that the device reports, in metres, if it is too far to be followed; otherwise 0.</summary>

@@ -1,6 +1,6 @@
 namespace Nowpose.Anchoring
 {
-    /// <summary>Markers whose relative poses differ from the relative poses measured at the base.</summary>
+    /// <summary>Markers whose observed relative poses differ from their configured relative poses.</summary>
     public sealed class MarkerConflict
     {
         internal MarkerConflict(BaseMarker marker, BaseMarker other, double metres, double radians)

@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>Current data of a marker source about one marker.</summary>
+    /// <summary>Current data about one marker, reported by a marker source.</summary>
     /// <remarks>
     /// Room frame: the application's origin with the axes of the URDF (x forward, y left, z up), in metres. Marker frame: origin at the
     /// centre of the printed code, x to the right along the print, y to its upper edge, z out of the print towards the reader.

@@ -40,7 +40,7 @@ namespace Nowpose.Anchoring
             return (x * scale, y * scale, z * scale);
         }
 
-        // The sine is zero at half a turn. The sum of the rotation and the identity is twice the product of the axis with itself.
+        // The sine is zero at half a turn. The axis a follows from the rotation matrix R: R + I = 2aaᵀ.
         static (double X, double Y, double Z) HalfTurn(in RigidTransform r)
         {
             var (x, y, z) = r.R00 >= r.R11 && r.R00 >= r.R22 ? (r.R00 + 1, r.R10, r.R20)

@@ -85,7 +85,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the marker may be added to a lock.</summary>
         internal bool IsOpen => !IsPart && !IsContradicted;
 
-        /// <summary>Whether there are sightings over a sufficient time for an estimate.</summary>
+        /// <summary>Whether there are enough sightings, over a sufficient time, for an estimate.</summary>
         internal bool IsReady => _window.Count >= MinSightings && _window.CountOver(_settings.Settle) > 0;
 
         /// <summary>Whether the sightings are recent enough for a comparison with sightings of other markers.</summary>
@@ -167,7 +167,7 @@ namespace Nowpose.Anchoring
             Watch.Clear();
         }
 
-        /// <summary>Excludes the marker because other markers contradict its measured pose.</summary>
+        /// <summary>Excludes the marker because other markers contradict its configured pose.</summary>
         internal void Exclude()
         {
             IsPart = HasMoved = false;

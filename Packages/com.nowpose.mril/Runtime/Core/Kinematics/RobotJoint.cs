@@ -1,6 +1,6 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>The motion of a joint. Positions are in radians, for <see cref="Prismatic"/> in metres.</summary>
+    /// <summary>Kind of motion of a joint. Positions are in radians, for <see cref="Prismatic"/> in metres.</summary>
     public enum JointKind
     {
         Fixed,
@@ -55,7 +55,7 @@ namespace Nowpose.Kinematics
         public override string ToString() => Name;
     }
 
-    /// <summary>A joint that follows another: position = multiplier · master's position + offset.</summary>
+    /// <summary>Rule by which a joint follows another joint: position = multiplier · master's position + offset.</summary>
     public sealed class JointMimic
     {
         internal JointMimic(string master, double multiplier, double offset)

@@ -6,15 +6,15 @@ namespace Nowpose.Kinematics
 {
     /// <summary>Reads robots in the Unified Robot Description Format of ROS.</summary>
     /// <remarks>
-    /// Supports links with their visuals; fixed, revolute, continuous and prismatic joints; mimic and limits. Ignores all other
-    /// elements (collision, inertia, transmissions, gazebo). Rejects document types and entities.
+    /// Supports links with their visuals; fixed, revolute, continuous and prismatic joints; mimic and limits. Ignores all other elements
+    /// (collision, inertia, transmissions, gazebo). Rejects document type declarations and entities.
     /// </remarks>
     public static class UrdfReader
     {
         /// <param name="text">The whole document, with xacro already expanded.</param>
         /// <param name="sourceName">Name in error messages, usually the file name.</param>
-        /// <exception cref="InputException">
-        /// The text does not describe a robot that can be computed; the message names the line, the element and the error.
+        /// <exception cref="InputException"> The text does not describe a robot whose kinematics can be computed; the message names the
+        /// line, the element and the error.
         /// </exception>
         public static RobotModel Read(string text, string sourceName)
         {

@@ -106,7 +106,7 @@ namespace Nowpose.Kinematics
         InputException Malformed(string text, XmlException e)
         {
             var isDtd = e.Message.Contains("DTD", StringComparison.OrdinalIgnoreCase);
-            // The reader reports a line before the line of the document type.
+            // For a document type declaration, the reader reports an earlier line.
             var line = isDtd ? 1 + text.Take(text.IndexOf("<!DOCTYPE", StringComparison.Ordinal)).Count(c => c == '\n') : e.LineNumber;
             var reason = isDtd ? UrdfMessages.DocumentType : "not well-formed XML: " + e.Message;
             return new InputException(_name + ":" + Math.Max(1, line) + ": " + reason, e);

@@ -50,7 +50,8 @@ namespace Nowpose.Latency
         const int FramesToJudge = 8;
 
         /// <summary>
-        /// Hysteresis: fraction of the limit below which the median must stay for <see cref="FramesToReturn"/> frames to be inside again.
+        /// Hysteresis: fraction of the limit below which the median must stay for <see cref="FramesToReturn"/> frames before the state is
+        /// <see cref="RangeState.Inside"/> again.
         /// </summary>
         const double ClearlyInside = 0.94;
         const int FramesToReturn = 30;

@@ -41,7 +41,9 @@ namespace Nowpose.Latency
         public static string All => string.Join(", ", Names, 1, Names.Length - 1);
     }
 
-    /// <summary>Checks that a number is a measured render time Δt_render: 0.001 to 1000 ms, for measuring, logging and reading.</summary>
+    /// <summary>
+    /// Checks whether a number can be a measured render time Δt_render: 0.001 to 1000 ms. Used when measuring, logging and reading.
+    /// </summary>
     /// <remarks>Drivers that do not measure report zero; a readback that spans a pause reports seconds.</remarks>
     static class MeasuredRenderTime
     {

@@ -20,7 +20,7 @@ namespace Nowpose.Latency
         /// <summary>Corrects rotation and translation of the head for one plane, which the runtime fits to the depth buffer.</summary>
         PlanarFromDepth,
 
-        /// <summary>Corrects rotation and translation of the head for each pixel, by the depth buffer.</summary>
+        /// <summary>Corrects rotation and translation of the head for each pixel, using the depth buffer.</summary>
         Depth,
     }
 

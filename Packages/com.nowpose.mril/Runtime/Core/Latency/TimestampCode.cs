@@ -75,8 +75,8 @@ namespace Nowpose.Latency
         }
 
         /// <summary>
-        /// Whether a cell of the ring is lit. Clockwise from the top left corner, the two cells after it are dark; for the headset, the
-        /// two cells after the top right corner are dark as well. No rotation or reflection of one code matches another.
+        /// Whether a cell of the ring is lit. The two cells that follow the top left corner clockwise are dark; for the headset, the two
+        /// cells that follow the top right corner are dark, too. No rotation or reflection of one code matches another.
         /// </summary>
         public static bool IsLitRing(int cell, CodeKind kind)
         {

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>States of joints and figures in a few words.</summary>
+    /// <summary>Short texts for the states of joints and of measured values.</summary>
     static class StateNames
     {
         public const string OtherSourceLimit = "limit of another source";

@@ -21,9 +21,9 @@ namespace Nowpose.Motion
         readonly double _peakVelocity;
 
         /// <param name="distance">Signed stroke; 0 gives a move of zero duration.</param>
-        /// <param name="maxVelocity">Per second, positive.</param>
-        /// <param name="maxAcceleration">Per second squared, positive.</param>
-        /// <param name="maxJerk">Per second cubed, positive.</param>
+        /// <param name="maxVelocity">Maximum velocity in units of length per second, positive.</param>
+        /// <param name="maxAcceleration">Maximum acceleration in units of length per second squared, positive.</param>
+        /// <param name="maxJerk">Maximum jerk in units of length per second cubed, positive.</param>
         /// <exception cref="ArgumentOutOfRangeException">A limit is not positive, or a value is not finite.</exception>
         public SevenPhaseProfile(double distance, double maxVelocity, double maxAcceleration, double maxJerk)
         {
@@ -60,14 +60,14 @@ namespace Nowpose.Motion
             return Math.Sign(_distance) * (t <= half ? Covered(t) : stroke - Covered(Duration - t));
         }
 
-        /// <summary>Returns the velocity, signed, per second.</summary>
+        /// <summary>Returns the signed velocity in units of length per second.</summary>
         public double VelocityAt(double t)
         {
             if (!(t > 0) || t >= Duration) return 0;
             return Math.Sign(_distance) * Speed(Math.Min(t, Duration - t));
         }
 
-        /// <summary>Returns the acceleration, signed, per second squared; continuous, and 0 outside the move.</summary>
+        /// <summary>Returns the signed acceleration in units of length per second squared; continuous, and 0 outside the move.</summary>
         public double AccelerationAt(double t)
         {
             if (!(t > 0) || t >= Duration) return 0;

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>A ws:// link, or a wss:// link with a certificate that the device's own store trusts.</summary>
+    /// <summary>A ws:// link, or a wss:// link with a certificate that the device's certificate store trusts.</summary>
     sealed class ClientWebSocketLink : SystemWebSocketLink
     {
         readonly ConnectionSettings _settings;

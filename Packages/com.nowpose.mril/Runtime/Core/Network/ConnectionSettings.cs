@@ -11,7 +11,7 @@ namespace Nowpose.Network
         /// <summary>The gateway's clock sync, over a separate TCP connection.</summary>
         ClockSync,
 
-        /// <summary>A rosbridge server without a gateway: its service /rosapi/get_time, over the WebSocket of the joint positions.</summary>
+        /// <summary>The service /rosapi/get_time of a rosbridge server, if there is no gateway. Uses the WebSocket of the joint positions.</summary>
         RosTime,
     }
 
@@ -21,7 +21,7 @@ namespace Nowpose.Network
         /// <summary>No encryption: loopback, or a network that the user declared as trusted.</summary>
         Plain,
 
-        /// <summary>TLS with a certificate that the device's own store trusts.</summary>
+        /// <summary>TLS with a certificate that the device's certificate store trusts.</summary>
         DeviceTrust,
 
         /// <summary>TLS with a certificate that matches the pin of its public key; no other key is trusted.</summary>
@@ -33,15 +33,15 @@ namespace Nowpose.Network
     {
         /// <param name="host">Name or address of the gateway.</param>
         /// <param name="syncPort">TCP port of the clock sync.</param>
-        /// <param name="webSocketPort">Port of the joint positions.</param>
+        /// <param name="webSocketPort">Port of the WebSocket that carries the joint positions.</param>
         /// <param name="pin">The gateway's public key. If given, connections use wss and TLS, and trust only this key.</param>
-        /// <param name="deviceTrust">Whether to use wss and TLS with the device's own certificate store; ignored if there is a pin.</param>
+        /// <param name="deviceTrust">Whether to use wss and TLS with the device's certificate store; ignored if there is a pin.</param>
         /// <param name="token">Token that authenticates this headset to the gateway; null for none. It is sent only over TLS or loopback.</param>
         /// <param name="insecureLan">Whether plain connections beyond loopback are allowed; the status then shows a warning.</param>
         /// <param name="headsetName">Name of this headset in its diagnostics.</param>
         /// <param name="publishesDisplayed">Whether the displayed joints are published to the gateway, for external observers.</param>
         /// <param name="clockSource">Source of the control time; with ROS time the sync port is not used.</param>
-        /// <exception cref="InputException">A value is out of range, or the connection would be plain text without permission.</exception>
+        /// <exception cref="InputException">A value is out of range, or the connection would be unencrypted without permission.</exception>
         public ConnectionSettings(
             string host, int syncPort = ProtocolLimits.SyncPort, int webSocketPort = ProtocolLimits.WebSocketPort,
             CertificatePin pin = null, bool deviceTrust = false, string token = null, bool insecureLan = false,
@@ -81,7 +81,7 @@ namespace Nowpose.Network
         /// <summary>Whether the gateway runs on this machine.</summary>
         public bool IsLoopback => Host == "localhost" || (IPAddress.TryParse(Host, out var address) && IPAddress.IsLoopback(address));
 
-        /// <summary>ws:// or wss:// address of the joint positions.</summary>
+        /// <summary>Address of the WebSocket that carries the joint positions: ws:// or wss://.</summary>
         public Uri WebSocketUri =>
             new UriBuilder(Security == TransportSecurity.Plain ? "ws" : "wss", Host, WebSocketPort).Uri;
 

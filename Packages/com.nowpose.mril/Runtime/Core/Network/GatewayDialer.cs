@@ -59,7 +59,8 @@ namespace Nowpose.Network
                 }
                 catch (SocketException) when (i + 1 < addresses.Length)
                 {
-                    // The gateway may listen on another of its addresses, or this machine may not support this address's protocol.
+                    // Tries the next address: the gateway may listen only on another of its addresses, or this machine may not support this
+                    // address's protocol.
                 }
             }
         }

@@ -3,7 +3,10 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Network
 {
-    /// <summary>Receives the messages of a <see cref="RosbridgeClient"/> and supplies its publications. Called on the client's threads.</summary>
+    /// <summary>
+    /// Receives the messages of a <see cref="RosbridgeClient"/> and supplies the messages that the client publishes. Called on the client's
+    /// threads.
+    /// </summary>
     interface IRosbridgeListener
     {
         /// <param name="message">
@@ -49,7 +52,7 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
-        /// <summary>Gets the displayed joints, up to twenty times a second; null without new joints.</summary>
+        /// <summary>Gets the displayed joints, up to twenty times a second; null if there are no new positions.</summary>
         JointStateMessage Displayed();
 
         /// <summary>Gets the headset's state, once a second; null if there is none to publish.</summary>

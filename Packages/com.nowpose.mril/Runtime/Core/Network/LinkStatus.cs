@@ -33,7 +33,7 @@ namespace Nowpose.Network
 
         public LinkState State { get; }
 
-        /// <summary>One line for the user; while waiting, the reason of the failure.</summary>
+        /// <summary>One line for the user; while waiting, the reason for the failure.</summary>
         public string Detail { get; }
 
         /// <summary>Whether the connection waits because the gateway rejects the headset's token, or the headset has no token.</summary>

@@ -131,8 +131,8 @@ namespace Nowpose.Network
                 end.Cancel();
                 link.Dispose();
                 foreach (var task in all) await EndOfAsync(task).ConfigureAwait(false);
-                // The first task that ends cancels the others. If the receiver exceeded a limit, or the gateway closed the connection, that is the
-                // cause, even if a task that sends failed first.
+                // The first task that ends cancels the others. If a received message exceeded a limit, or the gateway closed the
+                // connection, this is reported as the cause, even if a sending task failed first.
                 var received = await EndOfAsync(receiving).ConfigureAwait(false);
                 var reason = received == null || received is MessageLimitException ? received : await EndOfAsync(first).ConfigureAwait(false);
                 if (reason != null) ExceptionDispatchInfo.Capture(reason).Throw();
@@ -272,7 +272,7 @@ namespace Nowpose.Network
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
                 if (left < TimeSpan.Zero) throw new IOException("received nothing for " + ProtocolLimits.PongTimeout.TotalSeconds + " s");
-                // One timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
+                // Waits one timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
                 await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
             }
         }

@@ -12,14 +12,14 @@ namespace Nowpose.Network
     {
         readonly CertificatePin _pin;
 
-        /// <param name="pin">The only trusted key; null to trust the device's own store.</param>
+        /// <param name="pin">The only trusted key; null to trust the device's certificate store.</param>
         public ServerTrust(CertificatePin pin) => _pin = pin;
 
         /// <returns>Reason why the certificate is rejected; null if it is trusted.</returns>
         /// <param name="certificate">The server's certificate; may be null.</param>
         /// <param name="errors">
-        /// The platform's result. With a pin, only the pin and the dates are checked, because the gateway's certificate is usually
-        /// self-signed.
+        /// Result of the platform's own check. With a pin, only the pin and the dates are checked, because the gateway's certificate is
+        /// usually self-signed.
         /// </param>
         /// <param name="now">The device's time of day.</param>
         public string Refusal(X509Certificate certificate, SslPolicyErrors errors, DateTime now)

@@ -8,7 +8,10 @@ using Nowpose.Sync;
 
 namespace Nowpose.Network
 {
-    /// <summary>Exchanges timestamps with the gateway over TCP; reconnects after failures. Has its own thread, to stamp without delay.</summary>
+    /// <summary>
+    /// Exchanges timestamps with the gateway over TCP; reconnects after failures. Has its own thread, so that it reads the clock without
+    /// delay.
+    /// </summary>
     sealed class SyncClient : IDisposable
     {
         readonly ConnectionSettings _settings;

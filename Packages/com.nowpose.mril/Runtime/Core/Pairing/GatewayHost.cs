@@ -6,7 +6,7 @@ using Nowpose.Messages;
 
 namespace Nowpose.Pairing
 {
-    /// <summary>Checks the host of a gateway in a code, so that the wearer reads the host to which the headset connects.</summary>
+    /// <summary>Checks the host of a gateway in a code, so that the host shown to the wearer is the host to which the headset connects.</summary>
     static class GatewayHost
     {
         const int MaxNameLength = 100, MaxLabelLength = 63;

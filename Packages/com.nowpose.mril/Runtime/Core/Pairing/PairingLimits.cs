@@ -20,7 +20,9 @@ namespace Nowpose.Pairing
         /// <summary>Interval from a failed exchange to the next attempt with the same code.</summary>
         public static readonly TimeSpan RetryInterval = TimeSpan.FromSeconds(3);
 
-        /// <summary>Minimum interval from an answer to the next question, whose buttons appear under the same finger.</summary>
+        /// <summary>
+        /// Minimum interval from an answer to the next question, because the buttons of both questions appear under the same finger.
+        /// </summary>
         public static readonly TimeSpan QuestionPause = TimeSpan.FromSeconds(1);
 
         /// <summary>Time for which another known cell must be in view alone before the wearer is asked; longer than a glance.</summary>

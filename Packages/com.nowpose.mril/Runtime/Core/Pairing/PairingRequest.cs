@@ -23,7 +23,7 @@ namespace Nowpose.Pairing
         /// <param name="codeToken">Token of the gateway's code.</param>
         /// <returns>The answer, which also reports failures.</returns>
         /// <exception cref="OperationCanceledException">The exchange was cancelled.</exception>
-        /// <exception cref="InputException">The connection would be plain text to another machine.</exception>
+        /// <exception cref="InputException">The connection would go to another machine without encryption.</exception>
         public static async Task<PairingAnswer> SendAsync(ConnectionSettings gateway, string codeToken, CancellationToken cancel)
         {
             if (gateway.Security == TransportSecurity.Plain && !gateway.IsLoopback)

@@ -149,7 +149,7 @@ namespace Nowpose.Prediction
         void Use(in JointSample sample, double displayed)
         {
             var isNewest = _buffer.IsNewer(sample);
-            // The square of such a displacement overflows. The sample is ignored; if it is the newest one, a new history starts with it.
+            // Products of such displacements can overflow. The sample is ignored; if it is the newest one, a new history starts with it.
             if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
                 if (!isNewest) return;

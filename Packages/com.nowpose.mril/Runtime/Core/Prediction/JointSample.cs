@@ -10,7 +10,7 @@ namespace Nowpose.Prediction
         internal const double SameSeconds = 1e-6;
 
         /// <summary>
-        /// Maximum displacement and velocity. The squares of larger values can overflow, and an overflow remains in every running mean.
+        /// Maximum displacement and velocity. Products of several larger values can overflow, and an overflow remains in every running mean.
         /// </summary>
         internal const double MaxMagnitude = 1e50;
 

@@ -19,7 +19,7 @@ namespace Nowpose.Protocol
         static readonly ulong[] PowersOfFive = CreatePowers();
 
         /// <summary>Returns the double nearest to digits × 10^exponent; for a tie, the double whose last bit is zero.</summary>
-        /// <param name="digits">Not zero.</param>
+        /// <param name="digits">The decimal digits as an integer, not zero.</param>
         /// <param name="exponent">-<see cref="MaxExponent"/> to <see cref="MaxExponent"/>.</param>
         public static double Of(ulong digits, int exponent) =>
             // 10^exponent is 5^exponent · 2^exponent, and a power of two does not change the fraction of a double.

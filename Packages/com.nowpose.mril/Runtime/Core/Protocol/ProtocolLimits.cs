@@ -75,7 +75,10 @@ namespace Nowpose.Protocol
         /// <summary>Maximum length of a token, in bytes of UTF-8.</summary>
         public const int TokenBytes = 512;
 
-        /// <summary>Backoff of both connections: first delay, factor, maximum delay, and the relative random variation of each delay.</summary>
+        /// <summary>
+        /// Backoff of the sync connection and of the WebSocket connection: first delay, factor, maximum delay, and the relative random
+        /// variation of each delay.
+        /// </summary>
         public static readonly TimeSpan BackoffFirst = TimeSpan.FromMilliseconds(200);
         public const double BackoffFactor = 2;
         public static readonly TimeSpan BackoffLongest = TimeSpan.FromMilliseconds(1500);
@@ -89,7 +92,7 @@ namespace Nowpose.Protocol
         /// <param name="now">The receiver's estimate of the control time at which the message arrived.</param>
         /// <param name="clockErrorBound">Error bound of <paramref name="now"/>.</param>
         public static bool IsInFuture(ControlTime stamp, ControlTime now, TimeSpan clockErrorBound) =>
-            // Decimal, because the difference between a stamp from the wire and a clock of another epoch may overflow a TimeSpan.
+            // Decimal, because the difference between a stamp from the wire and the time of a clock with another epoch may overflow a TimeSpan.
             (decimal)stamp.SinceEpoch.Ticks - now.SinceEpoch.Ticks > (decimal)clockErrorBound.Ticks + ProtocolLimits.FutureAllowance.Ticks;
     }
 }

@@ -154,7 +154,7 @@ namespace Nowpose.Protocol
             json.WriteStartObject();
             if (form == RosTimeForm.Secs)
             {
-                // Only for ROS 1; ROS 2 rejects unknown fields.
+                // The field seq exists only in ROS 1, and ROS 2 rejects unknown fields.
                 json.WritePropertyName("seq");
                 json.WriteValue(0);
             }

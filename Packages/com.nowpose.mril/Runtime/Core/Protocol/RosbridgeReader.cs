@@ -138,7 +138,7 @@ namespace Nowpose.Protocol
 
         static DropReason Need(string field) => string.IsNullOrEmpty(field) ? DropReason.MissingField : DropReason.None;
 
-        // Reads the body in a second pass: if it precedes its topic, or for a service response, whose meaning depends on several fields.
+        // Reads the body in a second pass if it precedes its topic, and for a service response, because its meaning depends on several fields.
         DropReason ReadBody(ReadOnlySpan<byte> utf8)
         {
             var isPublication = _message.Op == RosbridgeOp.Publish;

@@ -6,7 +6,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Recording
 {
-    /// <summary>Writes records as lines of a session file. Times are whole nanoseconds on the clock that the name of the field states.</summary>
+    /// <summary>Writes records as lines of a session file. Times are whole nanoseconds; session-file.md states the clock of each field.</summary>
     sealed class RecordLine
     {
         static readonly LineNames Verdicts = new LineNames(typeof(SyncVerdict));

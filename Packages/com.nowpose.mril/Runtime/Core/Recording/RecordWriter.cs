@@ -13,7 +13,7 @@ namespace Nowpose.Recording
     /// <summary>Writes records as lines of a file, on its own thread, which is the only thread that waits for the disk.</summary>
     sealed class RecordWriter
     {
-        /// <summary>Space that is reserved for the line with the reason for the end of the file.</summary>
+        /// <summary>Space reserved for the last line, which states why the file ends.</summary>
         const int LastLineBytes = 100;
 
         static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(50);

@@ -10,8 +10,8 @@ using Nowpose.Sync;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// Records a running session to a file: sync exchanges, frames and statistics, and samples, set-points, poses of objects and signals as
-    /// received.
+    /// Records a running session to a file: the sync exchanges, the frames, the statistics, and all received samples, set-points, signals
+    /// and poses of frames.
     /// </summary>
     /// <remarks>
     /// Event handlers copy the data into a preallocated ring, allocate nothing and never block; a separate thread

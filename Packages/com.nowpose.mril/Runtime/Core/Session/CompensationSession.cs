@@ -12,9 +12,11 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Headset runtime: synchronises the clock, measures the latency of samples, and shows the robot's pose at the display time.</summary>
+    /// <summary>
+    /// Headset runtime: synchronises the clock, measures the latency of samples, and computes the robot's pose at the display time.
+    /// </summary>
     /// <remarks>
-    /// Implements the method of Schnierle &amp; Röck 2022. The same class runs in Unity, in the command line and in tests:
+    /// Implements the method of Schnierle &amp; Röck 2022. The same class runs in Unity, in the command line tool and in tests:
     /// <see cref="Tick"/> reads no clock and needs no network. Call <see cref="Tick"/>, <see cref="Connect"/>, <see cref="Disconnect"/> and
     /// <see cref="Dispose"/> only on the frame's thread; all other members are thread-safe unless stated otherwise. The session never
     /// commands the robot.
@@ -278,16 +280,16 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown, when a joint of the
-        /// arm is missing, or when this frame was already returned. Thread-safe.
+        /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown or too inaccurate,
+        /// while a joint of the arm has no sample, and if this frame was already returned. Thread-safe.
         /// </summary>
         public JointStateMessage Displayed()
         {
             lock (_gate) return _main.Displayed();
         }
 
-        // Stamps from before a step cannot be compared with later ones. Stamps from before the first exchange were not validated, and a stamp in
-        // the future would hold the pose until that time.
+        // Stamps from before a step cannot be compared with later stamps. Stamps from before the first exchange were not validated, and a
+        // stamp in the future would hold the pose until that time.
         void Restart(HeadsetTime now, in ClockModel clock)
         {
             _latency.Reset();

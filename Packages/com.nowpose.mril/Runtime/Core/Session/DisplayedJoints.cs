@@ -20,8 +20,8 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown, when a joint of the
-        /// arm is missing, or when this frame was already returned.
+        /// Returns the joints of the newest frame, stamped with its display time. Null while the display time is unknown or too inaccurate,
+        /// while a joint of the arm has no sample, and if this frame was already returned.
         /// </summary>
         public JointStateMessage Take()
         {

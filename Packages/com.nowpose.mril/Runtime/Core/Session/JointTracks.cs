@@ -104,7 +104,7 @@ namespace Nowpose.Session
         public void Predict(ControlTime at)
         {
             var time = ClockTicks.Seconds(at - _epoch);
-            // Before the first sample the epoch is unknown.
+            // Before the first sample, the epoch is unknown.
             if (_hasEpoch) _displayed = time;
             var newest = double.NegativeInfinity;
             for (var i = 0; i < _joints.Length; i++)

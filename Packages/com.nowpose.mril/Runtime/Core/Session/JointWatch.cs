@@ -7,7 +7,7 @@ namespace Nowpose.Session
 {
     /// <summary>Detects the joints without current data, from their samples and from the gateway's reports.</summary>
     /// <remarks>
-    /// The gateway has more information: it distinguishes a joint at rest from a joint whose variable was deleted, without delay. A server
+    /// The gateway has more information: it can immediately distinguish a joint at rest from a joint whose variable was deleted. A server
     /// without the topic <see cref="RosTopics.JointStatus"/> reports nothing; then the age of the samples decides. Allocates nothing in a
     /// frame.
     /// </remarks>

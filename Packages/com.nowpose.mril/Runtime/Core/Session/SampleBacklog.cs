@@ -12,7 +12,10 @@ namespace Nowpose.Session
     /// </remarks>
     sealed class SampleBacklog
     {
-        /// <summary>Maximum number of messages that are processed without selection. A source at 1 kHz sends 17 per frame at 60 Hz.</summary>
+        /// <summary>
+        /// Maximum number of messages that are processed without selection. At 60 frames per second, a source at 1 kHz sends 17 messages
+        /// per frame.
+        /// </summary>
         const int MaxUsualCount = 30;
 
         /// <summary>

@@ -107,7 +107,7 @@ namespace Nowpose.Session
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();
-            // Plans wait for the clock, because their stamps cannot be validated before, and a source may not repeat a dropped plan soon.
+            // Plans wait for the clock, because their stamps cannot be validated before, and it may take long until a source repeats a dropped plan.
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
         }
 

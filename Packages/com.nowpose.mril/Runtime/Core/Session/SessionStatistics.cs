@@ -142,8 +142,8 @@ namespace Nowpose.Session
         internal RobotDescriptionMatch RobotDescriptionMatch { get; set; }
 
         /// <summary>
-        /// First joint with samples outside its limits, which is drawn at the limit; null without such a joint. The description may
-        /// belong to another robot, or the samples may have another unit.
+        /// First joint with samples outside its limits, which is drawn at the limit; null if there is none. The description may belong to
+        /// another robot, or the samples may have another unit.
         /// </summary>
         public JointBeyondLimits BeyondLimits { get; internal set; }
 

@@ -7,10 +7,10 @@ namespace Nowpose.Signals
     /// Computes the position of a part that a signal drives, such as the jaw of a gripper, and whose stroke takes a known time.
     /// </summary>
     /// <remarks>
-    /// Each change starts a seven-phase move at its stamp, from the position at that time, so the part is in phase although the message
-    /// about the change was late. A move over the whole stroke takes the stroke time; a shorter one has the same acceleration and jerk. A
-    /// signal between 0 and 1 gives a position between the ends. With the whole stroke d and its time T: v = 1.5 d/T, a = 6.75 d/T², j =
-    /// 60.75 d/T³, so that acceleration, constant velocity and deceleration take T/3 each.
+    /// Each change starts a seven-phase move at its stamp, from the position at that time, so a late message does not delay the displayed
+    /// part. A move over the whole stroke takes the stroke time; a shorter move has the same acceleration and jerk. A signal between 0 and
+    /// 1 gives a position between the ends. With the whole stroke d and its time T: v = 1.5 d/T, a = 6.75 d/T², j = 60.75 d/T³, so that
+    /// acceleration, constant velocity and deceleration take T/3 each.
     /// </remarks>
     sealed class ActuatedStroke
     {

@@ -4,15 +4,15 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Signals
 {
     /// <summary>
-    /// Detects that the clock of a signal's source went back, by several consecutive late values: older than the newest stamp, and each newer than
-    /// the previous one. Fewer late values were overtaken on the network.
+    /// Detects that the clock of a signal's source went back, by several consecutive late values: each is older than the newest stamp and
+    /// newer than the previous late value. Fewer late values were overtaken on the network.
     /// </summary>
     sealed class LateValues
     {
-        /// <summary>Number of late values that proves that the clock went back; the same as for samples.</summary>
+        /// <summary>Number of late values that shows that the clock went back; the same as for samples.</summary>
         const int Capacity = ArrivalOrder.MaxLate;
 
-        /// <summary>Number that is sufficient if the last value is late by more than <see cref="ArrivalOrder.MaxDelay"/>.</summary>
+        /// <summary>Smaller number, which is sufficient if the last value is late by more than <see cref="ArrivalOrder.MaxDelay"/>.</summary>
         const int MinFarBehind = 3;
 
         readonly (ControlTime Stamp, double Value)[] _oldestFirst = new (ControlTime, double)[Capacity];

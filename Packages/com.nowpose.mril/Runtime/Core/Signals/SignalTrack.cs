@@ -12,7 +12,7 @@ namespace Nowpose.Signals
         /// <summary>Stamp of a value whose time is no longer valid: before all stamps, which are positive.</summary>
         static ControlTime Always => default;
 
-        // Oldest first. The first change is the visible one if the display time has reached it.
+        // Oldest first. The first change is visible if the display time has reached it.
         readonly Change[] _changes = new Change[Capacity];
         readonly LateValues _late = new LateValues();
         int _count;
@@ -65,8 +65,8 @@ namespace Nowpose.Signals
         }
 
         /// <summary>
-        /// Discards all times, because they are no longer valid. The newest value becomes the visible one, because a source that publishes
-        /// only changes does not repeat it.
+        /// Discards all times, because they are no longer valid. The newest value becomes visible, because a source that publishes only
+        /// changes does not repeat it.
         /// </summary>
         public void Restart()
         {
@@ -124,7 +124,7 @@ namespace Nowpose.Signals
             Insert(place, new Change(stamp, value));
         }
 
-        // When full, the oldest change that is not visible yet is lost, because newer ones replace it.
+        // When full, the oldest change that is not visible yet is lost, because newer changes replace it.
         int Insert(int place, in Change change)
         {
             if (_count == Capacity)

@@ -5,11 +5,11 @@ namespace Nowpose.Simulation
 {
     /// <summary>A display with a GPU that renders frames in order; L_visu is constant up to a render time and scatters above it.</summary>
     /// <remarks>
-    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. As long as frames take less than a refresh interval, each frame starts
-    /// at a refresh. At most two frames are in progress: the next frame waits until the older one is done. The starts of frames that take
-    /// longer than a refresh interval therefore drift against the refreshes. A frame is displayed at the first refresh whose latch it meets.
-    /// If two frames are done for the same refresh, only the newer one is displayed. Render times grow with the load and scatter a little,
-    /// and one frame in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
+    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. As long as frames take less than a refresh interval, each frame
+    /// starts at a refresh. At most two frames are in progress: the next frame waits until the older frame is done. The starts of frames
+    /// that take longer than a refresh interval therefore drift against the refreshes. A frame is displayed at the first refresh for which
+    /// it is done in time. If two frames are done for the same refresh, only the newer frame is displayed. Render times grow with the load
+    /// and scatter a little, and one frame in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
     /// </remarks>
     sealed class DisplayPipeline
     {

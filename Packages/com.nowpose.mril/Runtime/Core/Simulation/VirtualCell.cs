@@ -13,7 +13,7 @@ namespace Nowpose.Simulation
     /// <remarks>Settings and clock may change at run time; packets in transit keep their arrival times.</remarks>
     public sealed class VirtualCell
     {
-        /// <summary>Maximum interval between two calls. Earlier events are lost, as after a sleep of the headset.</summary>
+        /// <summary>Maximum interval that one call simulates. Earlier events are lost, as after a sleep of the headset.</summary>
         static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
 
         readonly IMotion _motion;

@@ -2,7 +2,9 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>Sampling and network conditions of a <see cref="VirtualCell"/>. Immutable; checked in the constructor; no allocation.</summary>
+    /// <summary>
+    /// Sampling and network conditions of a <see cref="VirtualCell"/>. Immutable; checked in the constructor, which allocates nothing.
+    /// </summary>
     public readonly struct VirtualCellSettings
     {
         /// <param name="samplingMs">T_s, sampling interval, ms, 5 to 1000.</param>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>A control clock with known true time, whose offset and rate may be changed at run time.</summary>
+    /// <summary>A simulated control clock with known offset and rate, which may be changed at run time.</summary>
     public sealed class VirtualClock
     {
         HeadsetTime _since;

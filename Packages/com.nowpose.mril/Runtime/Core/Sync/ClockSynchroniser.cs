@@ -9,7 +9,7 @@ namespace Nowpose.Sync
         /// <summary>Minimum number of exchanges of a coarse clock. Fewer exchanges do not show the scatter of their delays.</summary>
         const int ExchangesToBeCoarse = 5;
 
-        /// <summary>Number of contradicting exchanges after which the clock is converging. A single contradicting exchange may be an error.</summary>
+        /// <summary>Number of contradicting exchanges after which the state is converging. A single contradicting exchange may be an error.</summary>
         const int SuspectsToConverge = 2;
 
         /// <summary>
@@ -146,7 +146,7 @@ namespace Nowpose.Sync
             _synchronised.Reset();
         }
 
-        // Keeps the old line with a bound that includes the contradiction. A serious contradiction makes the clock converging.
+        // Keeps the old line with a bound that includes the contradiction. A serious contradiction changes the state to converging.
         void WidenBound(in SyncExchange exchange, bool isSerious)
         {
             var model = ModelAt(exchange.T4);

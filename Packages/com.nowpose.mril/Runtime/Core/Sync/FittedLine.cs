@@ -31,7 +31,7 @@ namespace Nowpose.Sync
             return Math.Sqrt(offset * offset + change * change);
         }
 
-        /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two, not all equal.</param>
+        /// <param name="x">Seconds relative to <paramref name="reference"/>; at least two values, not all equal.</param>
         /// <param name="y">Seconds relative to <paramref name="referenceOffset"/>.</param>
         /// <param name="bound">Maximum distance of a point from the line, s.</param>
         public static FittedLine Through(double[] x, double[] y, HeadsetTime reference, ClockOffset referenceOffset, double bound)

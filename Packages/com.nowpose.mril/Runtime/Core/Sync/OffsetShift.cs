@@ -20,12 +20,15 @@ namespace Nowpose.Sync
         /// <summary>Maximum number of exchanges, three seconds at the quick pace. If they do not confirm a step, the path has changed.</summary>
         const int MaxExchanges = 60;
 
-        /// <summary>Minimum step in s, and in units of the bounds' accuracy, the mean lateness divided by the number of older exchanges.</summary>
+        /// <summary>
+        /// Minimum step: in s, and as a multiple of the accuracy of the bounds. This accuracy is the mean lateness divided by the number of
+        /// older exchanges.
+        /// </summary>
         const double MinShift = 0.15e-3, LatenessShare = 10;
 
         /// <summary>
-        /// Minimum ratio of the smaller movement to the larger one. A step moves both bounds by the same amount and leaves the minimum round-trip
-        /// time unchanged, while the two directions of a path change by different amounts.
+        /// Minimum ratio of the smaller to the larger movement of the two bounds. A step moves both bounds by the same amount and leaves
+        /// the minimum round-trip time unchanged, while the two directions of a path change by different amounts.
         /// </summary>
         const double CommonShare = 0.8;
 

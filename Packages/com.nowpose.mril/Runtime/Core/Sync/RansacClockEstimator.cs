@@ -60,7 +60,7 @@ namespace Nowpose.Sync
         ClockLine MedianSoFar()
         {
             var newest = _points[_points.Count - 1];
-            // The mean of the two offsets, or the only offset.
+            // Half the difference to the first offset: the result is the mean of two offsets, or the only offset.
             var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
             return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.MaxSkew / 3, _exchanges);
         }
@@ -84,10 +84,10 @@ namespace Nowpose.Sync
             return FittedLine.Through(inliers.X, inliers.Y, newest.At, newest.Offset, bound);
         }
 
-        // Each earlier line is extrapolated to the present by its own slope before averaging: an average of the offsets at their own
-        // times would lag behind by half the window times the skew. The weight of a line is the inverse of its variance at the
-        // present. With a full history all weights are equal, as in the paper. The first lines, through few points, get little
-        // weight; their slopes would otherwise disturb the average for four seconds.
+        // Each earlier line is extrapolated to the present by its own slope before averaging: an average of the offsets at their own times
+        // would lag behind by half the window times the skew. The weight of a line is the inverse of its variance at the present. With a
+        // full history, all weights are nearly equal; in the paper they are equal. The first lines, which are fitted to few points, get
+        // little weight; their slopes would otherwise disturb the average for four seconds.
         ClockLine Averaged(FittedLine fitted)
         {
             _lines.Enqueue(fitted);

@@ -27,7 +27,7 @@ namespace Nowpose.Unity.Calibration
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
         /// <summary>
-        /// Reasons why the search skipped the places before the one with the result (all places without a result), one line each.
+        /// Reasons, one line each, why the search rejected the profiles before the result, or all profiles if there is no result.
         /// </summary>
         public IReadOnlyList<string> Refusals => _refusals;
 

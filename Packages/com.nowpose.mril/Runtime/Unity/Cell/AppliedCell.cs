@@ -24,7 +24,7 @@ namespace Nowpose.Unity.Cell
             if (_connected != null && IsSameConnection(_connected, cell)) return true;
             if (session.Settings == null) return false;
             session.Settings = session.Settings.With(cell.Newest.ToConnection(cell.Token, headsetName));
-            // Assigned before the call, because a listener of the session's events may throw after the session has connected.
+            // The field is assigned before the call, because a listener of the session's events may throw after the session has connected.
             _connected = cell;
             session.Connect();
             return true;

@@ -61,7 +61,7 @@ namespace Nowpose.Unity.Rendering
             return texture;
         }
 
-        // Readbacks complete in order, so this is the oldest one.
+        // Readbacks complete in order, so this is the oldest readback.
         void Read(AsyncGPUReadbackRequest request)
         {
             var triggered = _triggers[_first];

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Nowpose.Unity.Rendering
 {
     /// <summary>
-    /// The component that moves a drawn part to the pose of the session: the gripper that contains the part, otherwise the rig that does.
+    /// The component that moves a drawn part to the pose of the session: the gripper that contains the part, otherwise the rig that contains it.
     /// </summary>
     sealed class PoseCarrier
     {

@@ -69,7 +69,8 @@ namespace Nowpose.Unity.Rendering
         }
 
         /// <summary>
-        /// Returns the fade for a reduced opacity. The opacity does not make a pose that is not current fainter than the faintest of these looks.
+        /// Returns the fade for a reduced opacity. A reduced opacity does not make a pose that is not current fainter than
+        /// <see cref="NoSession"/>, the faintest look.
         /// </summary>
         /// <param name="opacity">Opacity from 0 to 1 (not reduced).</param>
         public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, NoSession.Fade) : 1 - opacity);

@@ -51,7 +51,7 @@ namespace Nowpose.Unity.Rendering
             return all;
         }
 
-        /// <summary>Returns a copy of the materials in which the substitute replaces those that cannot mark a pose as not current.</summary>
+        /// <summary>Returns a copy of the materials in which the substitute replaces the materials that cannot mark a pose as not current.</summary>
         public Material[] SubstitutesFor(Material[] own)
         {
             var drawn = new Material[own.Length];

@@ -23,8 +23,8 @@ namespace Nowpose.Unity.Robot
         public bool LacksMaterial { get; private set; }
 
         /// <summary>
-        /// Material created in place of a missing one. The caller must destroy it. Null if no material was missing. Also null if the build does not
-        /// contain the package's shader; Unity then draws the parts in magenta.
+        /// Material created in place of a missing material. The caller must destroy it. Null if no material was missing. Also null if the
+        /// build does not contain the package's shader; Unity then draws the parts in magenta.
         /// </summary>
         public Material Made { get; private set; }
 

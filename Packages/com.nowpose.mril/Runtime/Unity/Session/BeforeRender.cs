@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Unity.Session
 {
     /// <summary>Calls an action right before each frame is rendered, and logs its exceptions.</summary>
-    /// <remarks>An exception must not leave the handler, because it would prevent the handlers of other components.</remarks>
+    /// <remarks>An exception must not leave the handler, because the handlers of other components would then not be called.</remarks>
     sealed class BeforeRender
     {
         readonly Object _context;

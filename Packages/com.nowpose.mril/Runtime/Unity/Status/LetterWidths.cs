@@ -2,8 +2,8 @@ namespace Nowpose.Unity.Status
 {
     /// <summary>Widths of characters in Unity's built-in font, as a fraction of the font size.</summary>
     /// <remarks>
-    /// The values are the advance widths of Liberation Sans, which equal those of Arial. A character that is not listed has the width of the
-    /// widest one. Kerning is ignored.
+    /// The values are the advance widths of Liberation Sans, which equal those of Arial. A character that is not listed has the width of
+    /// the widest character. Kerning is ignored.
     /// </remarks>
     static class LetterWidths
     {

@@ -156,7 +156,7 @@ namespace Nowpose.Tests.Core
         [TestCase(1, 1, -1, 1)]
         [TestCase(1, 1, 1, double.NaN)]
         [TestCase(1, double.PositiveInfinity, 1, 1)]
-        public void Profile_ImpossibleLimits_AreRefused(double distance, double velocity, double acceleration, double jerk)
+        public void Constructor_InvalidDistanceOrLimit_Throws(double distance, double velocity, double acceleration, double jerk)
         {
             Assert.Throws<ArgumentOutOfRangeException>(() => new SevenPhaseProfile(distance, velocity, acceleration, jerk));
         }

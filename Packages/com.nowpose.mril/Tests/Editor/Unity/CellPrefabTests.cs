@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Nowpose.Tests.Unity
 {
-    /// <summary>Tests an instance of each cell prefab in edit mode. No script runs, but all parts are connected.</summary>
+    /// <summary>Tests an instance of each cell prefab in edit mode. No script runs, but the references between the parts are set.</summary>
     [TestFixture("Nowpose Robot Cell", "youbot")]
     [TestFixture("Nowpose Robot Cell UR5", "ur5")]
     [TestFixture("Nowpose Robot Cell (Any Robot)", "ur5")]

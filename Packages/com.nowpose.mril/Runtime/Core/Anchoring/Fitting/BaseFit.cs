@@ -5,13 +5,13 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Fitting
 {
     /// <summary>
-    /// Fits the pose of the base to several markers: the rigid transform that maps their poses in the base frame to their measured poses,
-    /// with weights for positions and rotations.
+    /// Fits the pose of the base to several markers: the rigid transform that maps their configured poses in the base frame to their
+    /// measured poses, with weights for positions and rotations.
     /// </summary>
     /// <remarks>
     /// With three or more separate markers, mainly their positions determine the rotation of the base, because a position is measured more
-    /// accurately than the angle of a print. With one marker, its angle determines the rotation; with two, both contribute. With three
-    /// or more, the weight of the angles depends on how well they fit.
+    /// accurately than the angle of a print. With one marker, its angle determines the rotation; with two markers, their positions and
+    /// their angles contribute. With three or more, the weight of the angles depends on how well they fit.
     /// </remarks>
     static class BaseFit
     {

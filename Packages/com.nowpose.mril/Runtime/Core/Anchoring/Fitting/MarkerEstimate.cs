@@ -6,15 +6,15 @@ namespace Nowpose.Anchoring.Fitting
     readonly struct MarkerEstimate
     {
         /// <summary>
-        /// Standard deviation of a position along an axis, m, that does not decrease with the number of sightings: accuracy of the measured
-        /// position at the base, and flatness of the print.
+        /// Standard deviation of a position along an axis, m, that does not decrease with the number of sightings. It covers the error of
+        /// the configured position and the unevenness of the print.
         /// </summary>
         const double PlacedMetres = 0.00025;
 
-        /// <summary>Standard error of a placed marker's angle about an axis, rad; assumed if other markers provide no estimate.</summary>
+        /// <summary>Standard error of a mounted print's angle about an axis, rad; used if other markers provide no estimate.</summary>
         public const double PlacedRadians = 0.5 * System.Math.PI / 180;
 
-        /// <param name="inBase">Measured pose in the base frame.</param>
+        /// <param name="inBase">Configured pose in the base frame.</param>
         /// <param name="mean">Mean of the sightings, in the room frame.</param>
         public MarkerEstimate(in RigidTransform inBase, in RigidTransform mean, double errorMetres, double errorRadians)
         {

@@ -21,7 +21,10 @@ namespace Nowpose.Anchoring.Fitting
 
         const int Rounds = 4;
 
-        /// <summary>Maximum difference between the two halves, in its standard errors. Noise alone exceeds it once in 100 000 cases.</summary>
+        /// <summary>
+        /// Maximum difference between the means of the two halves, in standard errors of this difference. Noise alone exceeds it once in
+        /// 100 000 cases.
+        /// </summary>
         const double MaxStandardErrors = 3;
 
         readonly double _shiftMetres, _shiftRadians;

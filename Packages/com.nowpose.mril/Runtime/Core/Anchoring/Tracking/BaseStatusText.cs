@@ -5,7 +5,7 @@ using Nowpose.Messages;
 namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Describes a tracker's state in one line.</summary>
-    /// <remarks>Creates a new text only for a change of its content, and at most once a second if only numbers change.</remarks>
+    /// <remarks>Creates a new text only when the content changes, and at most once a second if only numbers change.</remarks>
     sealed class BaseStatusText
     {
         static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);
@@ -28,7 +28,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public void Update(BaseTracker tracker, HeadsetTime now)
         {
-            // The time before the first frame and the duration of a pause of the application do not count.
+            // The time before the first frame and the duration of a pause of the application do not count as search time.
             if (now - _last > Refresh || now < _last) _searching = null;
             _last = now;
             var subject = SubjectOf(tracker, now);

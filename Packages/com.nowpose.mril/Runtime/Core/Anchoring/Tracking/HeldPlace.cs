@@ -6,7 +6,10 @@ namespace Nowpose.Anchoring.Tracking
     /// <remarks>The position is searched for at the start, held after a lock, and updated when the device corrects its map.</remarks>
     sealed class HeldPlace
     {
-        /// <summary>A pose is invalid if it is this close to the application's origin and this far from the previous pose.</summary>
+        /// <summary>
+        /// A pose within the first distance of the application's origin is invalid, unless it is within the second distance of the previous
+        /// pose.
+        /// </summary>
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 
         /// <summary>Maximum correction of the map; a larger jump indicates another map or another position.</summary>
@@ -26,7 +29,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Name under which the position is stored; null when it is not stored.</summary>
         public string KeptAs => _anchor?.KeptAs;
 
-        /// <summary>Reason why the position is not held or not stored; null without a problem.</summary>
+        /// <summary>Reason why the position is not held or not stored; null if there is no problem.</summary>
         public string Problem => _anchor?.Problem;
 
         /// <summary>Searches once for the position stored in an earlier run.</summary>

@@ -6,7 +6,8 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>
-    /// Result of the check whether the relative poses of markers are as measured at the base. If not, it identifies the wrong marker.
+    /// Result of the check whether the observed relative poses of markers agree with their configured poses. If not, it identifies the
+    /// wrong marker, if possible.
     /// </summary>
     readonly struct MarkerAgreement
     {
@@ -18,7 +19,7 @@ namespace Nowpose.Anchoring.Tracking
         const double Shared = 0.5;
 
         /// <summary>
-        /// Factors on the tolerances. The pose of a print at the base is measured less accurately than a later movement of the print.
+        /// Factors by which the tolerances are multiplied. The configured pose of a print is less accurate than the measurement of a later movement.
         /// </summary>
         public const double MetresFactor = 2, AngleFactor = 4;
 

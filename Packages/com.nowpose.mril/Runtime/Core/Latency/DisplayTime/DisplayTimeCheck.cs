@@ -25,7 +25,7 @@ namespace Nowpose.Latency.DisplayTime
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
         HeadsetTime? _since, _newest;
 
-        /// <summary>Whether the median has differed by more than 5 ms for a second and has not yet been below 4 ms for a second.</summary>
+        /// <summary>Whether the median difference has exceeded 5 ms for a second and has not since been below 4 ms for a second.</summary>
         /// <remarks>An interval of more than 0.25 s between frames restarts the duration.</remarks>
         public bool IsInconsistent { get; private set; }
 

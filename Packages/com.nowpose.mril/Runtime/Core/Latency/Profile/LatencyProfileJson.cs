@@ -72,7 +72,7 @@ namespace Nowpose.Latency.Profile
             }
         }
 
-        // Checked first, because fields of a newer version may have another meaning.
+        // The version is checked first, because fields of a newer version may have another meaning.
         static void CheckFormat(ProfileFields fields)
         {
             var format = fields.OptionalText("format");

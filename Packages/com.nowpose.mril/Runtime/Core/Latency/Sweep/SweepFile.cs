@@ -86,9 +86,8 @@ namespace Nowpose.Latency.Sweep
             if (rows.Count == 0) return;
             var isNew = _written.Count == 0;
             if (isNew) Directory.CreateDirectory(System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Path)));
-            // The file is also shared for writing: on Mono, a reader that opens it now keeps the sharing mode, which would otherwise
-            // block the writing
-            // of the next load.
+            // On Mono, a reader that opens the file keeps the sharing mode of the writer. The file is therefore also shared for writing;
+            // otherwise such a reader would block the writing of the next load.
             using (var stream = new FileStream(Path, isNew ? FileMode.CreateNew : FileMode.Append, FileAccess.Write, FileShare.ReadWrite))
             using (var writer = new StreamWriter(stream))
             {

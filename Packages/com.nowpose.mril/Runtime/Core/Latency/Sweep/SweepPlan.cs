@@ -13,7 +13,7 @@ namespace Nowpose.Latency.Sweep
         readonly int[] _loads;
 
         /// <param name="maxLoad">Number of vertices of the largest load, 1000 to <see cref="MaxVertices"/>.</param>
-        /// <param name="steps">Number of steps from no load to the largest, 2 to 100.</param>
+        /// <param name="steps">Number of steps from no load to the largest load, 2 to 100.</param>
         /// <param name="secondsPerLoad">Duration of each load after settling, 0.5 to 600 s.</param>
         /// <param name="settleSeconds">
         /// Settling time of each load, 0 to 60 s. Its frames are logged as well; they do not affect the fit.
@@ -22,7 +22,7 @@ namespace Nowpose.Latency.Sweep
         /// Whether the loads are repeated in reverse order. A change with time instead of load, such as a processor that heats up,
         /// then appears as a difference between the two directions.
         /// </param>
-        /// <exception cref="InputException">Out of range.</exception>
+        /// <exception cref="InputException">A value is out of range.</exception>
         public SweepPlan(
             int maxLoad = MaxVertices, int steps = 10, double secondsPerLoad = 5, double settleSeconds = 1, bool goesDown = true)
         {

@@ -4,7 +4,10 @@ using System.Collections.Generic;
 namespace Nowpose.Latency.Sweep
 {
     /// <summary>Mean of the middle 80 % of a set of numbers, with its standard error; the lowest and the highest 10 % may be outliers.</summary>
-    /// <remarks>A median is unsuitable: for times in whole frames, it jumps from one value to the next, regardless of their frequencies.</remarks>
+    /// <remarks>
+    /// A median is unsuitable: if the times are multiples of the frame time, it jumps between the multiples and does not show how often
+    /// each occurs.
+    /// </remarks>
     readonly struct TrimmedMean
     {
         const double Cut = 0.1;

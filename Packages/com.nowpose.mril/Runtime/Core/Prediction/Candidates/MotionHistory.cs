@@ -114,14 +114,7 @@ namespace Nowpose.Prediction.Candidates
         /// <param name="offset">Value that is added to each position.</param>
         public void AddTo(double[] table, int start, int count, double index, double step, double weight, double offset)
         {
-            var points = Points;
-            for (var k = start; k < start + count; k++, index += step)
-            {
-                var cell = (long)index;
-                var (f, i) = (index - cell, (int)cell);
-                double p0 = points[(i - 1) & Mask], p1 = points[i & Mask], p2 = points[(i + 1) & Mask], p3 = points[(i + 2) & Mask];
-                table[k] += weight * (offset + p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0))));
-            }
+            for (var k = start; k < start + count; k++, index += step) table[k] += weight * (offset + At(index));
         }
 
         /// <summary>Returns whether <see cref="At"/> has a position for an index.</summary>

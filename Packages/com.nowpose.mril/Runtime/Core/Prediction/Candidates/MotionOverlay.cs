@@ -11,7 +11,7 @@ namespace Nowpose.Prediction.Candidates
         const double Reach = 0.4;
 
         /// <summary>
-        /// Ratio of mean squares below which a nearby match replaces the match of <see cref="LagSearch"/>, which compares a longer motion.
+        /// Ratio of mean squares below which a nearby match replaces the match of <see cref="LagSearch"/>.
         /// </summary>
         const double MuchBetter = 0.1;
 

@@ -28,7 +28,10 @@ namespace Nowpose.Prediction.Forecasting
         double _maxAcceleration;
         double _maxSpeed;
 
-        /// <summary>Number of samples since the newest change point, including the sample at which it was detected.</summary>
+        /// <summary>
+        /// Number of samples since the newest change point, including the sample at which it was detected; the number of all samples after an
+        /// increase of the speed has been confirmed.
+        /// </summary>
         public int SamplesSince { get; private set; }
 
         /// <summary>Whether the newest change point increased the speed.</summary>

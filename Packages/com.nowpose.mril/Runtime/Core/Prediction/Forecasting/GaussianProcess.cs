@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             if (motion.ConnectedSamples < age + Newest) return false;
             ref readonly var newest = ref motion.Samples[age];
-            // The exponentials of samples this far apart underflow.
+            // The exponentials of samples this far apart are zero to rounding.
             if ((newest.Time - motion.Samples[age + Newest - 1].Time) * PerSecond > MaxSpan) return false;
             for (var i = 0; i < Newest; i++)
             {
@@ -95,7 +95,7 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <summary>
         /// Fills the table like the base method, but keeps the forecast constant after a reversal, because drives stop far more often than they
-        /// reverse.
+        /// reverse. Only the mixture uses tables; the predictor <c>gp</c> reads <see cref="At(double)"/>, which continues after a reversal.
         /// </summary>
         /// <inheritdoc/>
         public override void Fill(double[] table, int start, int points)

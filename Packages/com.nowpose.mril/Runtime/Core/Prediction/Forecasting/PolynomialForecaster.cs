@@ -47,7 +47,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public override int Samples { get; }
 
-        /// <returns>False if the stamps determine no velocity.</returns>
+        /// <returns>False if the degree is 0 or the stamps determine no velocity; the position is then held.</returns>
         public override bool Solve(MotionState motion)
         {
             var count = Math.Min(motion.ConnectedSamples, Samples);

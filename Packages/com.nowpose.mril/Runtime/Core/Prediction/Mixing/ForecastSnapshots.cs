@@ -53,7 +53,7 @@ namespace Nowpose.Prediction.Mixing
             /// <summary>Position of the sample that was the newest when the forecast was made.</summary>
             public double Position { get; set; }
 
-            /// <summary>Number of change points before the forecast. Forecasts across a change point are not scored.</summary>
+            /// <summary>Number of change points before the forecast. The weights do not learn from a forecast across a change point.</summary>
             public int ChangePoints { get; set; }
 
             /// <summary>Whether the joint was at rest, including noise.</summary>

@@ -144,9 +144,9 @@ namespace Nowpose.Prediction.Mixing
             return best;
         }
 
-        // Compares the newest sample with the forecasts of the two snapshots that were made about one horizon before it. The weights learn from the
-        // nearer snapshot; at rest, where noise decides, from the older one. Candidates are scored with both snapshots, because there are few
-        // forecasts of candidates.
+        // Compares the newest sample with forecasts that were made about one horizon before it: with the older snapshot around this time, and also
+        // with the younger one if it is nearer and the joint is not at rest, where noise decides which one is nearer. The weights learn from one
+        // snapshot. Candidates are scored with each of them, because there are few forecasts of candidates.
         void ScorePastForecasts(MotionState motion, double forgettingFactor)
         {
             var (now, horizon) = (motion.Samples.NewestTime, motion.Horizon);
@@ -160,7 +160,8 @@ namespace Nowpose.Prediction.Mixing
             if ((younger ?? older) != null) Learn(motion, younger ?? older, forgettingFactor);
         }
 
-        // Scores each candidate against the mixture with the weights at the time of the snapshot.
+        // Scores each candidate against the mixture with the weights at the time of the snapshot. Candidates are also scored across a change point:
+        // a repeated motion includes its stops.
         void ScoreCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot)
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;

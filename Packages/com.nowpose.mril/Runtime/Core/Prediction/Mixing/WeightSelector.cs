@@ -37,7 +37,7 @@ namespace Nowpose.Prediction.Mixing
         readonly bool _limitsErrors, _separatesRest, _usesFirstMoves;
         readonly MixtureWeights _overall, _moving, _resting;
         readonly double[] _line, _hold;
-        bool _hasNewErrors;
+        bool _mustSolve;
 
         public WeightSelector(MixedForecasters forecasters, PredictionParts parts)
         {
@@ -66,11 +66,12 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
         public void Learn(double[] errors, bool wasAtRest, double forgettingFactor)
         {
-            _hasNewErrors = wasAtRest;
+            // A solve takes only a few steps, so at rest the common weights are solved again, even if they learn nothing.
+            _mustSolve = wasAtRest;
             if (wasAtRest) _resting.Learn(errors, forgettingFactor);
-            // At rest without noise, all forecasts are correct, so they show no difference between the forecasters.
+            // Errors of zero, at rest without noise, show no difference between the forecasters.
             if (Array.TrueForAll(errors, error => error == 0)) return;
-            _hasNewErrors = true;
+            _mustSolve = true;
             _overall.Learn(errors, forgettingFactor);
             if (!wasAtRest) _moving.Learn(errors, forgettingFactor);
         }
@@ -80,8 +81,8 @@ namespace Nowpose.Prediction.Mixing
         public void Solve(MotionState motion, double forgettingFactor)
         {
             var (prior, gain) = (_forecasters.PriorFor(motion.Samples[0]), 1 - forgettingFactor);
-            if (_hasNewErrors) _overall.Solve(prior, gain);
-            _hasNewErrors = false;
+            if (_mustSolve) _overall.Solve(prior, gain);
+            _mustSolve = false;
             if (motion.Rest.IsOnlyNoise) Values = _hold;
             else if (_usesFirstMoves && IsFirstMove(motion)) Values = IsStart(motion) ? _line : prior;
             else if (!_separatesRest) Values = _overall.Values;
@@ -95,7 +96,7 @@ namespace Nowpose.Prediction.Mixing
 
         public void Reset()
         {
-            _hasNewErrors = false;
+            _mustSolve = false;
             _overall.Reset(_forecasters.Prior);
             _moving.Reset(_forecasters.Prior);
             _resting.Reset(_forecasters.Prior);

@@ -54,8 +54,7 @@ namespace Nowpose.Prediction.Samples
         public DropReason Add(in JointSample sample, double oldest)
         {
             _readyCount = 0;
-            if (JointSample.IsSameTime(_newest, sample.Order)) return DropReason.DuplicateSample;
-            if (sample.Order > _newest)
+            if (sample.Order > _newest && !JointSample.IsSameTime(_newest, sample.Order))
             {
                 ReleaseLate(withEvidence: false);
                 Release(sample);

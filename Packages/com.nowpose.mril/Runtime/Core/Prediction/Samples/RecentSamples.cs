@@ -12,8 +12,9 @@ namespace Nowpose.Prediction.Samples
         const int Capacity = 256;
 
         /// <summary>
-        /// Maximum distance from the line between the neighbours, relative to their displacement. A sample that was overtaken on the network is
-        /// closer, even at a reversal. After a step of the clock back by two intervals, the distance is twice the displacement.
+        /// Maximum distance from the line between the neighbours, or from the sample with the same time, relative to the displacement there. A
+        /// sample that was overtaken on the network is closer, even at a reversal. After a step of the clock back by two intervals, the distance
+        /// is twice the displacement.
         /// </summary>
         const double MaxDistanceRatio = 1.5;
 
@@ -43,28 +44,45 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Finds the position at the time of a sample.</summary>
         public bool TryFind(double order, out double position)
         {
-            var i = 0;
-            while (i < _count && !JointSample.IsSameTime(_orders[i], order)) i++;
-            position = i < _count ? _positions[i] : double.NaN;
-            return i < _count;
+            var i = IndexAt(order);
+            position = i >= 0 ? _positions[i] : double.NaN;
+            return i >= 0;
         }
 
-        /// <summary>Returns whether the samples before and after show that the joint was elsewhere; false if there are none.</summary>
+        /// <summary>
+        /// Returns whether the sample with the same time, or the samples before and after, show that the joint was elsewhere; false if there are
+        /// none.
+        /// </summary>
         public bool Contradict(in JointSample sample)
         {
+            var same = IndexAt(sample.Order);
+            if (same >= 0)
+                return IsElsewhere(sample.Position, _positions[same], 0, Math.Max(DisplacementFrom(same, -1), DisplacementFrom(same, 1)));
             var before = Neighbour(sample.Order, -1);
             var after = Neighbour(sample.Order, 1);
             if (before < 0 || after < 0) return false;
             var displacement = Difference(_positions[after], _positions[before]);
             var onLine = displacement * (sample.Order - _orders[before]) / (_orders[after] - _orders[before]);
             var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1), DisplacementFrom(after, 1)));
-            var distance = Math.Abs(Difference(sample.Position, _positions[before]) - onLine);
-            var range = Range;
-            // Without any motion so far, a contradiction is impossible.
-            return distance > MaxDistanceRatio * largest + Noise && distance > MinRangeRatio * range && range > 0;
+            return IsElsewhere(sample.Position, _positions[before], onLine, largest);
         }
 
         public void Clear() => _next = _count = 0;
+
+        // Without any motion so far, no sample is elsewhere.
+        bool IsElsewhere(double position, double reference, double displacement, double largest)
+        {
+            var (distance, range) = (Math.Abs(Difference(position, reference) - displacement), Range);
+            return distance > MaxDistanceRatio * largest + Noise && distance > MinRangeRatio * range && range > 0;
+        }
+
+        // Returns -1 if no sample has this time.
+        int IndexAt(double order)
+        {
+            var i = _count - 1;
+            while (i >= 0 && !JointSample.IsSameTime(_orders[i], order)) i--;
+            return i;
+        }
 
         double DisplacementFrom(int index, int direction)
         {

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>
-    /// Prepares one joint's samples: sorts them, drops duplicates, unwraps angles, corrects stamps, and thins the samples.
+    /// Prepares one joint's samples: unwraps angles, corrects stamps, thins the samples, sorts them, and drops duplicates.
     /// </summary>
     /// <remarks>Allocates nothing after construction.</remarks>
     sealed class SampleBuffer
@@ -11,8 +11,8 @@ namespace Nowpose.Prediction.Samples
         const double Turn = 2 * Math.PI;
 
         /// <summary>
-        /// Minimum interval in s; closer samples are left out, so rates up to 180 Hz are used completely. Samples a millisecond apart do not
-        /// improve forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
+        /// Minimum interval in s; closer samples are left out unless they were overtaken, so rates up to 180 Hz are used completely. Samples a
+        /// millisecond apart do not improve forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
         /// </summary>
         const double MinInterval = 0.0055;
 
@@ -38,7 +38,9 @@ namespace Nowpose.Prediction.Samples
         /// <summary>The samples for forecasts.</summary>
         public SampleHistory History { get; }
 
-        /// <summary>Position of the newest sample, even if the sample is left out; 0 before the first sample.</summary>
+        /// <summary>
+        /// Position of the newest sample, which a display without prediction shows even if the sample is left out; 0 before the first sample.
+        /// </summary>
         public double NewestPosition { get; private set; }
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>
@@ -62,7 +64,6 @@ namespace Nowpose.Prediction.Samples
                 (_newestOrder, _unwrapped) = (sample.Order, position);
                 (NewestStamp, NewestPosition, Shift) = (sample.Time, sample.Position, position - sample.Position);
             }
-            // A display without prediction still shows the position of a sample that is left out.
             if (_thins && isNewest && time - History.NewestTime < MinInterval && time > History.NewestTime) return false;
             var order = _stamps == null ? sample.Order : time;
             return History.Add(new JointSample(time, position, order, sample.Velocity, sample.Acceleration));

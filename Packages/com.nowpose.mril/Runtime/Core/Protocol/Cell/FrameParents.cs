@@ -51,7 +51,7 @@ namespace Nowpose.Protocol.Cell
         int DistanceToRoot(string frame, string forbidden, out bool isReached)
         {
             var depth = 0;
-            // Without a cycle, a path has at most one parent and one jump from a link to its root link per frame.
+            // Without a cycle, a path has at most two steps per frame: one to its parent, and one from a link to its root link.
             for (var steps = 0; steps <= 2 * ProtocolLimits.Frames + 1; steps++)
             {
                 isReached = frame == forbidden;

@@ -3,7 +3,10 @@ using Nowpose.Messages;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Reason why a session withholds the errors that it measures. Its frames may appear at other times than their display times.</summary>
+    /// <summary>
+    /// Reason why a session withholds the errors that it measures. For each reason, frames may appear at times other than their computed
+    /// display times.
+    /// </summary>
     enum ErrorWithheldReason
     {
         /// <summary>The errors are not withheld.</summary>

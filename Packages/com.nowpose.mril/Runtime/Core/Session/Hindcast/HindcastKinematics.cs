@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Computes tool poses for joint positions other than the displayed ones. Allocates nothing after construction.</summary>
+    /// <summary>Computes tool poses for joint positions other than the displayed positions. Allocates nothing after construction.</summary>
     sealed class HindcastKinematics
     {
         readonly RobotModel _robot;

@@ -65,7 +65,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Reason why the current errors are withheld.</summary>
         public ErrorWithheldReason Withheld { get; private set; }
 
-        /// <summary>Reason why the errors of the run are withheld, which is the reason of the first frame that cannot be scored.</summary>
+        /// <summary>Reason why the errors of the run are withheld, which is the reason for the first frame that cannot be scored.</summary>
         public ErrorWithheldReason WithheldOfRun => _hasRunBegun ? _withheldOfRun : Withheld;
 
         bool IsKnown => _now.HasValue && Withheld == ErrorWithheldReason.None;
@@ -111,13 +111,13 @@ namespace Nowpose.Session.Hindcast
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
         }
 
-        /// <summary>Resets a joint whose stamps went back; its next samples cannot be compared with the earlier ones.</summary>
+        /// <summary>Resets a joint whose stamps went back; its next samples cannot be compared with the earlier samples.</summary>
         /// <param name="joint">Index among the robot's moving joints.</param>
         public void Restart(int joint)
         {
             if (_placeOfJoint[joint] < 0) return;
             _tracks[_placeOfJoint[joint]] = default;
-            // The waiting frames would receive the true position of this joint twice or not at all.
+            // Frames that are waiting would otherwise receive the true position of this joint twice or not at all.
             _frames.Clear();
         }
 
@@ -130,7 +130,7 @@ namespace Nowpose.Session.Hindcast
             _tool.RestartRun();
         }
 
-        /// <summary>Resets everything except the errors over the whole run, because earlier times can no longer be compared with new ones.</summary>
+        /// <summary>Resets everything except the errors over the whole run, because earlier times can no longer be compared with new times.</summary>
         public void Reset()
         {
             Array.Clear(_tracks, 0, _tracks.Length);

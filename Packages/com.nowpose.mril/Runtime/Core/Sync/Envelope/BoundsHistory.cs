@@ -10,7 +10,7 @@ namespace Nowpose.Sync.Envelope
         int _newest;
 
         /// <param name="most">Maximum number of exchanges.</param>
-        /// <param name="oldest">Maximum age of an exchange relative to the newest one.</param>
+        /// <param name="oldest">Maximum age of an exchange relative to the newest exchange.</param>
         public BoundsHistory(int most, TimeSpan oldest)
         {
             _ring = new OffsetBounds[most];

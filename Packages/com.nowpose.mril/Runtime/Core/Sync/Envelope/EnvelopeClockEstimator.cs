@@ -29,7 +29,8 @@ namespace Nowpose.Sync.Envelope
         const int MinBlocks = 10;
 
         /// <summary>
-        /// Maximum hidden scatter, as a multiple of the mean excess over the minimum round-trip time, and exchanges needed to apply it.
+        /// Maximum hidden scatter, as a multiple of the mean excess over the minimum round-trip time, and minimum number of exchanges for
+        /// which it applies.
         /// </summary>
         const int ScatterShare = 2, MinForScatter = 5;
 
@@ -43,8 +44,8 @@ namespace Nowpose.Sync.Envelope
         const double SkewAge = 20;
 
         /// <summary>
-        /// Time constant with which the steady skew follows the estimate, s. When a path changes, the curve bends from the old bounds to
-        /// the new bounds. Its slope then indicates neither the skew of the clocks nor the accuracy of the skew.
+        /// Time constant with which the steady (long-term) skew follows the estimate, s. When a path changes, the curve bends from the old
+        /// bounds to the new bounds. Its slope then indicates neither the skew of the clocks nor the accuracy of the skew.
         /// </summary>
         const double SkewTimeConstant = 60;
 
@@ -179,8 +180,8 @@ namespace Nowpose.Sync.Envelope
             var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewTimeConstant, running / 2)));
             _steadySkew += (skew - _steadySkew) * share;
             _steadyBend += (_curve.Bend - _steadyBend) * share;
-            // Slope error if the offset is wrong by half of the unsampled part at one end and by minus half at the other. A third is the
-            // standard error.
+            // Slope error if the offset is wrong by half of the unsampled part at one end and by minus half at the other. A third of this
+            // error is taken as the standard error.
             var hidden = unsampled / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(ClockLine.MaxSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
             _steadySkewError += (skewError - _steadySkewError) * share;

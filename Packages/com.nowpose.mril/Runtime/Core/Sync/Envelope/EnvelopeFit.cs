@@ -18,7 +18,8 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>
         /// Factor by which the standard errors from the weights are increased, because delays are not normally distributed and clock rates
-        /// vary. On four simulated networks, 95 % of the errors were within 1.8 to 3.8 of the increased standard errors, instead of 2.
+        /// vary. On four simulated networks, 95 % of the errors were within 1.8 to 3.8 increased standard errors, depending on the network;
+        /// for normally distributed errors it would be 2.
         /// </summary>
         const double ErrorFactor = 2;
 

@@ -12,8 +12,8 @@ namespace Nowpose.Sync.Envelope
     /// the earlier minimum delay is added to each bound, and the offset and the skew are unchanged. A delay that is shorter than all
     /// earlier delays replaces the reference, and the offset moves by half the difference. In both cases the error is half the difference
     /// of the changes of the two directions. Until a change is recognised, the fit may follow it by 1.2 times this amount. A change too
-    /// small to separate from a wrong skew moves the offset by half of it, and widens the error if the other direction shows that the path
-    /// has changed. Allocates nothing after construction.
+    /// small to separate from a wrong skew moves the offset by half of its size, and widens the error if the other direction shows that the
+    /// path has changed. Allocates nothing after construction.
     /// </remarks>
     sealed class MinDelay
     {
@@ -54,7 +54,8 @@ namespace Nowpose.Sync.Envelope
         public const int MaxCount = MaxWindow + MaxEarlier;
 
         /// <summary>
-        /// Divisor of a window's length. The oldest part of this length is not used for the size of a change, because it may precede the change.
+        /// Divisor of a window's length, which gives the length of the window's oldest part. This part is not used for the size of a
+        /// change, because it may precede the change.
         /// </summary>
         const int BoundaryShare = 6;
 
@@ -165,7 +166,7 @@ namespace Nowpose.Sync.Envelope
             if (violation <= 0) return;
             // A remaining excess below half the minimum change is only the lateness of single exchanges.
             if (_excess - violation < MinChange / 2) violation = _excess;
-            // A small violation means that the excess was overestimated, a large one that the path changed again with this exchange.
+            // A small violation means that the excess was overestimated; a large violation means that the path changed again with this exchange.
             var isEstimate = violation < 3 * _excessError;
             Shift(0, isEstimate ? Math.Min(_sinceChange, count) : 1, -violation);
             _excessError *= 1 - violation / _excess;
@@ -175,7 +176,7 @@ namespace Nowpose.Sync.Envelope
 
         bool FindLonger(MinDelay other, int count, double skewError, double resolution)
         {
-            // After a change of the path in one direction, a change in both is likely, by unequal amounts.
+            // After a change of the path in one direction, a change in both directions is likely, by unequal amounts.
             var isExpected = (other._excess > 0 && other._sinceChange <= MaxWindow) || other._sinceShorter > 0;
             var minDuration = isExpected ? MinDurationExpected : MinDuration;
             var minChange = isExpected ? MinChange / 2 : MinChange;

@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Range of the skew that follows from two exchanges with short round trips, one among the oldest and one among the newest: the
-    /// offset was between the bounds of each.
+    /// Range of the skew that follows from two exchanges with short round trips, one among the oldest and one among the newest: the offset
+    /// was between the bounds of each exchange.
     /// </summary>
     readonly struct ProvenSkew
     {

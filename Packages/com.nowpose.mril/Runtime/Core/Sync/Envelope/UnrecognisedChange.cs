@@ -75,7 +75,7 @@ namespace Nowpose.Sync.Envelope
             for (var newest = 1; newest <= blocks - MinEarlier; newest++)
             {
                 var late = _late[newest - 1];
-                // The usual lateness of a tightest bound is inversely proportional to the number of its packets.
+                // The usual lateness of a tightest bound is inversely proportional to the number of packets among which it is the tightest.
                 var longer = late - UsualFactor * _usual / newest;
                 var shorter = -late - UsualFactor * _usual / (blocks - newest);
                 if (newest >= MinRemembered && late > RememberedFactor * _usual / newest) Remember(late / 2, SentAt(newest * Block));

@@ -7,7 +7,7 @@ namespace Nowpose.Tests.Core.Anchoring
     /// <summary>Simulates a device with spatial anchors. A test can move the anchors or change their state.</summary>
     sealed class FakeAnchors : ISpatialAnchors
     {
-        /// <summary>Poses of the stored anchors by name, including those of an earlier run.</summary>
+        /// <summary>Poses of the stored anchors by name, including the anchors of an earlier run.</summary>
         public Dictionary<string, RigidTransform> Kept { get; } = new Dictionary<string, RigidTransform>();
 
         public List<Anchor> Held { get; } = new List<Anchor>();

@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_StoredInAnEarlierRun_IsRestoredAndConfirmedByMarkers()
+        public void Tick_BaseStoredInAnEarlierRun_IsRestoredAndConfirmedByMarkers()
         {
             _anchors.Kept["cell"] = Shift(0.004) * _cell.Base;
             _cell.IsInView = _ => false;
@@ -174,7 +174,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_RestoredAtAnotherPlace_IsReportedAsMovedAndNotFollowed()
+        public void Tick_BaseRestoredAtAWrongPlace_IsReportedAsMovedAndStays()
         {
             _anchors.Kept["cell"] = Shift(0.05) * _cell.Base;
 

@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Use_MovedMarkerRemoved_LocksWithTheOthers()
+        public void Use_MovedMarkerRemoved_BaseIsLockedAgain()
         {
             var cell = Locked(SimulatedMarkers.Three(1));
             cell.IsInView = payload => payload == "a";
@@ -167,7 +167,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Tick_MarkerPutBack_IsLockedAgain()
+        public void Tick_MovedMarkerPutBack_BaseIsLockedAgain()
         {
             var cell = NoisyOne();
             cell.Shifted["a"] = RigidTransform.FromXyzRpy(0.35, 0, 0, 0, 0, 0.4);

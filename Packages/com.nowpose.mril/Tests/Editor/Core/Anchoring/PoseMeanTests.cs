@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Anchoring
         // Typical outliers of single tracker frames: turned by 90°, at the origin, or shifted by 50 mm.
         [TestCase(0.1)]
         [TestCase(0.3)]
-        public void Of_ConsistentOutliers_ExcludesTheOutliers(double share)
+        public void Of_TypicalOutliers_ExcludesTheOutliers(double share)
         {
             for (var i = 0; i < 100; i++)
             {

@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Anchoring
         /// <summary>Function that changes a sighting before the device reports it. By default, sightings are not changed.</summary>
         public Func<MarkerSighting, MarkerSighting> Change { get; set; } = sighting => sighting;
 
-        /// <summary>True poses, in the base frame, of markers that are not at their measured place.</summary>
+        /// <summary>True poses, in the base frame, of markers that are not at their configured place.</summary>
         public Dictionary<string, RigidTransform> Shifted { get; } = new Dictionary<string, RigidTransform>();
 
         /// <summary>Creates a base with a single marker.</summary>

@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void At_DifferencesByRounding_IsTheFirstValue()
+        public void At_DifferencesWithinRounding_ReturnsTheFirstValue()
         {
             var axis = New();
             for (var k = 0; k < 20; k++) Add(axis, k, 0.7 + 4e-11 * k);
@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That((axis.At(3), axis.Hold), Is.EqualTo((0.7, 0.7)));
         }
 
-        /// <summary>Each displacement of a slow motion is within rounding, but their sum is not.</summary>
+        /// <summary>Each displacement of a slow motion is within rounding, but the sum of the displacements is not.</summary>
         [Test]
         public void At_SlowMotion_IsPredicted()
         {
@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void At_FromTheFirstChangeOn_IsPredicted()
+        public void At_AfterTheFirstChange_PredictsTheMotion()
         {
             var axis = AtRest(20);
 
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(axis.Hold, Is.EqualTo(0.8));
         }
 
-        /// <summary>A rest of at most the number of kept samples is predicted as if no sample was skipped.</summary>
+        /// <summary>A rest of at most the number of kept samples is predicted as if no sample had been skipped.</summary>
         [Test]
         public void At_AfterARest_EqualsAPredictorWithAllSamples(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h9", "gp", "adaptive")] string predictor, [Values(1, 2, 5, 8)] int rest)
@@ -90,7 +90,9 @@ namespace Nowpose.Tests.Core.Frames
             }
         }
 
-        /// <summary>Samples of a longer rest than those kept are not in the window of any polynomial.</summary>
+        /// <summary>
+        /// A longer rest has more samples than the predictor keeps. The additional samples are outside the window of these polynomials.
+        /// </summary>
         [TestCase("linear")]
         [TestCase("quadratic")]
         [TestCase("quadratic-h4")]
@@ -108,7 +110,7 @@ namespace Nowpose.Tests.Core.Frames
 
         [TestCase("linear")]
         [TestCase("adaptive")]
-        public void At_ConstantsAreNotSkipped_EqualsTheJointPredictor(string predictor)
+        public void At_ConstantValuesNotSkipped_EqualsTheJointPredictor(string predictor)
         {
             var axis = New(waitsForChange: false, predictor);
             var joint = Predictors.Create(predictor, PredictionLimits.Unlimited);
@@ -124,7 +126,7 @@ namespace Nowpose.Tests.Core.Frames
         {
             AxisPredictor inOrder = AtRest(10), late = AtRest(9);
 
-            // A sample with the same value overtakes the last sample of the rest, which then arrives twice.
+            // All samples have the value of the rest. Samples 8 and 9 arrive twice.
             foreach (var k in new[] { 9, 8, 9 }) Assert.That(Add(late, k, 0.7), Is.EqualTo(DropReason.None));
 
             Assert.That(late.At(1), Is.EqualTo(0.7));
@@ -160,7 +162,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_ReturnsToTheFirstValue_IsStillPredicted()
+        public void Add_ValueReturnsToTheFirstValue_IsStillPredicted()
         {
             var axis = AtRest(10);
             Add(axis, 10, 0.8);
@@ -171,7 +173,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Reset_AfterAChange_WaitsForTheNextOne()
+        public void Reset_AfterAChange_WaitsForTheNextChange()
         {
             var axis = AtRest(3);
             Add(axis, 3, 2);

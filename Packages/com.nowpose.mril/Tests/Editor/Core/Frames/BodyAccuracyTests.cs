@@ -7,7 +7,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Frames
 {
-    /// <summary>The default predictor against hold, line and quadratic on simulated motions of 20 s, with and without a tracker's noise.</summary>
+    /// <summary>
+    /// Compares the default predictor with the hold, linear and quadratic predictors on simulated motions of 20 s, with and without a
+    /// tracker's noise.
+    /// </summary>
     public class BodyAccuracyTests
     {
         static readonly Dictionary<string, Func<double, PoseSample>> Motions = new Dictionary<string, Func<double, PoseSample>>
@@ -42,7 +45,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("rest, noise", 100, 150, 1.05)]
         [TestCase("constant turning, noise", 20, 100, 0.7)]
         [TestCase("constant turning, noise", 100, 150, 0.95)]
-        public void Adaptive_SimulatedMotion_HasASmallerErrorThanTheFixedPredictors(
+        public void Adaptive_SimulatedMotion_ErrorRelativeToTheBestFixedPredictorIsBelowTheLimit(
             string motion, int samplingMs, int latencyMs, double maxRatio)
         {
             var best = (Position: double.PositiveInfinity, Rotation: double.PositiveInfinity);
@@ -58,7 +61,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(adaptive.Rotation / best.Rotation, Is.LessThan(maxRatio), "rotation");
         }
 
-        // RMS in m and rad at 60 frames per second.
+        // Returns the RMS errors in m and rad, at 60 frames per second.
         static (double Position, double Rotation) Error(string name, Func<double, PoseSample> motion, double sampling, double latency)
         {
             var predictor = new BodyPredictor(name, PredictionLimits.Unlimited);

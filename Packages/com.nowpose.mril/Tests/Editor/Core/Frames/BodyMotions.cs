@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Frames
                 * UnitQuaternion.Exp(new Vector3D(0, 0.3 * Wave(0.7, 2.3, 5.9), 0.4 * Wave(1.9, 2.7, 3.9))));
         }
 
-        /// <summary>A turntable that turns for 2 s by a quarter turn and rests for 2 s.</summary>
+        /// <summary>A turntable that repeatedly makes a quarter turn in 2 s and then rests for 2 s.</summary>
         public static PoseSample Turntable(double t)
         {
             var share = Math.Min(1, t % 4 / 2);

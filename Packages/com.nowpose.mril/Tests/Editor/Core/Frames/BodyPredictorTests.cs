@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void At_BeforeTheFirstSample_IsTheIdentityWithoutAKind()
+        public void At_BeforeTheFirstSample_ReturnsTheIdentityWithKindNone()
         {
             var pose = new BodyPredictor("adaptive", PredictionLimits.Unlimited).At(1, out var kind);
 
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(worst, Is.LessThan(1e-3), "rad; a turn is 6.28");
         }
 
-        // Rounding differs with the sign, and the mixture amplifies it.
+        // Rounding differs with the sign, and the mixture amplifies the difference.
         [TestCase("linear", 1e-13)]
         [TestCase("adaptive", 1e-4)]
         public void Add_ReversedSigns_GiveTheSamePrediction(string name, double tolerance)

@@ -10,14 +10,14 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Frames
 {
-    /// <summary>Chains of moving frames, links and stationary frames against another library.</summary>
+    /// <summary>Compares chains of moving frames, links and stationary frames with another library.</summary>
     /// <remarks>
     /// Orocos KDL computed the numbers of <c>frame_reference_poses.json</c>; <c>Tests/Package/make-frame-reference.py</c> wrote them and describes the
     /// cell. Tracked frames move at constant rates, which <c>linear</c> predicts exactly.
     /// </remarks>
     public class FrameReferenceTests
     {
-        /// <summary>Rounding of the prediction over 130 ms and of five poses one after the other, m.</summary>
+        /// <summary>Rounding error of the prediction over 130 ms and of the product of five poses, m.</summary>
         const double Tolerance = 1e-10;
 
         static readonly JObject Reference = JObject.Parse(UrdfFiles.Text("../Frames/frame_reference_poses.json"));

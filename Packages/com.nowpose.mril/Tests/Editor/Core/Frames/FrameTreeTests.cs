@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Frames
         static double Distance(in RigidTransform a, in RigidTransform b) =>
             Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y) + (a.Z - b.Z) * (a.Z - b.Z));
 
-        /// <summary>The 4×4 matrix of a pose by the textbook's formula, independent of the package's.</summary>
+        /// <summary>Returns the 4×4 matrix of a pose by the textbook formula, independently of the package's code.</summary>
         static double[,] MatrixOf(in FrameTransform p)
         {
             double x = p.Qx, y = p.Qy, z = p.Qz, w = p.Qw;
@@ -144,7 +144,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void State_AnySamplesAndParents_IsReported()
+        public void State_EachKindOfSampleAndParent_IsReported()
         {
             var arm = new MovingLinks("", TestRobot.Model);
             var tree = NewTree();
@@ -221,7 +221,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_FormerParentAfterTheHandOver_IsLate()
+        public void Add_PoseInTheFormerParentAfterTheHandOver_IsLate()
         {
             var tree = NewTree();
             tree.Add(Pose(1, "world", "a"), isStationary: false);
@@ -234,7 +234,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_FormerParentWhileTheNewOneWaits_IsLate()
+        public void Add_PoseInTheFormerParentWhileTheNewParentWaits_IsLate()
         {
             var tree = NewTree();
             tree.Add(Pose(1, "world", "a"), isStationary: false);
@@ -246,7 +246,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Reset_StationaryPoseWaits_IsUsedAfterwards()
+        public void Reset_StationaryPoseIsWaiting_IsUsedAfterTheReset()
         {
             var tree = NewTree();
             tree.Add(Pose(1, "world", "a", 1), isStationary: false);
@@ -260,9 +260,12 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(FrameOf(tree, "a").State, Is.EqualTo(FrameState.Current));
         }
 
-        /// <summary>A twin that puts the robot on the object in its gripper: the source's parents have no cycle, but the displayed ones do.</summary>
+        /// <summary>
+        /// A digital twin reports the object in the gripper as the parent of the robot. The reported parents have no cycle, but the
+        /// displayed parents do.
+        /// </summary>
         [Test]
-        public void Evaluate_ReachClosesACycle_EndsWithAnOrphan()
+        public void Evaluate_GripByReachClosesACycle_EndsWithAnOrphan()
         {
             var arm = new MovingLinks("", TestRobot.Model);
             var tree = NewTree();

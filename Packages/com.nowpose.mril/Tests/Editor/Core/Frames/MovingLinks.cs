@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Frames
 
         public ReadOnlySpan<RigidTransform> HeldPoses => _held;
 
-        /// <summary>The poses at any time; by default those of <see cref="Poses"/>, measured.</summary>
+        /// <summary>Returns the pose of a link at a time, and its origin; null for the poses of <see cref="Poses"/> as measured.</summary>
         public Func<int, ControlTime, (RigidTransform Pose, PoseOrigin Origin)> Past { get; set; }
 
         public RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin)

@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Frames
             RigidTransform.FromXyzRpy(x, -0.25, 1e-9, 0.1, -0.2, yaw).ToTransform(default, "world", child);
 
         [Test]
-        public void Save_SeveralFrames_RoundTripExactly()
+        public void Load_SavedFrames_RoundTripExactly()
         {
             var written = new[] { Frame("förderband \"1\"", 0.1, 3), Frame("fixture", -1 / 3.0, -3) };
 
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("{\"transforms\": []}")]
         [TestCase("{\"transforms\": 3}")]
         [TestCase("\0\u0001rubbish")]
-        public void Load_Rubbish_IsRefusedInOneLine(string text)
+        public void Load_OtherContent_IsRefusedInOneLine(string text)
         {
             File.WriteAllText(_path, text);
 
@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Save_ReadByPeople_HasOneFieldPerLine()
+        public void Save_Frame_WritesOneFieldPerLine()
         {
             StationaryFrameFile.Save(_path, new TransformsMessage(Frame("box", 0.5, 0)));
 

@@ -9,10 +9,10 @@ namespace Nowpose.Tests.Core.Frames
     {
         static Vector3D Motion(double t) => new Vector3D(Math.Sin(3 * t), 1e3 + 0.2 * t * t * t, -5);
 
-        // Uneven stamps.
+        // Returns stamps at uneven intervals.
         static double StampOf(int k) => 100 + 0.05 * k + 0.004 * Math.Sin(7 * k);
 
-        /// <summary>The same polynomials, solved for each component by the predictors of joints.</summary>
+        /// <summary>Compares with the joint predictors, which solve the same polynomials for each component.</summary>
         [Test]
         public void At_UnevenSamples_IsThePolynomialOfEachComponent(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h4", "linear-h9")] string name,

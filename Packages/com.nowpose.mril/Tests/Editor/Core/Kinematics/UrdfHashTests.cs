@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Model_Read_HasTheHashOfItsText()
+        public void SourceHash_ModelRead_IsTheHashOfTheText()
         {
             var text = UrdfFiles.Text("youbot.urdf");
 

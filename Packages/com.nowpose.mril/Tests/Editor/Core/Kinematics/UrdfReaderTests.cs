@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Read_DefaultNamespaceAndByteOrderMark_AreRead()
+        public void Read_DefaultNamespaceAndByteOrderMark_AreAccepted()
         {
             var model = UrdfReader.Read("\uFEFF<?xml version='1.0'?><robot xmlns='http://www.ros.org'><link name='a'/></robot>", "r.urdf");
 

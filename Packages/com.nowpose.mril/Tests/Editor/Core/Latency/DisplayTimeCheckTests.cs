@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_BurstOf750Ms_StaysConsistent()
+        public void Add_DeviationFor750Ms_StaysConsistent()
         {
             Frames(300, 0);
             Frames(45, 30);

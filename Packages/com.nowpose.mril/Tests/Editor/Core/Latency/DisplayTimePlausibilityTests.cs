@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(500, true)]
         [TestCase(-0.1, false)]
         [TestCase(500.1, false)]
-        public void Add_OneAnswer_IsPlausibleUpToHalfASecondAhead(double aheadMs, bool isPlausible)
+        public void Add_OneDisplayTime_IsPlausibleUpToHalfASecondAhead(double aheadMs, bool isPlausible)
         {
             Assert.That(_check.Add(HeadsetTime.FromSeconds(1), Lengths.Ms(aheadMs)), Is.EqualTo(isPlausible));
             Assert.That(_check.Ahead, Is.EqualTo(Lengths.Ms(aheadMs)));
@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(54, false)]
         [TestCase(59, false)]
         [TestCase(61, true)]
-        public void Add_ImplausibleAnswers_AreDetectedAfterASecond(int frames, bool isFound)
+        public void Add_ImplausibleDisplayTimes_AreDetectedAfterASecond(int frames, bool isFound)
         {
             Frames(30, 47);
 
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Add_PlausibleAnswersAgain_RecoversAfterASecond()
+        public void Add_PlausibleDisplayTimesAgain_RecoversAfterASecond()
         {
             Frames(300, -20);
             Frames(59, 47);
@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Latency
 
         [TestCase(2, 1, true)]
         [TestCase(1, 2, false)]
-        public void Add_MixedAnswers_AreImplausibleIfMostAnswersAre(int bad, int good, bool isFound)
+        public void Add_MixedDisplayTimes_AreImplausibleIfMostOfThemAre(int bad, int good, bool isFound)
         {
             for (var i = 0; i < 120; i++)
             {

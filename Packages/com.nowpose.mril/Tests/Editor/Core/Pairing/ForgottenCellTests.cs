@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Pairing
         public void Stop() => _pairing.Dispose();
 
         [Test]
-        public void Forget_UsedCell_RemovesTheCellAndAsksAgain()
+        public void Forget_CellInUse_RemovesTheCellAndAsksAgain()
         {
             _pairing.Pair(Cell, Token);
 

@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Pairing
             Assert.That(error.Message, Does.Contain("32 bytes"));
         }
 
-        [TestCase("g\u0430teway")] // a Cyrillic letter that looks like a Latin one
+        [TestCase("g\u0430teway")] // a Cyrillic letter that looks like a Latin letter
         [TestCase("10.0.7")]
         [TestCase("010.0.0.7")]
         [TestCase("0x0a.0.0.7")]

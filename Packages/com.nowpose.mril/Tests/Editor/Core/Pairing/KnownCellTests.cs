@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void OtherKnownCell_SeenBrieflyOrBesideTheUsedCell_DoesNotAsk()
+        public void OtherKnownCell_SeenBrieflyOrBesideTheCellInUse_DoesNotAsk()
         {
             PairBoth();
 

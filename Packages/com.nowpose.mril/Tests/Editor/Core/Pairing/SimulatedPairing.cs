@@ -55,8 +55,8 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         /// <summary>
-        /// Runs frames for 1.1 s with these codes in view. After this time, the flow may ask the next question, and a different cell counts
-        /// as looked at.
+        /// Runs frames for 1.1 s with these codes in view. After this time, the flow may ask the next question, and a cell other than the
+        /// cell in use counts as looked at.
         /// </summary>
         public void Look(params string[] inView)
         {

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>Irregular behaviour of real plants that must not degrade the prediction for long.</summary>
+    /// <summary>Checks that the adaptive predictor recovers from irregular samples of real plants.</summary>
     public class AdaptiveInTheFieldTests
     {
         const double Latency = 0.1;

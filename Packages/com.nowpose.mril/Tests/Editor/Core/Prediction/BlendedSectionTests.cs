@@ -13,7 +13,8 @@ namespace Nowpose.Tests.Core.Prediction
 
         static readonly PredictionLimits Limits = new PredictionLimits();
 
-        // A joint at 1 rad/s with samples up to the time `newest`, each 100 ms late. Two frames have been shown.
+        // Returns a joint that moves at 1 rad/s, with and without blending. The time of its newest sample is `newest`. The blended joint
+        // has shown two frames, the second one for the time 100 ms after this sample.
         static (DisplayedJoint Blended, JointPredictor Bare) Moving(double newest, PredictionLimits limits = null, string predictor = "linear")
         {
             var bare = Predictors.Create(predictor, limits ?? Limits);
@@ -31,7 +32,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_NewSection_StartsAtTheShownPositionAndDecaysByE()
+        public void At_NewSection_StartsAtTheShownPositionAndItsResidualDecaysExponentially()
         {
             var (blended, bare) = Moving(1);
             var shown = blended.Show(1.1).Position;
@@ -58,7 +59,7 @@ namespace Nowpose.Tests.Core.Prediction
             for (var k = 0; k < 400; k++)
             {
                 var shown = joint.Show(k * Interval + 0.06).Position;
-                // Between two frames up to three samples arrive, sometimes none, and one of three is out of order.
+                // Up to three samples arrive between two frames. The third one is older than the second.
                 var samples = k < 5 ? 1 : random.Next(4);
                 for (var i = 0; i < samples; i++) joint.Add(k * Interval + (i * 2 % 3 + 1) * 0.015, Math.Sin(2 * (k * Interval + (i * 2 % 3 + 1) * 0.015)));
 
@@ -78,7 +79,8 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(1.1 + 20 * TimeConstant).Position, Is.EqualTo(1).Within(1e-6));
         }
 
-        // The plan is offset from the predicted position. In very short steps, the displayed position must not move faster than the blend.
+        // The plan is offset from the predicted position. The test displays very short steps, in which the position must not move faster
+        // than the blend.
         [TestCase(1.2, 0.02, TestName = "Follow_PlanInTheFuture_StartsAndEndsWithoutAJump")]
         [TestCase(1.05, 0.02, TestName = "Follow_PlanAlreadyStarted_StartsAndEndsWithoutAJump")]
         public void Follow_Plan_StartsAndEndsWithoutAJump(double start, double beside)
@@ -119,7 +121,7 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(1.2).Position, Is.EqualTo(bare.At(1.2).Position).Within(1e-4));
         }
 
-        // A frame may read the position twice, with a later time, and a sample may arrive between the two reads.
+        // A frame may read the position twice, the second time for a later display time. A sample may arrive between the two reads.
         [Test]
         public void At_SampleBetweenTwoReadsOfOneFrame_ContinuesTheFirst()
         {
@@ -157,7 +159,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_SamplesInQuickSuccession_BlendWithinAFifthOfTheirInterval()
+        public void At_SamplesInQuickSuccession_TimeConstantIsAFifthOfTheirInterval()
         {
             var blended = new DisplayedJoint(Predictors.Create("linear", Limits, 1));
             for (var i = 0; i <= 20; i++) blended.Add(i * 0.01, i * 0.01);

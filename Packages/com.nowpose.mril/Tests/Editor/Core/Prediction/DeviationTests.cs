@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>The standard deviation that <c>gp</c> reports for its own forecasts.</summary>
+    /// <summary>Tests the standard deviation that <c>gp</c> reports for its own forecasts.</summary>
     public class DeviationTests
     {
         const double Interval = 0.05;
@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         static double Waves(double t) => 100 * Math.Sin(2 * t) + 30 * Math.Sin(7 * t);
 
-        // The displayed time is 100 ms ahead of the newest sample.
+        // When a sample is added, the newest displayed time is 100 ms after the time of this sample.
         static JointPredictor Fed(string name, Func<double, double> motion, int samples, PredictionLimits limits = null)
         {
             var predictor = Predictors.Create(name, limits ?? PredictionLimits.Unlimited);

@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Create_JointWithoutEndlessLimits_DoesNotUnwrap()
+        public void Create_JointNotEndless_DoesNotUnwrap()
         {
             var predictor = Predictors.Create("linear", PredictionLimits.Unlimited);
             predictor.Add(0, 0);

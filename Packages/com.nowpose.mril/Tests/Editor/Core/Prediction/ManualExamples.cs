@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction
 {
-    /// <summary>The forecaster that prediction.md adds, and a test that it can be mixed.</summary>
+    /// <summary>Contains the example forecaster of prediction.md and a test that the adaptive predictor learns to use it.</summary>
     public class PredictionManualExamples
     {
         // A line whose speed fades: for drives that have just been switched off.
@@ -34,7 +34,8 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(tried, Is.LessThan(0.5 * usual));
         }
 
-        // Returns the squared error 0.2 s ahead for an axis that is pushed every second and coasts. Times after a push are excluded.
+        // Returns the sum of the squared errors 0.2 s ahead for an axis that is pushed every second and then coasts. Forecasts made shortly
+        // before or after a push are excluded.
         static double Coasting(params Forecaster[] more)
         {
             const double interval = 0.1, ahead = 0.2;

@@ -150,7 +150,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_TimeBeforeThePlan_IsPredictedAfterAnyRead()
+        public void At_TimeBeforeThePlan_IsPredictedEvenAfterAReadWithinThePlan()
         {
             var joint = New();
             Play(joint, 4, 5, Planned);
@@ -172,7 +172,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DropPlanAndReset_WithPlan_ReturnToPrediction()
+        public void DropPlanAndReset_WhileFollowingAPlan_EndThePlan()
         {
             var joint = New();
             Play(joint, 4, 5, Planned);

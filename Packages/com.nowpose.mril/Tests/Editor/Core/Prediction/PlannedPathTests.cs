@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_Velocity_IsTheSlope()
+        public void At_PathWithDerivatives_ReturnsTheSlopeAsVelocity()
         {
             var path = new PlannedPath(Times, Each(Math.Sin), Each(Math.Cos), Each(t => -Math.Sin(t)));
 
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_VelocityAbsentAtOneEnd_IsTheStraightLineThere()
+        public void At_VelocityMissingAtAPoint_IsAStraightLineUpToThePoint()
         {
             var velocities = Each(t => 2 * t);
             velocities[1] = double.NaN;

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase("linear-h1", 431)]
         [TestCase("linear-h2", 1073 / 3.0)]
         [TestCase("cubic-h4", 581.8)]
-        public void Create_Name_HasItsDegreeAndHistory(string name, double expected)
+        public void Create_Name_ReturnsThePredictorWithItsDegreeAndHistory(string name, double expected)
         {
             var predictor = Predictors.Create(name, PredictionLimits.Unlimited);
             for (var t = 0; t < 5; t++) predictor.Add(t, t * t * t * t);

@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Clear_LeavesNoElement()
+        public void Clear_SomeElements_LeavesNone()
         {
             var queue = Filled(1, 2);
 

@@ -6,8 +6,8 @@ using Nowpose.Prediction;
 namespace Nowpose.Tests.Core.Prediction
 {
     /// <summary>
-    /// The paper's section 2.2 in virtual time: a 500 mm axis moves back and forth with a 7-phase profile (1000 mm/s, 5000 mm/s²,
-    /// 50 000 mm/s³, 0.4 s dwell). It is displayed at 60 frames per second; each sample arrives with a constant latency.
+    /// Simulates section 2.2 of the paper in virtual time: an axis moves back and forth by 500 mm with a 7-phase profile (1000 mm/s, 5000
+    /// mm/s², 50 000 mm/s³, 0.4 s dwell). It is displayed at 60 frames per second; each sample arrives with a constant latency.
     /// </summary>
     sealed class SimulatedPrediction
     {

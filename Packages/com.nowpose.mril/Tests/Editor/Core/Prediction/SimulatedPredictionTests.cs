@@ -41,20 +41,20 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0.005, "quadratic", 0.431)]
         [TestCase(0.005, "quadratic-h3", 0.378)]
         [TestCase(0.010, "quadratic-h4", 0.475)]
-        public void Ratio_StampErrors_IsAsInFigures13dAnd14d(double stampError, string predictor, double expected)
+        public void Ratio_StampErrors_MatchesFigures13dAnd14d(double stampError, string predictor, double expected)
         {
             Assert.That(Ratio(predictor, stampError: stampError), Is.EqualTo(expected).Within(0.03), "seed " + Seed);
         }
 
         [Test]
-        public void Ranking_FastSampling_CubicIsBetterThanQuadratic()
+        public void Ratio_CubicAndQuadratic_CubicIsBetterOnlyWithFastSampling()
         {
             Assert.That(Ratio("cubic", sampling: 0.02), Is.LessThan(Ratio("quadratic", sampling: 0.02)));
             Assert.That(Ratio("cubic", sampling: 0.1), Is.GreaterThan(Ratio("quadratic", sampling: 0.1)));
         }
 
         [Test]
-        public void Ranking_StampErrors_LongerHistoriesAreBetter()
+        public void Ratio_HistoriesOfSeveralLengths_LongerOnesAreBetterOnlyWithLargeStampErrors()
         {
             Assert.That(Ratio("quadratic-h3", stampError: 0.003), Is.GreaterThan(Ratio("quadratic", stampError: 0.003)));
             Assert.That(Ratio("quadratic-h3", stampError: 0.005), Is.LessThan(Ratio("quadratic", stampError: 0.005)));

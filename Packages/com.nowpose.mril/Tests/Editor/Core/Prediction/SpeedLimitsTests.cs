@@ -25,8 +25,8 @@ namespace Nowpose.Tests.Core.Prediction
         {
             var limited = Fed(With(acceleration: 0.2));
             var newest = limited.NewestTime;
-            // The mean speed in the last interval was 0.975, which applies 25 ms before the newest sample. The requested speed applies 287.5 ms after
-            // the newest sample.
+            // The mean speed in the last sampling interval was 0.975 rad/s; this is the speed 25 ms before the newest sample. The speed
+            // computed below is that 287.5 ms after the newest sample.
             var speedThen = (limited.At(newest + 0.3).Position - limited.At(newest + 0.275).Position) / 0.025;
 
             Assert.That(speedThen, Is.LessThan(0.975 + 0.2 * (0.025 + 0.2875) + 1e-9));
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction
             new PredictionLimits(
                 horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: velocity, acceleration: acceleration);
 
-        // Constant acceleration of 1 rad/s² for one second.
+        // Returns a predictor with samples of a joint that accelerates at 1 rad/s² for one second.
         static JointPredictor Fed(PredictionLimits limits) => Predictors.Adaptive(limits, MixerTests.WithoutRepetition)
             .Fed(Enumerable.Range(0, 21).Select(k => k * Interval), t => 0.5 * t * t);
     }

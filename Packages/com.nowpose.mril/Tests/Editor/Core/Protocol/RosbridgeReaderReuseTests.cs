@@ -169,7 +169,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("[1,2]", "", DropReason.NotJson)]
         [TestCase("[1]", ",\"velocity\":[Infinity]", DropReason.NotJson)]
         [TestCase("[null]", "", DropReason.NotJson)]
-        public void TryRead_InvalidBodyInTruncatedText_ReturnsTheFirstReason(string positions, string rest, object expected)
+        public void TryRead_InvalidBodyInTruncatedText_IsNotJson(string positions, string rest, object expected)
         {
             var text = State("[\"a\"]", positions, rest);
 

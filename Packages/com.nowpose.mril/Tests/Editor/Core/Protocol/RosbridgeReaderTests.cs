@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_FailedServiceCall_HasNoTimeOrResult()
+        public void TryRead_FailedServiceCall_ReturnsFalseWithoutATime()
         {
             var text = "{\"op\":\"service_response\",\"service\":\"/rosapi/get_time\",\"values\":\"no such service\",\"result\":false}";
 

@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void JointState_Ros1AndRos2_HaveDifferentFields()
+        public void JointState_Ros1AndRos2_HaveDifferentStampFields()
         {
             var state = new JointStateMessage(ControlTime.FromNanoseconds(1_000_000_200), Array.Empty<string>(), Array.Empty<double>());
 
@@ -156,7 +156,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void FailedResponse_ReadBack_HasNoResult()
+        public void FailedResponse_ReadBack_ResultIsFalse()
         {
             var response = Read(RosbridgeWriter.FailedResponse("/a", "1", "no such service"));
 

@@ -3,8 +3,8 @@ using System.IO;
 namespace Nowpose.Tests.Core.Recording
 {
     /// <summary>
-    /// A file on a disk with a limited number of free bytes. A write that does not fit fails; after a failed write, closing the file fails
-    /// too.
+    /// Simulates a file on a disk with a limited number of free bytes. A write that does not fit fails; after a failed write, closing the
+    /// file fails too.
     /// </summary>
     sealed class FullDisk : MemoryStream
     {

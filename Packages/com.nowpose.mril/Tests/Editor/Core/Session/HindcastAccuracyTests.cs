@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>Compares the error that the monitor measures without the truth with the true error in the virtual cell.</summary>
+    /// <summary>Compares the error that a session estimates from its samples with the true error in the virtual cell.</summary>
     public class HindcastAccuracyTests
     {
         /// <summary>Predictor that does not learn at run time. All parts of a run are therefore equivalent.</summary>
@@ -62,7 +62,8 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(hindcast.HoldP95 * 1e-3, Is.EqualTo(P95(run.HoldErrors)).Within(5).Percent, "seed 5");
         }
 
-        // The stated uncertainty of the truth must cover the error of the interpolated truth and be far below the measured error.
+        // The stated uncertainties must explain the difference from the true error. The uncertainty of the interpolated truth must be well
+        // below the estimated error.
         [Test]
         public void ToolErrorOfRun_TruthUncertainty_ExplainsTheDifference([Values("wifi", "busy-wifi")] string network, [Values(50, 100)] double samplingMs)
         {
@@ -74,7 +75,8 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(hindcast.TruthUncertainty, Is.LessThan(0.3 * hindcast.Rms), "a larger uncertainty would be meaningless");
         }
 
-        // Each ten-second window contains different moves. Nevertheless, the intervals of at least 85 % of the windows must cover the reduction of the whole run.
+        // Each window of ten seconds contains different moves. Nevertheless, the uncertainty intervals of more than 85 % of the windows
+        // must contain the reduction of the whole run.
         [Test]
         public void ToolError_TenSeconds_UncertaintyCoversTheWholeRun()
         {

@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Session
             {
                 var truth = TrueTool(light);
                 squares.Add((frame.DisplayTime.Value, SquareMm(frame.ToolPose, truth), SquareMm(ToolOf(frame.HeldJoints), truth)));
-                // The truth within a sampling interval is available only after the sample that ends the interval.
+                // The hindcast can score a frame only after the sample that ends the sampling interval of this frame.
                 last = frame.DisplayTime.Value - frame.Horizon.Value - TimeSpan.FromMilliseconds(50);
                 first = ControlTime.FromSeconds(Math.Floor(frame.DisplayTime.Value.SinceEpoch.TotalSeconds) - 9);
             });
@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Statistics_HoldPredictor_HaveNoReduction()
+        public void Statistics_HoldPredictor_ReductionIsZero()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, Seed, "hold");
             simulated.Run(20);
@@ -168,7 +168,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(values["error_mm_p95"], Is.InRange(values["error_mm"], 3 * values["error_mm"]));
             Assert.That(values["error_mm_hold_p95"], Is.EqualTo(100).Within(5), "the error at full speed");
             Assert.That(values["reduction_uncertainty"], Is.InRange(1e-6, 0.05));
-            // Error bound of this exchange times the mean speed of 1/√2 m/s.
+            // The error bound of the clock times the RMS speed of 1/√2 m/s.
             Assert.That(values["error_mm_clock"], Is.EqualTo(0.71 * values["error_bound_us"] / 1000).Within(10).Percent);
             Assert.That(values["error_hold/shoulder"], Is.EqualTo(0.071).Within(0.005), "rad");
             Assert.That(values["reduction/shoulder"], Is.EqualTo(values["reduction"]).Within(0.01), "the shoulder alone moves");

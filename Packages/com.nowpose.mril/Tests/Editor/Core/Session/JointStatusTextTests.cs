@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Session
         [TestCase(JointDataState.Stale, 7200, "", "no data since 2 h")]
         [TestCase(JointDataState.Refused, 0, "NaN", "values cannot be used since 0 s: NaN")]
         [TestCase(JointDataState.Missing, null, null, "no value")]
-        public void Description_EachState_ContainsStartAndReason(JointDataState state, double? seconds, string reason, string expected) =>
+        public void Description_EachState_ContainsDurationAndReason(JointDataState state, double? seconds, string reason, string expected) =>
             Assert.That(Status("a3", state, seconds, reason).Description, Is.EqualTo(expected));
 
         [Test]

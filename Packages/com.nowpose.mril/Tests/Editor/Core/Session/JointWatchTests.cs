@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Session
             var simulated = Running(isEachJointApart);
 
             simulated.SilentJoint = "elbow";
-            // Samples in flight still arrive: after 105 ms of acquisition plus the delay of the WiFi.
+            // Samples that have been taken before still arrive, after 105 ms of acquisition plus the delay of the WiFi.
             var states = StatesOf(simulated, 0.3 + 0.15);
             var after = StatesOf(simulated, 3);
             var statistics = StatisticsOf(simulated);
@@ -130,7 +130,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_GatewayReportsRestWithoutSamples_IsHeldUntilTheReportEnds()
+        public void Tick_GatewayReportsRestButSamplesStop_PoseIsHeldAndJointBecomesStale()
         {
             var simulated = Running();
             simulated.SilentJoint = "elbow";

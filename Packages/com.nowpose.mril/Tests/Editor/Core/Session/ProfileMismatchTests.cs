@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void ProfileMismatches_DeviceDiffers_AreReportedAndTheProfileStaysInUse()
+        public void ProfileMismatches_GraphicsSettingsDiffer_AreReportedAndTheProfileStaysInUse()
         {
             var session = NewSession();
             session.Calibrate(Profile(new DisplayConditions(graphicsApi: "Direct3D11", graphicsJobs: "MultiThreaded")));

@@ -59,7 +59,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Restart_SourceInAnotherTime_KeepsTheValueUntilTheNextOne()
+        public void Restart_SourceWithEarlierStamps_KeepsTheValueUntilTheNextValue()
         {
             var table = new SignalTable();
             table.Add(At(1000), new SignalValue("grip", 1));

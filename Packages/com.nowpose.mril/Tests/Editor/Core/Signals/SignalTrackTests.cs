@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Add_EarlierStampOfAWaitingChange_MovesTheChangeToIt()
+        public void Add_EarlierStampOfAWaitingChange_MovesTheChangeToTheEarlierStamp()
         {
             var signal = new SignalTrack("grip");
             signal.Add(At(10.2), 1);
@@ -76,7 +76,8 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Next(At(6)), Is.False);
         }
 
-        // Each message states the true value at its stamp. In any order, the last one is right, and no value is shown twice in succession.
+        // Each message contains the true value at its stamp. In any order of arrival, the last visible value is that of the newest
+        // stamp, and no value is shown twice in succession.
         [Test]
         public void Add_AnyOrderOfTrueValues_EndsWithTheNewestAndShowsChangesOnly([Range(1, 200)] int seed)
         {
@@ -99,7 +100,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [TestCase(100, 1, 3)] // the source started again
-        [TestCase(0.2, 0.01, 5)] // near enough for messages that were overtaken
+        [TestCase(0.2, 0.01, 5)] // so small that overtaken messages could be the cause
         public void Add_StampsOfTheSourceGoBack_RestartsWithTheLateValues(double step, double interval, int needed)
         {
             var signal = new SignalTrack("grip");
@@ -122,7 +123,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Add_RepeatedValueConfirmedUntilTheStampsGoBack_FollowsTheNewTime()
+        public void Add_StampsGoBackWhileTheValueRepeats_ShowsTheNextChangeAtItsNewStamp()
         {
             var signal = new SignalTrack("grip");
             for (var k = 0; k < 100; k++) signal.Add(At(900 + k), 1);

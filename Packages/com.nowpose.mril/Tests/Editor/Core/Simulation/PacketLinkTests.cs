@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             Assert.That(ms.Min(), Is.InRange(baseMs, baseMs + 0.02 * jitterMs));
             Assert.That(ms.Average() - baseMs, Is.EqualTo(jitterMs).Within(5).Percent);
-            // In an exponential distribution the share of values above three means is e^-3.
+            // In an exponential distribution, the share of values above three means is e^-3.
             Assert.That(ms.Average(d => d > baseMs + 3 * jitterMs ? 1.0 : 0), Is.EqualTo(Math.Exp(-3)).Within(0.01));
         }
 

@@ -39,7 +39,10 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
-        /// <summary>A ramp within the skew of quartz clocks cannot be distinguished from an honest clock, so the estimate follows it.</summary>
+        /// <summary>
+        /// A ramp of the control clock within the skew of quartz clocks cannot be distinguished from an honest clock, so the estimate
+        /// follows it.
+        /// </summary>
         [TestCase(50)]
         [TestCase(-50)]
         public void Ramp_WithinTheSkewOfQuartzClocks_IsFollowed(double ppm)

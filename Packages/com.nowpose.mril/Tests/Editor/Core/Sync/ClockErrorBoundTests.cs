@@ -6,7 +6,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Checks that the clock error stays within the error bound under all conditions of network and server.</summary>
+    /// <summary>
+    /// Checks that the clock error stays within the error bound when the network is slow, exchanges are missing, or the server's clock is
+    /// inaccurate.
+    /// </summary>
     public class ClockErrorBoundTests
     {
         static SyncRun NewRun() => new SyncRun(new RansacClockEstimator(RansacSettings.Paper));

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Sync
         static readonly double[] Skews = { -80, -24, 0, 12, 30, 200 };
 
         [Test, Combinatorial]
-        public void ErrorBound_PaceOfTheClient_HoldsWithoutAClockStep(
+        public void ErrorBound_ExchangesAtThePaceOfTheHeadset_HoldsWithoutAClockStep(
             [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm, [Values(0, 1.2)] double latestMs)
         {
             var seed = 600 + (int)skewPpm;
@@ -27,8 +27,8 @@ namespace Nowpose.Tests.Core.Sync
 
             Assert.That(run.Errors.Count(e => Math.Abs(e.ErrorMs) > e.BoundMs), Is.EqualTo(0), "seed " + seed);
             Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
-            // A single exchange is accurate to half a step; many exchanges together are accurate to a tenth of a step. With a skew of four times
-            // the expected one, reaching this accuracy takes half a minute.
+            // A single exchange is accurate to half the resolution; many exchanges together are accurate to a tenth of the resolution. With
+            // a skew of four times the expected one, reaching this accuracy takes half a minute.
             Assert.That(run.P95Ms(30), Is.LessThan(0.1 * resolutionMs), "seed " + seed);
         }
 
@@ -63,7 +63,9 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed 800");
         }
 
-        /// <summary>The resolution changes because the gateway serves another clock, or because a simulation changes its step.</summary>
+        /// <summary>
+        /// The resolution changes because the gateway serves another clock, or because a simulation changes the length of its cycle.
+        /// </summary>
         [Test, Combinatorial]
         public void ErrorBound_ResolutionChanges_HoldsWithoutAClockStep(
             [Values(0, 1, 10, 50)] double beforeMs, [Values(0, 1, 10, 50)] double afterMs, [Values("lan", "wifi")] string network)

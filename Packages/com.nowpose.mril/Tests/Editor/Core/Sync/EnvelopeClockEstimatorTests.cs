@@ -95,7 +95,8 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void Error_ControlClockFlooredToItsCycle_IsUnbiased()
         {
-            // With a skew of 5 ppm, the exchanges fall into the same part of the cycle for minutes.
+            // The exchanges are 200 cycles apart. With a skew of 80 ppm, their position in the cycle moves by only 16 µs from one exchange
+            // to the next.
             var link = Link("lan", FirstSeed + 3);
             link.Resolution = TimeSpan.FromMilliseconds(1);
 

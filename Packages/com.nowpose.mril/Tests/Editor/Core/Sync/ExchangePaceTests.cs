@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase(1)]
         [TestCase(10)]
-        public void Next_CoarseControlClock_SpreadsExchangesOverItsStep(double resolutionMs)
+        public void Next_CoarseControlClock_SpreadsExchangesOverItsCycle(double resolutionMs)
         {
             var link = Link("lan");
             link.Resolution = Lengths.Ms(resolutionMs);

@@ -8,8 +8,8 @@ using NUnit.Framework;
 namespace Nowpose.Tests.Core.Sync
 {
     /// <summary>
-    /// Tests the default estimator when the minimum delay of the path changes, for example because a headset roams to another access
-    /// point.
+    /// Tests the default estimator when the minimum delay of the path changes, for example because a headset roams to another access point.
+    /// The physical limit of the error is half the difference of the two one-way delays; the tests allow 20 % more.
     /// </summary>
     [Category("Study")]
     public class PathChangeTests
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Sync
 
         [TestCase("lan")]
         [TestCase("wifi")]
-        public void Error_OneDirectionBecomesLonger_IsUnchanged(string network)
+        public void Error_OneDirectionBecomesLongerOnAQuietNetwork_StaysSmall(string network)
         {
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {

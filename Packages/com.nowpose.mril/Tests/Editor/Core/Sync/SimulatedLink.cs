@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Sync
         /// <summary>Additional delay of later replies in ms.</summary>
         public double LongerDownMs { get; set; }
 
-        /// <summary>Length that is added to the control clock from now on.</summary>
+        /// <summary>Time that is added to the control clock from now on.</summary>
         public TimeSpan Step { get; set; }
 
         /// <summary>Returns the true offset at a headset time. The skew varies slowly around its mean.</summary>

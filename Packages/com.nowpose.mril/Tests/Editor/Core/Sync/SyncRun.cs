@@ -5,7 +5,9 @@ using Nowpose.Sync;
 
 namespace Nowpose.Tests.Core.Sync
 {
-    /// <summary>Runs a synchroniser over a simulated link, with an exchange every 200 ms and an error value every 20 ms.</summary>
+    /// <summary>
+    /// Runs a synchroniser over a simulated link, by default with an exchange every 200 ms. It computes ten error values per interval.
+    /// </summary>
     sealed class SyncRun
     {
         readonly List<(double At, double ErrorMs, ClockModel Model)> _instants = new List<(double, double, ClockModel)>();

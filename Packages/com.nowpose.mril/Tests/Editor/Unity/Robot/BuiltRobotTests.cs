@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_ToolAndLabelExist_BuildsTheRobotBesideThem()
+        public void Bind_GripperAndLabelExist_BuildsTheRobotBesideThem()
         {
             var rig = NewRig();
             _scene.New("Label", rig.transform);

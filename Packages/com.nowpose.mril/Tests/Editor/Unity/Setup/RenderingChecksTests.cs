@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase(false, "Unknown")]
         [TestCase(true, "Advice", GraphicsDeviceType.Direct3D11)]
         [TestCase(true, "Missing", GraphicsDeviceType.Direct3D12, GraphicsDeviceType.Direct3D11)]
-        public void GraphicsApi_List_IsCheckedAndPinned(bool isAutomatic, string state, params GraphicsDeviceType[] apis)
+        public void GraphicsApi_List_IsCheckedAndSetToDirect3D11(bool isAutomatic, string state, params GraphicsDeviceType[] apis)
         {
             var project = new FakeProject { IsGraphicsApiAutomatic = isAutomatic, GraphicsApis = apis };
             var check = new GraphicsApiCheck();
@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Unity.Setup
 
         [TestCase(true, "Good")]
         [TestCase(false, "Missing")]
-        public void Background_MainCamera_IsCheckedAndCleared(bool isClear, string state)
+        public void Background_MainCamera_IsCheckedAndSetToTransparentBlack(bool isClear, string state)
         {
             _project.ClearsToTransparentBlack = isClear;
             var check = new CameraBackgroundCheck();

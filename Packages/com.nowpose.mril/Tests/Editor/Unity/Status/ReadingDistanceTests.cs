@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void At_OneMetre_SpansHalfADegree()
+        public void LetterSizeAt_OneMetre_CapitalLettersSpanHalfADegree()
         {
             Assert.That(LetterSize.At(1) * 1409 / 2048, Is.EqualTo(0.008727).Within(1e-5));
         }
@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(64, 1, 6.4f)]
         [TestCase(100, 0.01f, 0.1f)]
         [TestCase(0, 1, 1.3f)]
-        public void Of_Text_IsATenthOfAMetrePerPoint(int points, float characterSize, float expected)
+        public void LetterSizeOf_Text_IsATenthOfFontSizeTimesCharacterSize(int points, float characterSize, float expected)
         {
             var text = _objects.New<TextMesh>("text");
             text.fontSize = points;

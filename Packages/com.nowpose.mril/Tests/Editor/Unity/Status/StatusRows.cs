@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Unity.Status
             return statistics;
         }
 
-        /// <summary>Returns value and note of a row, separated by a bar.</summary>
+        /// <summary>Returns the value and the note of a row, separated by a vertical bar.</summary>
         /// <param name="statistics">Statistics to show; null for those of a new session.</param>
         public static string Row(StatusRow row, SessionStatistics statistics = null, SessionSettings settings = null, string robot = null)
         {

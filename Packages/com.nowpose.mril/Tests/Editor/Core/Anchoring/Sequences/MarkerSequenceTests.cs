@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         }
 
         [Test]
-        public void Play_LostAndFoundAgain_StaysLocked()
+        public void Play_MarkersLostAndFoundAgain_BaseStaysLocked()
         {
             var played = Locked("lost-and-back.txt");
             var before = played.Tracker.Markers[0].Sightings;

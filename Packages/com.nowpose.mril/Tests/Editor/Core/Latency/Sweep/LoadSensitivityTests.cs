@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         static readonly SweepPlan DefaultPlan = new SweepPlan();
         static readonly SweepPlan Upwards = new SweepPlan(goesDown: false);
 
-        /// <summary>A camera time of 2 ms on the CPU that does not depend on the GPU's load.</summary>
+        /// <summary>Returns a CPU time of the camera in ms. It scatters by 5 % about 2 ms and does not depend on the load of the GPU.</summary>
         static double ConstantTime(SimulatedSweep sweep) => 2 * (1 + 0.05 * sweep.Normal());
 
         static void AllAre(LoadSight sight, SweepPlan plan, Func<SimulatedSweep, Func<double, int, double?>> source)
@@ -29,44 +29,44 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Gpu_DefaultSweep_RespondsToLoad() => AllAre(LoadSight.Seen, DefaultPlan, sweep => (t, v) => sweep.GpuMs(t, v));
+        public void GpuTime_DefaultSweep_RespondsToLoad() => AllAre(LoadSight.Seen, DefaultPlan, sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
-        public void Gpu_ShortSweepOfSmallLoads_RespondsToLoad() =>
+        public void GpuTime_ShortSweepOfSmallLoads_RespondsToLoad() =>
             AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
 
         // Half a second per load is too short to estimate drift, which must not count against the source.
         [Test]
-        public void Gpu_SweepUpWithHalfASecondPerLoad_RespondsToLoad() => AllAre(
+        public void GpuTime_SweepUpWithHalfASecondPerLoad_RespondsToLoad() => AllAre(
             LoadSight.Seen, new SweepPlan(steps: 21, secondsPerLoad: 0.5, settleSeconds: 0, goesDown: false), sweep => (t, v) => sweep.GpuMs(t, v));
 
         [Test]
-        public void Gpu_DriftsDownWhileTheLoadRises_RespondsToLoad() =>
+        public void GpuTime_DriftsDownWhileTheLoadRises_RespondsToLoad() =>
             AllAre(LoadSight.Seen, Upwards, sweep => (t, v) => Math.Max(0.1, sweep.GpuMs(t, v) - 0.03 * t));
 
         // Readbacks are polled once per frame, so their times are multiples of the frame time.
         [TestCase(60)]
         [TestCase(90)]
-        public void Completion_RoundedToFrames_RespondsToLoad(int hertz) => AllAre(
+        public void CompletionTime_RoundedUpToFrames_RespondsToLoad(int hertz) => AllAre(
             LoadSight.Seen, DefaultPlan, sweep => (t, v) => Math.Ceiling(sweep.GpuMs(t, v) * hertz / 1000) * 1000 / hertz);
 
         [Test]
-        public void Gpu_TimeInEveryFourthFrame_RespondsToLoad() =>
+        public void GpuTime_ReportedInEveryFourthFrame_RespondsToLoad() =>
             AllAre(
                 LoadSight.Seen, DefaultPlan,
                 sweep => (t, v) => sweep.GpuMs(t, v) is double ms && Math.Round(t * 60) % 4 == 0 ? ms : (double?)null);
 
         [Test]
-        public void Camera_ConstantTime_DoesNotRespondToLoad() => AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep));
+        public void CameraTime_Constant_DoesNotRespondToLoad() => AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep));
 
         [Test]
-        public void Camera_ConstantTimeInAShortSweep_DoesNotRespondToLoad() => AllAre(
+        public void CameraTime_ConstantInAShortSweep_DoesNotRespondToLoad() => AllAre(
             LoadSight.Unseen, new SweepPlan(steps: 4, secondsPerLoad: 0.5), sweep => (t, v) => ConstantTime(sweep));
 
         [TestCase(0.01)]
         [TestCase(0.05)]
         [TestCase(-0.01)]
-        public void Camera_LinearDrift_DoesNotRespondToLoad(double msPerSecond)
+        public void CameraTime_LinearDrift_DoesNotRespondToLoad(double msPerSecond)
         {
             AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
             AllAre(LoadSight.Unseen, Upwards, sweep => (t, v) => ConstantTime(sweep) + (msPerSecond < 0 ? 2 : 0) + msPerSecond * t);
@@ -74,18 +74,18 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         [TestCase(20)]
         [TestCase(60)]
-        public void Camera_WarmsUp_DoesNotRespondToLoad(double timeConstantSeconds) => AllAre(
+        public void CameraTime_WarmsUp_DoesNotRespondToLoad(double timeConstantSeconds) => AllAre(
             LoadSight.Unseen, Upwards, sweep => (t, v) => ConstantTime(sweep) + 1 - Math.Exp(-t / timeConstantSeconds));
 
         // The processor changes its speed once. In a sweep in one direction, this would look like an effect of the load.
         [TestCase(30)]
         [TestCase(60)]
         [TestCase(100)]
-        public void Camera_StepsOnce_DoesNotRespondToLoad(double atSeconds) =>
+        public void CameraTime_StepsOnce_DoesNotRespondToLoad(double atSeconds) =>
             AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + (t < atSeconds ? 0 : 0.8));
 
         [Test]
-        public void Camera_ChangesTooLittleWithTheLoad_CountsAsNotResponding() =>
+        public void CameraTime_ChangesTooLittleWithTheLoad_CountsAsNotResponding() =>
             AllAre(LoadSight.Unseen, DefaultPlan, sweep => (t, v) => ConstantTime(sweep) + 0.1 * v / SweepPlan.MaxVertices);
 
         [Test]
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Words_ResponseToLoad_StateTheRange()
+        public void Words_ResponseToLoad_StateTheTimesAtBothEndsOfTheSweep()
         {
             var sweep = new SimulatedSweep(DefaultPlan, 1) { Source = RenderTimeSourceKind.DisplayGpuTime };
 
@@ -152,7 +152,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Gpu_AnyOrderOfLoads_RespondsToLoad()
+        public void GpuTime_AnyOrderOfLoads_RespondsToLoad()
         {
             var sweep = new SimulatedSweep(DefaultPlan, 3);
             var rows = sweep.Rows((t, v) => sweep.GpuMs(t, v));

@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         static double Truth(double t) => Math.Sin(3 * t);
 
-        // Mixes hold and a line.
+        // Returns a mixer of hold and a straight line.
         static Mixer Mixer(params CandidateGate[] candidates) => new Mixer(
             PredictionLimits.Unlimited, PredictionParts.All, new[] { new MixedForecaster(new PolynomialForecaster(1, 1)) }, candidates);
 
@@ -136,7 +136,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             }
         }
 
-        // Returns the true motion, or a constant position.
+        // Forecasts the true motion, or the position `Rest` if it is set, plus `Error`.
         sealed class Oracle : Forecaster
         {
             double _newest;

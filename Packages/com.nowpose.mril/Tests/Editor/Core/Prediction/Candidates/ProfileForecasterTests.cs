@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         [Test]
-        public void At_StartOfAMove_IsContinuedWithinTheLimits()
+        public void At_StartOfAMove_AccelerationPhaseIsPredicted()
         {
             var move = new SevenPhaseProfile(500, 1000, 5000, 50_000);
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         [Test]
-        public void At_OtherMotion_IsNotPredicted()
+        public void At_OtherMotion_IsRarelyPredicted()
         {
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
             var said = 0;

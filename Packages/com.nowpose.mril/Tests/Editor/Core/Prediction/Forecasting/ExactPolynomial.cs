@@ -3,7 +3,10 @@ using System.Numerics;
 
 namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
-    /// <summary>Computes the least squares of Eq. 8 in exact rational arithmetic, from the textbook form of the normal equations.</summary>
+    /// <summary>
+    /// Computes the least-squares polynomial of the paper's Eq. 8 in exact rational arithmetic, from the textbook form of the normal
+    /// equations.
+    /// </summary>
     static class ExactPolynomial
     {
         public static double ValueAt(double time, int degree, double[] times, double[] positions)
@@ -88,7 +91,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
             public double ToDouble()
             {
-                // Keeps 20 decimal digits more than a double holds, for values of any size.
+                // Keeps 60 decimal places, which are more digits than a double holds for values above 1e-43.
                 var scale = BigInteger.Pow(10, 60);
                 return (double)(_numerator * scale / _denominator) / 1e60;
             }

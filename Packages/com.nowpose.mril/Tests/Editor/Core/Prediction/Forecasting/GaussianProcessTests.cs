@@ -32,7 +32,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                 var process = new GaussianProcess();
                 Assert.That(process.Solve(Motion(times.Select(t => epoch + t).ToArray(), positions)));
 
-                // Rasmussen & Williams 2006, Eqs. 2.25 and 2.26. The samples give the variance of the motion.
+                // Rasmussen & Williams 2006, Eqs. 2.25 and 2.26. The variance of the motion is estimated from the samples.
                 var newest = times.Last();
                 var k = Matrix<double>.Build.Dense(5, 5, (i, j) => Kernel(times[i] - newest, times[j] - newest) + (i == j ? Noise : 0)).Cholesky();
                 var y = Vector<double>.Build.DenseOfEnumerable(positions.Select(p => p - positions.Last()));
@@ -95,7 +95,8 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             Assert.That(process.VarianceAt(0), Is.LessThan(4e-6));
         }
 
-        // Matérn kernel of order 7/2 in the general form of Eq. 4.16, with p = 3, about a line.
+        // Returns the Matérn kernel of order 7/2 plus the kernel of a random straight line. The Matérn kernel is computed from the general
+        // form, Rasmussen & Williams 2006, Eq. 4.16, with p = 3.
         static double Kernel(double a, double b)
         {
             var r = Math.Sqrt(7) * Math.Abs(a - b) / LengthScale;

@@ -151,7 +151,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             return times;
         }
 
-        /// <summary>Pairs of stamps: <paramref name="cluster"/> (s) between the stamps of a pair, 50 ms between pairs.</summary>
+        /// <summary>Returns pairs of stamps: about <paramref name="cluster"/> (s) between the stamps of a pair, 50 ms between pairs.</summary>
         static double[] Clustered(Random random, int count, double cluster)
         {
             var times = new double[count];

@@ -67,6 +67,24 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             Assert.That(noises, noise > 0 ? Is.GreaterThan(0.7) : Is.EqualTo(0), "seed " + Seed);
         }
 
+        [TestCase(2)]
+        [TestCase(10)]
+        [TestCase(60)]
+        public void Add_PauseDuringARestWithNoise_IsAtRestAgainWithinFiveSeconds(double pause)
+        {
+            for (var seed = 1; seed <= 50; seed++)
+            {
+                Restart();
+                _random = new Random(seed);
+                double Position(double t) => Math.Sin(2 * Math.Min(t, 10)) + Noise(1e-3);
+                Feed(0, 20, 0.05, Position);
+
+                Feed(20 + pause, 25 + pause, 0.05, Position);
+
+                Assert.That(_rest.IsAtRest, "seed " + seed);
+            }
+        }
+
         double Noise(double halfWidth) => halfWidth * (2 * _random.NextDouble() - 1);
 
         // Returns the fractions of the samples at rest and of those that are only noise.
@@ -75,8 +93,9 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             int rests = 0, noises = 0, count = 0;
             for (var t = from; t < to; t += interval, count++)
             {
+                var before = _history.Count > 0 ? t - _history.NewestTime : 0;
                 _history.Add(new JointSample(t, positionAt(t)));
-                _rest.Add(_history, interval);
+                _rest.Add(_history, before);
                 if (_rest.IsAtRest) rests++;
                 if (_rest.IsOnlyNoise) noises++;
             }

@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         static JointPredictor NewJoint() => TestPredictors.Polynomial(2, 4);
 
-        // Adds samples of two seconds, in order.
+        // Returns a joint with samples of two seconds, which were added in order.
         static JointPredictor FedJoint()
         {
             var joint = NewJoint();
@@ -47,7 +47,9 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(1, 2)]
         [TestCase(0.45, 2)]
         [TestCase(0.13, 2)]
-        [TestCase(0.12, 2, TestName = "Add_ClockWentBackByWholeIntervals_IsFollowed")]
+        [TestCase(0.12, 2, TestName = "Add_ClockWentBackBySixIntervals_IsFollowed")]
+        [TestCase(0.06, 2, TestName = "Add_ClockWentBackByThreeIntervals_IsFollowed")]
+        [TestCase(0.04, 2, TestName = "Add_ClockWentBackByTwoIntervals_IsFollowed")]
         public void Add_ClockWentBack_IsFollowedWithinAFewSamples(double seconds, int samples)
         {
             var joint = FedJoint();
@@ -177,7 +179,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_SampleOlderThanTheHistory_IsTooOld()
+        public void Add_SampleOlderThanTheHistory_IsDroppedAsLate()
         {
             var joint = FedJoint();
             var inOrder = FedJoint();

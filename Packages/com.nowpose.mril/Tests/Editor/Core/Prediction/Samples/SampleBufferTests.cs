@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.001)]
         [TestCase(0.002)]
         [TestCase(0.004)]
-        public void Adaptive_FastSource_Learns(double interval)
+        public void Adaptive_FastSource_IsMoreAccurateThanLinear(double interval)
         {
             var random = new Random(8);
             var adaptive = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Correct_JitteredSamplingWithTrueStamps_KeepsThem()
+        public void Correct_JitteredSamplingWithTrueStamps_KeepsTheStamps()
         {
             Assert.That(RmsErrorOfTheLast200(0.050, 0, 0.008, 0), Is.EqualTo(0), "seed " + Seed);
         }
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 if (Correct(t, t) != t) touched++;
             }
 
-            // Eight random stamps can look regular by chance; the ninth shows that they are not.
+            // A few random stamps in a row can look regular by chance.
             Assert.That(touched, Is.LessThan(25), "seed " + Seed);
         }
 
