@@ -19,7 +19,7 @@ static class ConsoleMessages
     public static string FfmpegReports(string path, int pictures, string report) =>
         $"nowpose: {path}: {pictures} pictures were read, but ffmpeg reports: {report}";
 
-    public static string MoreRejected(int count) => $"nowpose: {count} more were rejected";
+    public static string MoreRejected(int count) => $"nowpose: {count} more pictures were rejected";
 
     public static string LostLines(string path, long lines) =>
         $"nowpose: {path}: {lines} lines are missing, because the recording was slower than the session";

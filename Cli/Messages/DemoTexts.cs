@@ -14,7 +14,7 @@ static class DemoTexts
     public const string NeverLeft = "never left, no alarm";
 
     public static string Outside(string visuMs, string insideMs, string rmsMm, string inTimeMm) =>
-        $"L_visu {visuMs} ms, inside the range {insideMs} ms; error {rmsMm} mm RMS, in frames shown in time {inTimeMm} mm";
+        $"L_visu {visuMs} ms ({insideMs} ms inside the range); error {rmsMm} mm RMS ({inTimeMm} mm in frames shown in time)";
 
     public const string Subtitle =
         "What the headset would have shown, compared with the true position of the simulated robot at the display time.";

@@ -4,7 +4,8 @@ namespace Nowpose.Cli.Messages;
 static class ExchangeFileMessages
 {
     public static string NoRows(string path) => $"{path}: no rows below the header; at least one is needed";
-    public static string FieldCount(string path, int row, int fields, int expected) => $"{path}:{row}: {fields} fields; it must have {expected}";
+    public static string FieldCount(string path, int row, int fields, int expected) =>
+        $"{path}:{row}: the row has {fields} fields; it must have {expected}";
 
     public static string NotNanoseconds(string path, int row, string field, string text) =>
         $"{path}:{row}: {field}: '{text}' is not a whole number of nanoseconds (64 bits); correct it, or remove the row";

@@ -12,10 +12,10 @@ static class HeadsetMessages
     public static string NeverCurrent(string reason) => $"the pose was never current; {reason}";
 
     public static string RarelyCurrent(double percent, double minPercent, string reason) =>
-        FormattableString.Invariant($"the pose was current for {percent:0} % of the time, at least {minPercent:0} % is required; {reason}");
+        FormattableString.Invariant($"the pose was current for {percent:0} % of the time; at least {minPercent:0} % is required; {reason}");
 
     public static string Outage(double from, double? to, string pose, string reason) =>
-        FormattableString.Invariant($"from {from:0.0} to {to:0.0} s it was {pose}: {reason}");
+        FormattableString.Invariant($"from {from:0.0} to {to:0.0} s the pose was {pose}: {reason}");
 
     public static string CurrentAgain(double seconds, double outageSeconds) =>
         FormattableString.Invariant($"at {seconds:0.0} s: the pose is current again, after {outageSeconds:0.0} s");

@@ -18,5 +18,5 @@ static class PictureMessages
         $"{path}: frame {frame} is not later than the previous one; the times of this video cannot be used, convert it with ffmpeg";
 
     public static string NoFrames(string path, string reason) => $"{path}: ffprobe finds no frames in it: {reason}; film again";
-    public static string NoVideo(string path, string reason) => $"{path}: ffprobe finds no video in it; pass a video or pictures: {reason}";
+    public static string NoVideo(string path, string reason) => $"{path}: ffprobe finds no video in it: {reason}; pass a video or pictures";
 }

@@ -18,7 +18,7 @@ static class ReplayMessages
         + FormattableString.Invariant($"to {neededSeconds:G6} s; record a longer motion");
 
     public static string AllLost(double loss) =>
-        FormattableString.Invariant($"--loss {loss}: no sample arrived, so no frame could be scored; use a smaller share");
+        FormattableString.Invariant($"--loss {loss}: no sample arrived, so no frame could be evaluated; use a smaller share");
     public static string TooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in rad or m";
 
     public static string NothingScored(string path, int samples) =>

@@ -9,8 +9,8 @@ static class SessionFileMessages
     public static string NotWhole(string value) => $"is {value}; it must be a whole number (64 bits)";
     public static string NotFinite(string value) => $"is {value}; it must be a finite number";
     public static string Count(int count, int? expected) => $"has {count} numbers; it must have {expected}";
-    public static string ElementNotFinite(int element, string value) => $"has the element {element} {value}; it must be a finite number";
-    public static string ElementNotAString(int element, string value) => $"has the element {element} {value}; it must be a string";
+    public static string ElementNotFinite(int element, string value) => $"has {value} as element {element}; it must be a finite number";
+    public static string ElementNotAString(int element, string value) => $"has {value} as element {element}; it must be a string";
 
     public const string NotAnObject = "must be an object";
 

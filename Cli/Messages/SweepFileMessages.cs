@@ -7,7 +7,7 @@ static class SweepFileMessages
         $"{file}:{line}: the header is '{header}'; it must be {expected}";
 
     public static string NoRows(string file) => $"{file}: the header has no rows below it; a sweep log has one row for each frame; sweep again";
-    public static string FieldCount(string place, int fields, int expected) => $"{place}: {fields} fields; it must have {expected}";
+    public static string FieldCount(string place, int fields, int expected) => $"{place}: the row has {fields} fields; it must have {expected}";
 
     public static string UnknownSource(string field, string text, string allowed) =>
         $"{field}: '{text}' is not a source of render times; allowed: {allowed}, or nothing";

@@ -17,7 +17,7 @@ static class VlcMessages
         $"{others} of {all} render times of the sweep were measured with a source other than {source} and are not used";
 
     public static string OrderUnknown(double periodSeconds) =>
-        FormattableString.Invariant($"codes repeat after {periodSeconds:0.0} s, the sweep is longer, and the pictures are not in the order ")
+        FormattableString.Invariant($"the codes repeat after {periodSeconds:0.0} s, but the sweep is longer, and the pictures are not in the order ")
         + "in which they were taken: name the files so that they sort in that order";
 
     public const string UseSweepOfPictures = "use the log of the sweep that the pictures show";

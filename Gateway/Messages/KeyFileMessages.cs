@@ -21,10 +21,10 @@ static class KeyFileMessages
         $"{path}: the new certificate cannot be written ({reason}); check the folder's permissions";
 
     public static string Expired(string day) =>
-        $"certificate: expired on {day}, headsets refuse it; renew the file with the same key, no restart is needed";
+        $"certificate: expired on {day}, so headsets refuse it; renew the file with the same key; no restart is needed";
 
     public static string Expires(string day, double days) =>
-        FormattableString.Invariant($"certificate: expires on {day}, in {days:0.0} days; renew the file with the same key, no restart is ")
+        FormattableString.Invariant($"certificate: expires on {day}, in {days:0.0} days; renew the file with the same key; no restart is ")
         + "needed";
 
     public static string Renewed(string day) => $"certificate: renewed, valid to {day}";

@@ -130,7 +130,7 @@ public class SyncVerbTests
     [TestCase("", ":1: the header is ''")]
     [TestCase("a,b\n1,2\n", ":1: the header is 'a,b'; it must be t1_ns,t2_ns,t3_ns,t4_ns")]
     [TestCase(Header, "no rows below the header")]
-    [TestCase(Header + "1,2,3\n", ":2: 3 fields; it must have 4")]
+    [TestCase(Header + "1,2,3\n", ":2: the row has 3 fields; it must have 4")]
     [TestCase(Header + "1,2,,4\n", ":2: t3_ns: '' is not a whole number")]
     [TestCase(Header + "1,2,3,4\n1,2.5,3,4\n", ":3: t2_ns: '2.5' is not a whole number")]
     [TestCase(Header + "1,2,3,99999999999999999999\n", ":2: t4_ns: '99999999999999999999' is not a whole number")]

@@ -151,7 +151,7 @@ public class ReplayVerbTests
     [TestCase("t,a\n0,1\n1,x\n", "motion.csv:3: field 'a': 'x' is not a number")]
     [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not later than")]
     [TestCase("t,a\n1,1\n", "motion.csv: 1 rows of data")]
-    [TestCase("t,a\n0,1\n0.2,2\n", "are too short")]
+    [TestCase("t,a\n0,1\n0.2,2\n", "is too short")]
     public async Task Replay_InvalidFile_PrintsOneLineAndExits2(string content, string expected)
     {
         File.WriteAllText(_file, content);

@@ -83,7 +83,7 @@ public class SessionFileReaderTests
     [TestCase("{\"stamp_ns\":1}", "field 'kind' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'stamp_ns' is missing")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1.5,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1]}", "field 'arrival_ns' is 1.5; it must be a whole number")]
-    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' has the element 1 null; it must be a finite number")]
+    [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[null]}", "field 'position' has null as element 1; it must be a finite number")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":[\"a\"],\"position\":[1,2]}", "field 'position' has 2 numbers; it must have 1")]
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' must be an array")]
     [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' must be an array")]

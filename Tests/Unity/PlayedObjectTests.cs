@@ -154,7 +154,7 @@ public class PlayedObjectTests : PlayedParts
 
         Run(0.1);
 
-        Assert.That(_cell.Messages, Has.Exactly(1).Matches("stationary-objects.json, line 1: .*; kept as .*; place the objects again"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Matches("stationary-objects.json, line 1: .*; the file is kept as .*; place the objects again"));
         Assert.That((File.Exists(path), File.Exists(path + ".bad")), Is.EqualTo((false, true)));
     }
 

@@ -202,7 +202,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Vlc_EarlierProfileOfAnotherDevice_FailsBeforeReadingPictures() => await RefusedWith(
-        "earlier.json: latency profile was measured on device 'Quest 3', this device is 'HoloLens 2'",
+        "earlier.json: latency profile was measured on device 'Quest 3', but this device is 'HoloLens 2'",
         "vlc", Write("a.png", []), "--sweep", Write("sweep.csv", [SweepLog.Header, "5,0,4,display_gpu_time,HoloLens 2,60"]),
         "--profile", ProfileOfAnother("Quest 3"));
 
@@ -216,7 +216,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [Test]
     public async Task Nudge_EarlierProfileOfAnotherDevice_Fails() => await RefusedWith(
-        "latency profile was measured on device 'Quest 3', this device is 'HoloLens 2'",
+        "latency profile was measured on device 'Quest 3', but this device is 'HoloLens 2'",
         [.. Nudge, "--device", "HoloLens 2", "--profile", ProfileOfAnother("Quest 3")]);
 
     [TestCase("0")]

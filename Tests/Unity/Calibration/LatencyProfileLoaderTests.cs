@@ -116,7 +116,8 @@ public sealed class LatencyProfileLoaderTests
         Play();
 
         Assert.That(VisuMs, Is.EqualTo(52));
-        Assert.That(_loader.Problem, Is.EqualTo(Saved + ": latency profile was measured on device 'HoloLens 2', this device is 'Stand-in'; calibrate this device"));
+        Assert.That(_loader.Problem, Is.EqualTo(
+            Saved + ": latency profile was measured on device 'HoloLens 2', but this device is 'Stand-in'; calibrate this device"));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] " + _loader.Problem));
     }
 
@@ -147,7 +148,8 @@ public sealed class LatencyProfileLoaderTests
 
         Assert.That(before, Is.EqualTo(51), "not compared while it was not known");
         Assert.That(VisuMs, Is.EqualTo(40));
-        Assert.That(_loader.Problem, Does.EndWith("latency profile was measured at 60 Hz, this display shows 90 Hz; calibrate at this refresh rate"));
+        Assert.That(_loader.Problem, Does.EndWith(
+            "latency profile was measured at 60 Hz, but this display shows 90 Hz; calibrate at this refresh rate"));
     }
 
     [Test]
@@ -162,8 +164,8 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(VisuMs, Is.EqualTo(51));
         Assert.That(_session.Statistics.ProfileMismatches.Single().Field, Is.EqualTo("graphics_api"));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo(
-            "[Nowpose] latency profile was measured with graphics API 'Direct3D12', this device has 'Direct3D11'; calibrate again, or set it back "
-            + "(Project Settings, Player)"));
+            "[Nowpose] latency profile was measured with graphics API 'Direct3D12', but this device has 'Direct3D11'; calibrate again, or restore "
+            + "the setting (Project Settings, Player)"));
     }
 
     [Test]
@@ -180,7 +182,7 @@ public sealed class LatencyProfileLoaderTests
         _cell.Run(0.1, _session);
 
         Assert.That(before, Is.Zero);
-        Assert.That(_cell.Messages, Has.Exactly(1).Contains("reprojection mode 'depth', this device has 'none'"));
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains("reprojection mode 'depth', but this device has 'none'"));
     }
 
     [Test]

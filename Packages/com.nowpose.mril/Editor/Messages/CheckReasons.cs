@@ -52,7 +52,8 @@ namespace Nowpose.Editor.Messages
         public const string HandTracking = "This feature provides the joints of the hands for MRTK3's hand menu and for grabbing.";
         public const string HandInteraction = "This feature provides pinch and ray of a hand for MRTK3.";
         public const string EyeGaze = "Needed by MRTK3 to select a button by looking at it and pinching.";
-        public const string DepthSubmission = "The headset stabilises the picture with the depth of the scene; 24 bits cost more than they improve.";
+        public const string DepthSubmission =
+            "The headset stabilises the picture with the depth of the scene. 24 bits are slower and improve the picture little.";
         public const string InternetClient = "Needed to connect to a gateway in another network or by its public address.";
         public const string PrivateNetwork = "Needed to connect to a gateway in the same private network, which is the usual case.";
         public const string WebCam = "Needed to find the robot's base by a marker with the headset's camera.";

@@ -26,7 +26,7 @@ namespace Nowpose.Editor.Messages
 
         public static string VertexNumbers(int count) => $"a vertex has {count} numbers; it needs 3; export the mesh again";
 
-        public const string NoEndSolid = "the file ends without endsolid; it is incomplete, export it again";
+        public const string NoEndSolid = "the file ends without endsolid, so it is incomplete; export it again";
 
         public static string NotANumber(string word) => $"'{word}' is not a finite number; export the mesh again";
         public static string FileTooLong(string file, long bytes, long max) => $"{file}: {bytes} bytes; the maximum is {max}; simplify the mesh";
@@ -40,7 +40,7 @@ namespace Nowpose.Editor.Messages
             $"{file}: {count} triangles or more; the maximum is {max}; simplify the mesh";
 
         public static string OtherLength(string file, int offset, uint triangles, long expected, long actual) => actual < expected
-            ? $"{file}, byte {offset}: {triangles} triangles take {expected} bytes, the file has {actual}; it is incomplete, export it again"
-            : $"{file}, byte {offset}: {triangles} triangles take {expected} bytes, the file has {actual}; export it again";
+            ? $"{file}, byte {offset}: {triangles} triangles take {expected} bytes, but the incomplete file has {actual}; export it again"
+            : $"{file}, byte {offset}: {triangles} triangles take {expected} bytes, but the file has {actual}; export it again";
     }
 }

@@ -11,7 +11,7 @@ namespace Nowpose.Messages
         public static string NotTrusted(SslPolicyErrors errors) => $"certificate: not trusted by this device ({errors}); install it or use its pin";
 
         public static string OtherPin(CertificatePin pin, CertificatePin expected) =>
-            $"certificate: its pin is {pin}, expected {expected}; this is another server, or the gateway has a new key; pair again or correct "
+            $"certificate: its pin is {pin}, but {expected} is expected; this is another server, or the gateway has a new key; pair again or correct "
             + "the pin";
 
         public static string Expired(string day) => $"certificate: expired on {day}; renew it on the gateway";

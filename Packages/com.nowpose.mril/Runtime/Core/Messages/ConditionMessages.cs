@@ -4,13 +4,14 @@ namespace Nowpose.Messages
     static class ConditionMessages
     {
         public static string OtherDevice(string calibrated, string actual) =>
-            $"latency profile was measured on device '{calibrated}', this device is '{actual}'; calibrate this device";
+            $"latency profile was measured on device '{calibrated}', but this device is '{actual}'; calibrate this device";
 
         public static string OtherRate(string calibrated, string actual) =>
-            $"latency profile was measured at {calibrated} Hz, this display shows {actual} Hz; calibrate at this refresh rate";
+            $"latency profile was measured at {calibrated} Hz, but this display shows {actual} Hz; calibrate at this refresh rate";
 
         public static string Other(string label, string calibrated, string actual, string place) =>
-            $"latency profile was measured with {label} '{calibrated}', this device has '{actual}'; calibrate again, or set it back ({place})";
+            $"latency profile was measured with {label} '{calibrated}', but this device has '{actual}'; calibrate again, or restore "
+            + $"the setting ({place})";
 
         public const string PlaceOfQuality = "Project Settings, Graphics and Quality";
         public const string PlaceOfOpenXr = "Project Settings, XR Plug-in Management, OpenXR";

@@ -63,7 +63,7 @@ namespace Nowpose.Messages
             $"the reply is not a sync frame: {fault}; check that host and sync port are those of a gateway";
 
         public static string OtherSyncFrame(SyncFrameKind kind, SyncFrameKind expected) =>
-            $"the reply is a frame of kind {kind}, expected {expected}; check that host and sync port are those of a gateway";
+            $"the reply is a frame of kind {kind} instead of {expected}; check that host and sync port are those of a gateway";
 
         public static string MessageTooLong(int max) => $"a message of more than {max} bytes";
         public static string MessageTooSlow(double seconds) =>

@@ -9,12 +9,12 @@ namespace Nowpose.Messages
             FormattableString.Invariant($"time, position and order must be finite; they are {time} s, ({x}, {y}, {z}) m, {order} s");
 
         public const string RotationLength = "the rotation has length 0; a unit quaternion is needed";
-        public const string ClosedAtUnknownTime = "the gripper closed at an unknown time, so the held object is unknown; open and close it";
+        public const string ClosedAtUnknownTime = "the gripper closed at an unknown time, so the held object is unknown; open and close the gripper";
 
         public const string SignalRestarted =
-            "the gripper's signal restarted while the gripper was closed, so the held object is unknown; open and close it";
+            "the gripper's signal restarted while the gripper was closed, so the held object is unknown; open and close the gripper";
 
-        public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close it";
+        public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close the gripper";
         public const string List = "list of stationary frames";
 
         public static string NotUnitQuaternion(string tolerance) => $"a rotation must be a quaternion with the norm 1 within {tolerance}";

@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Messages
         public static string NoFontMaterial(string component) =>
             $"font texture '{component}' has no font material, so its letters are blocks; assign the material below the font";
 
-        public static string GhostWithoutRig(string component) => $"ghost '{component}' has no rig beside it for the comparison; assign one";
+        public static string GhostWithoutRig(string component) => $"ghost '{component}' has no displayed rig for the comparison; assign one";
         public static string GripWithoutRig(string component) => $"grip by reach '{component}' has no rig on a parent; assign one";
         public static string NudgeWithoutRig(string component) => $"latency nudge '{component}' has no rig below the session; assign one";
 

@@ -17,7 +17,7 @@ namespace Nowpose.Unity.Messages
             $"robot '{robot}': link '{link}' is scaled, and so are its children; scale the visible object instead";
 
         public static string MissingLink(string robot, string parent, string rig, string link, string joint, string where) =>
-            $"robot '{robot}': below link '{parent}' in '{rig}' link '{link}' of joint '{joint}' {where}; name an object after each link of the "
+            $"robot '{robot}': below link '{parent}' in '{rig}', link '{link}' of joint '{joint}' {where}; name an object after each link of the "
             + "URDF and nest the objects in the same way";
 
         public static string NoUrdf(string asset) => $"'{asset}': contains no URDF; load the URDF of the robot";

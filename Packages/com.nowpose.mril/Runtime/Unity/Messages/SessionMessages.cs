@@ -19,7 +19,7 @@ namespace Nowpose.Unity.Messages
         public const string LatenciesDiffer =
             "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again";
 
-        public const string PlausibleAgain = "display times of the runtime are plausible again, and used";
+        public const string PlausibleAgain = "display times of the runtime are plausible again and are used";
 
         /// <param name="joints">Description of the joints without data; empty if these joints are unknown.</param>
         public static string Stale(string joints) =>

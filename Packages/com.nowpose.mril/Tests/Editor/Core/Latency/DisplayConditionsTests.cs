@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency
             foreach (var mismatch in mismatches)
                 Assert.That(mismatch.Words, Does.Contain(mismatch.Calibrated).And.Contain(mismatch.Actual).And.Contain("; calibrate "));
             Assert.That(mismatches[2].Words, Is.EqualTo(
-                "latency profile was measured with graphics API 'Direct3D11', this device has 'Vulkan'; calibrate again, or set it back "
+                "latency profile was measured with graphics API 'Direct3D11', but this device has 'Vulkan'; calibrate again, or restore the setting "
                 + "(Project Settings, Player)"));
         }
 

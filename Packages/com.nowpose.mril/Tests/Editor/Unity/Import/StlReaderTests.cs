@@ -81,8 +81,8 @@ namespace Nowpose.Tests.Unity.Import
         [TestCase("", "a.stl, byte 0: the file ends within its header")]
         [TestCase("soli", "a.stl, byte 4: the file ends within its header")]
         [TestCase("solid empty\nendsolid\n", "a.stl: the mesh has no triangles")]
-        [TestCase("solid a\n", "a.stl:1: the file ends without endsolid; it is incomplete, export it again")]
-        [TestCase("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: the file ends without endsolid; it is incomplete, export it again")]
+        [TestCase("solid a\n", "a.stl:1: the file ends without endsolid, so it is incomplete; export it again")]
+        [TestCase("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "a.stl:4: the file ends without endsolid, so it is incomplete; export it again")]
         [TestCase("solid a\nfacet\nvertex 0 0\n", "a.stl:3: a vertex has 2 numbers; it needs 3")]
         [TestCase("solid a\nfacet\nvertex 0 0 nan\n", "a.stl:3: 'nan' is not a finite number")]
         [TestCase("solid a\nfacet\nvertex 0 0 1e99\n", "a.stl:3: '1e99' is not a finite number")]
@@ -117,7 +117,9 @@ namespace Nowpose.Tests.Unity.Import
         {
             var content = Binary(header, Lower, Upper);
 
-            Refuses(content.Take(content.Length - 1).ToArray(), "a.stl, byte 80: 2 triangles take 184 bytes, the file has 183; it is incomplete, export it again");
+            Refuses(
+                content.Take(content.Length - 1).ToArray(),
+                "a.stl, byte 80: 2 triangles take 184 bytes, but the incomplete file has 183; export it again");
         }
 
         [Test]
@@ -126,7 +128,7 @@ namespace Nowpose.Tests.Unity.Import
             var content = Binary("exported", Lower, Upper);
             content[80] = 1;
 
-            Refuses(content, "a.stl, byte 80: 1 triangles take 134 bytes, the file has 184");
+            Refuses(content, "a.stl, byte 80: 1 triangles take 134 bytes, but the file has 184");
         }
 
         [Test]
