@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(signal.Next(At(6)), Is.False);
         }
 
-        // Each message contains the true value at its stamp. Whatever the order of arrival, the last visible value is that of the newest
+        // Each message contains the true value at its stamp. In any order of arrival, the last visible value is that of the newest
         // stamp, and no value is shown twice in succession.
         [Test]
         public void Add_AnyOrderOfTrueValues_EndsWithTheNewestAndShowsChangesOnly([Range(1, 200)] int seed)
