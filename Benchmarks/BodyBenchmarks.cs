@@ -19,7 +19,7 @@ public class BodyBenchmarks
     public void Prepare()
     {
         _predictor = new BodyPredictor(Predictors.Default, new PredictionLimits());
-        // Adds samples of two minutes, which fill the history of template matching.
+        // Adds two minutes of samples, which fill the history of template matching.
         for (var k = 0; k < 6000; k++) Add();
     }
 

@@ -16,7 +16,7 @@ sealed class CellScene : IDisposable, IHeadsetClock
     const double FrameSeconds = 1 / 60.0;
     const string Prefab = "Packages/com.nowpose.mril/Runtime/Prefabs/Nowpose Robot Cell.prefab";
 
-    // Sets the field as its check box in the Inspector does.
+    // The field that a check box in the Inspector sets.
     static readonly FieldInfo ConnectOnEnable =
         typeof(MrilSession).GetField("_connectOnEnable", BindingFlags.Instance | BindingFlags.NonPublic);
 
@@ -53,7 +53,7 @@ sealed class CellScene : IDisposable, IHeadsetClock
         _player.Step(_frame * FrameSeconds);
     }
 
-    /// <summary>Only delivers the samples of the plants that are due in the next frame.</summary>
+    /// <summary>Delivers the samples that are due in the next frame, without running the player loop.</summary>
     public void Receive()
     {
         _frame++;

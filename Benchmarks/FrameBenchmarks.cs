@@ -9,7 +9,7 @@ namespace Nowpose.Benchmarks;
 /// <summary>
 /// Measures one frame of the seven-joint arm, 75 to 125 ms after the newest sample. The naive method for comparison solves Schnierle &amp;
 /// Röck 2022, Eq. (8), for each joint in each frame, without kinematics. By default, MathNet solves even three equations on several
-/// threads. That takes most of the naive method's time, and several times as much while other programs run.
+/// threads. Most of the naive method's time is the cost of these threads, which is several times higher while other programs run.
 /// </summary>
 public class FrameBenchmarks
 {

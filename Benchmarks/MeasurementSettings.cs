@@ -7,7 +7,7 @@ using Perfolizer.Horology;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>Settings of all benchmarks. Each method runs in a separate process, and all of them take about a minute.</summary>
+/// <summary>Settings of all benchmarks. Each method runs in a separate process. All methods together take about a minute.</summary>
 static class MeasurementSettings
 {
     public static IConfig Create() => ManualConfig.CreateEmpty()

@@ -33,7 +33,7 @@ static class ResultTable
         return $"| {what} | {Time(report.ResultStatistics.Mean)} ± {Time(report.ResultStatistics.StandardError)} | {bytes} B |";
     }
 
-    // Compares with the fastest naive frame. Additional time of the others is caused by other programs and would distort the ratio.
+    // Compares with the fastest naive frame. The other naive frames take longer because of other programs, which would distort the ratio.
     static void WriteRatios(Summary summary, TextWriter to)
     {
         if (StatisticsOf(summary, nameof(SampleBenchmarks.SolveDefaultAt100Hz))?.Mean is { } samples)

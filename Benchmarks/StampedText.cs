@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks;
 
-/// <summary>The bytes of a JSON message of seven joints. Its time stamp can be changed in place, so that sending it again costs nothing.</summary>
+/// <summary>The bytes of a JSON message of seven joints. Its time stamp is changed in place, so that the message is formatted only once.</summary>
 sealed class StampedText
 {
     // Maximum lengths of the two parts of a time stamp. Shorter ones are padded with blanks, which JSON allows.

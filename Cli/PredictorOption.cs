@@ -4,7 +4,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Cli;
 
-/// <c>--predictor</c>: accepts the listed names, and polynomials with any history.
+/// <summary><c>--predictor</c>: accepts the listed names, and polynomials with any history.</summary>
 static class PredictorOption
 {
     public static Option<string> Create()

@@ -77,7 +77,7 @@ public sealed class GatewayServer : IAsyncDisposable
             RosbridgeServer.CountFragmentsAsync);
     }
 
-    /// <summary>The endpoint with the actual port, also if port 0 was requested.</summary>
+    /// <summary>The endpoint with the actual port, even if port 0 was requested.</summary>
     public IPEndPoint SyncEndPoint => _sync.EndPoint;
 
     /// <inheritdoc cref="SyncEndPoint"/>

@@ -65,7 +65,7 @@ test('finds all codes of a kind', async () => {
   assert.deepEqual(codes.map(code => code.kind).sort(), ['Control', 'Control', 'Headset']);
 });
 
-test('finds a weak code beside a bright one wherever it is found without the bright one', async () => {
+test('finds a weak code beside bright codes at each position where it is found without them', async () => {
   const weak = [control, headset].flatMap(code => Array.from({ length: 8 }, (_, i) => {
     const isLeds = code === control;
     return {
@@ -147,7 +147,7 @@ test('names the format of a HEIC picture', async () => {
   }
 });
 
-test('recognises mirrored codes and reports none', async () => {
+test('recognises a mirrored picture and reports no codes in it', async () => {
   const mirrored = code => ({ ...code, corners: [1, 0, 3, 2].map(i => code.corners[i]) });
 
   const [seen, upright, empty] = await ask({ shot: shot([mirrored(control), mirrored(headset)]) }, { shot: shot([control, headset]) }, { shot: shot([]) });
@@ -202,7 +202,7 @@ test('reads overexposed LEDs in a colour that is not clipped', async () => {
   }
 });
 
-test('measures the light of another board between the cells', async () => {
+test('reports a larger residual if another board shows through the gaps between the cells', async () => {
   const board = { ...control, corners: square(400, 360, 130, 0.1), panel: 0.03, dot: 0.7 };
   // Seen through the gaps of the board in front.
   const other = { ...control, corners: square(418, 383, 120, 0.25), lit: lit('Control').map(share => 1 - share), panel: null };

@@ -14,7 +14,7 @@ const withPlots = 'src/page.html';
 const templates = { report: withPlots, figures: withPlots, calibration: withPlots, vlc: 'src/vlc/vlc.html', pairing: 'src/pairing/pairing.html', operations: 'src/operations/operations.html' };
 
 // Each page contains the licences of the code that it includes.
-// qrcode-generator names its author and the MIT licence only in its source. The text of the MIT licence is taken from ours.
+// qrcode-generator names its author and the MIT licence only in its source. The text of the MIT licence is taken from Nowpose's own licence.
 const mit = read('../LICENSE').replace(/^[^]*?(?=Permission is hereby granted)/, '');
 const maker = /Copyright \(c\) [^\r\n]*/.exec(read('node_modules/qrcode-generator/dist/qrcode.mjs'))[0];
 
@@ -23,7 +23,7 @@ const licences = {
   uPlot: read('node_modules/uplot/LICENSE'),
   'qrcode-generator': `${maker}\n\n${mit}`,
   'three.js': read('node_modules/three/LICENSE'),
-  // urdf-loader contains only a notice. The text of its licence is the same in every package, so it is taken from another one.
+  // urdf-loader contains only a notice. The text of its licence is the same in every package, so it is taken from playwright-core.
   'urdf-loader': `${readme.slice(readme.indexOf('Copyright ©')).trim()}\n\n${read('node_modules/playwright-core/LICENSE').replace(/(?<=END OF TERMS AND CONDITIONS)[^]*/, '')}`,
 };
 const plots = ['uPlot'], robots = ['three.js', 'urdf-loader'];

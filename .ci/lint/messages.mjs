@@ -1,4 +1,4 @@
-// Defines the rule nowpose/messages: texts for users must be in the message catalogue of a product, the folder `messages` of its sources.
+// Defines the rule nowpose/messages: a product's texts for users must be in its message catalogue, which is the folder `messages` of its sources.
 // Justified exceptions are marked with eslint-disable-next-line and the reason.
 
 const MAX_WORDS = 3;

@@ -6,7 +6,7 @@ const parametersOf = text => /^\(?([\w$,\s]*?)\)?\s*=>/.exec(text)?.[1].split(',
 /**
  * Gets the texts of a catalogue with their names.
  * @param catalogue The exports of the catalogue's files: objects that contain texts, and functions that return texts.
- * @param samples A value for each parameter of the functions, by the name of the parameter.
+ * @param samples Sample values for the parameters of the functions; the keys are the names of the parameters.
  */
 export function textsOf(catalogue, samples) {
   const texts = {};

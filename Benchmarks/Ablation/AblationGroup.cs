@@ -6,7 +6,7 @@ using Nowpose.Studies;
 namespace Nowpose.Benchmarks.Ablation;
 
 /// <summary>
-/// A group of runs that is reported in one row: recordings, simulated motions, or simulated motions with errors of the time stamps.
+/// A group of runs that is reported in one row: recordings, simulated motions, or simulated motions with errors in the time stamps.
 /// </summary>
 /// <param name="name">Name of the group in the table.</param>
 sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)

@@ -7,7 +7,7 @@ namespace Nowpose.Benchmarks.Comparison;
 /// <summary>The compared predictors: those of Nowpose and others. The others have the constants that are best for all conditions together.</summary>
 /// <remarks>
 /// The constants are results of <see cref="Tuning"/> with its own seeds, for positions in mm. Nowpose's predictors have default settings
-/// and no limits. <see cref="Conditions.CheckingSeeds"/> were used to tune none of them. The tuned filters smooth very little: in a
+/// and no limits. No predictor was tuned with <see cref="Conditions.CheckingSeeds"/>. The tuned filters smooth very little: in a
 /// prediction 100 ms ahead, the lag caused by smoothing outweighs the reduction of the noise.
 /// </remarks>
 public static class Candidates

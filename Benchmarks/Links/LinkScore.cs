@@ -46,7 +46,7 @@ sealed class LinkScore
             Rms(hold) > 0 ? 1 - Rms(shown) / Rms(hold) : null, Rms(hold), Rms(shown), Percentile(shown, 0.95),
             Percentile(errors, 0.5), Percentile(errors, 0.99), Percentile(errors, 1),
             Percentile(stated.Select(frame => frame.StatedError.Value.TotalMicroseconds), 0.5),
-            // A frame without a stated error counts as not within it.
+            // A frame without a stated error counts as outside the stated error.
             clock.Count == 0 ? null : clock.Average(frame => ClockError(frame) <= frame.StatedError ? 1.0 : 0),
             Greatest(stalls, stall => FirstAfter(stall.From, isCurrent: false)), Greatest(stalls, stall => FirstAfter(stall.To, isCurrent: true)))
         {
@@ -90,7 +90,7 @@ sealed class LinkScore
             if (from > _scored[0].Start) yield return (from, from + profile.StallLength);
     }
 
-    // Without such a frame, returns the time to the end of the run.
+    // Gets the time until the next frame whose pose is current, or not current, in s. Without such a frame, gets the time to the last scored frame.
     double FirstAfter(HeadsetTime time, bool isCurrent) =>
         ((_scored.FirstOrDefault(frame => frame.Start >= time && frame.IsCurrent == isCurrent) ?? _scored[^1]).Start - time).TotalSeconds;
 

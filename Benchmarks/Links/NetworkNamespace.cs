@@ -24,7 +24,7 @@ sealed class NetworkNamespace : IDisposable
         Ip("netns", "add", created._name);
         try
         {
-            created.Tun = OnThreadOfItsOwn(() =>
+            created.Tun = RunOnNewThread(() =>
             {
                 LinuxCalls.Enter(Path.Combine(Folder, created._name));
                 return LinuxCalls.CreateTun(Device);
@@ -76,7 +76,7 @@ sealed class NetworkNamespace : IDisposable
     }
 
     // Runs work on a new thread. A thread stays in the namespace that it entered, so it must not be reused.
-    static T OnThreadOfItsOwn<T>(Func<T> work) =>
+    static T RunOnNewThread<T>(Func<T> work) =>
         Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).GetAwaiter().GetResult();
 
     static string Ip(params string[] arguments)

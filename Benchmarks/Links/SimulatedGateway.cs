@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// Runs <c>gateway simulate</c> in a separate process, which ends with its network namespace.
+/// <summary>Runs <c>gateway simulate</c> in a separate process, which ends with its network namespace.</summary>
 sealed class SimulatedGateway
 {
     static readonly TimeSpan StartTimeout = TimeSpan.FromSeconds(60);

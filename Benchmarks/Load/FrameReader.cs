@@ -4,8 +4,8 @@ using System.Buffers.Text;
 namespace Nowpose.Benchmarks.Load;
 
 /// <summary>
-/// Reads WebSocket frames (RFC 6455) and the time stamps of rosbridge's joint states. Minimal, because 200 clients share a machine with the
-/// gateway.
+/// Reads WebSocket frames (RFC 6455) and the time stamps of rosbridge's joint states. Uses little processor time, because 200 clients share a
+/// machine with the gateway.
 /// </summary>
 sealed class FrameReader
 {

@@ -3,7 +3,7 @@ using Nowpose.Cli;
 namespace Nowpose.Benchmarks.Load;
 
 /// <summary>Compares the P99 of the forwarding latency of two builds of the gateway in alternating runs under the same load.</summary>
-/// <remarks>The two runs of a round follow each other, so that other load on the machine affects both. The order alternates.</remarks>
+/// <remarks>The two runs of a round follow each other, so that other load on the machine affects both. Their order changes in each round.</remarks>
 /// <param name="rounds">Results of this build and of the other build in each round.</param>
 sealed class LoadComparison(IReadOnlyList<(LoadResult Own, LoadResult Other)> rounds)
 {

@@ -6,7 +6,10 @@ namespace Nowpose.Benchmarks.Load;
 /// <summary>gateway: measures a gateway with hundreds of headsets.</summary>
 static class LoadVerb
 {
-    /// <summary>Number of additional connections: the sampled headset, a headset that stops reading and its predecessor, and the truth.</summary>
+    /// <summary>
+    /// Number of additional connections: those of the sampled headset, of a headset that stops reading (new and previous connection), and of the
+    /// measurement of the true time.
+    /// </summary>
     const int OtherConnections = 16;
 
     const int MaxConnections = 10_000;

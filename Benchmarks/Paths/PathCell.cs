@@ -13,9 +13,9 @@ sealed class PathCell
     const double MinSkewLimitPpm = 5;
 
     /// <summary>
-    /// Maximum deviation of the skew relative to that without a change. If the minimum delays of both directions have changed, the exchanges
-    /// before and after the change can only be fitted separately. Each part has half of the exchanges in half of the time, which doubles the
-    /// standard error.
+    /// Maximum deviation of the skew relative to the deviation without a change. If the minimum delays of both directions have changed, the
+    /// exchanges before and after the change can only be fitted separately. Each part has half of the exchanges in half of the time, so the
+    /// mean of both fits has twice the standard error.
     /// </summary>
     const double SkewFactor = 2;
 
@@ -65,8 +65,8 @@ sealed class PathCell
     }
 
     /// <summary>
-    /// Gets error and physical limit, skew, minimum share within the stated error, and mean stated error. ** marks a limit that is not
-    /// kept.
+    /// Gets the error and its physical limit, the deviation of the skew, the minimum share within the stated error, and the mean stated error, in
+    /// bold type if a limit is not kept.
     /// </summary>
     public override string ToString()
     {

@@ -2,7 +2,7 @@ namespace Nowpose.Benchmarks.Paths;
 
 /// <summary>A change of a path's minimum delays.</summary>
 /// <param name="Name">Description of the change in the table.</param>
-/// <param name="Extra">Gets the additional delays, relative to the size of the change, from the time since the change, s; negative before it.</param>
+/// <param name="Extra">Gets the additional delays, relative to the size of the change, at a time since the change, s; negative before it.</param>
 /// <param name="Limit">Minimum error of any estimator after the change, relative to its size: half the difference between both directions.</param>
 sealed record PathChange(string Name, Func<double, (double Up, double Down)> Extra, double Limit)
 {

@@ -4,10 +4,10 @@ using Nowpose.Sync;
 namespace Nowpose.Benchmarks.Paths;
 
 /// <summary>Errors of a clock estimator while a path changes, in virtual time. Exchanges use TCP on a lossy link.</summary>
-/// <param name="ErrorMs">Maximum error from 5 s after the change on, ms.</param>
-/// <param name="SkewPpm">Maximum deviation of the skew from its value before the change, from 5 s after the change on, ppm.</param>
-/// <param name="Within">Share of this time in which the error does not exceed the stated error.</param>
-/// <param name="StatedMs">Mean stated error in this time, ms.</param>
+/// <param name="ErrorMs">Maximum error from 5 s after the change on, ms. The other values are for the same period.</param>
+/// <param name="SkewPpm">Maximum deviation of the skew from its value before the change, ppm.</param>
+/// <param name="Within">Share of the period in which the error does not exceed the stated error.</param>
+/// <param name="StatedMs">Mean stated error, ms.</param>
 readonly record struct PathRun(double ErrorMs, double SkewPpm, double Within, double StatedMs)
 {
     const double ChangeAt = 150, Length = 400, Settling = 5, Step = 0.1;

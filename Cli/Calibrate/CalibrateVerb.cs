@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate</c>: measures the visualisation latency and the constant-latency range. Each method is a subcommand.
+/// <summary><c>calibrate</c>: measures the visualisation latency and the constant-latency range. Each method is a subcommand.</summary>
 static class CalibrateVerb
 {
     public static Command Create() => new(

@@ -5,7 +5,7 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>Options that state the conditions of a measurement whose files do not contain them: device, display rate and others.</summary>
+/// <summary>Options for the conditions of a measurement that its files do not contain: device, display rate and others.</summary>
 sealed class DeviceOptions
 {
     readonly Option<string> _device = new("--device")

@@ -7,7 +7,9 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
+/// <summary>
 /// <c>calibrate head PICTURES</c>: measures the latency that remains for head motion, from pictures of both codes, taken through a moving headset.
+/// </summary>
 static class HeadVerb
 {
     static readonly Argument<string[]> Pictures = new("PICTURES")

@@ -5,7 +5,9 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Cli.Calibrate;
 
+/// <summary>
 /// <c>calibrate nudge</c>: measures L_visu by eye, from the offsets at which hologram and robot coincide in two directions of motion.
+/// </summary>
 static class NudgeVerb
 {
     static readonly Option<double> Speed = NumberOption.Create("--speed-mm-s", "Constant speed of the tool", 0.0, 1, 10_000, "mm/s");

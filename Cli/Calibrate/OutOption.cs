@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>--out</c> and <c>--json</c>: options that all calibration methods share.
+/// <summary><c>--out</c> and <c>--json</c>: options that all calibration methods share.</summary>
 static class OutOption
 {
     public static Option<string> Create() => new("--out")

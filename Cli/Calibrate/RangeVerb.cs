@@ -37,7 +37,7 @@ static class RangeVerb
         return ExitStatus.Done;
     }
 
-    // Requires that the render time changes with the load. Otherwise no limit can be found or monitored. Needs the loads.
+    // Throws if the render time does not increase with the load, because no limit can then be found or monitored. Skipped for fewer than three loads.
     static void RequireRise(IReadOnlyList<MeasuredPicture> pictures, string file, string source)
     {
         const double MinRise = 0.1;

@@ -6,7 +6,7 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <c>calibrate vlc PICTURES</c>: measures L_visu from pictures that show the control's and the headset's code at the same time.
+/// <summary><c>calibrate vlc PICTURES</c>: measures L_visu from pictures that show both the control code and the headset's code.</summary>
 static class VlcVerb
 {
     /// <summary>Maximum number of rejected pictures that are listed individually.</summary>

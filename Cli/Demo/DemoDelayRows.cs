@@ -3,7 +3,7 @@ using Nowpose.Cli.Messages;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>Reports, in table and report, the frames that this machine started late. Has no rows if there were very few.</summary>
-/// <remarks>A late frame shows the pose of its actual time. Samples and sync exchanges can be late, too; this is not measured.</remarks>
+/// <remarks>A late frame shows the pose for its actual start time. Samples and sync exchanges can be late, too; this is not measured.</remarks>
 sealed class DemoDelayRows(DemoFrames frames)
 {
     /// <summary>Minimum delay of a frame that counts as late: half a frame interval.</summary>

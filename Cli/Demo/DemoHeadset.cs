@@ -7,7 +7,9 @@ using UnityEngine;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Plays the package's sample scene on the stand-in engine as the headset, and reads the displayed poses from its transforms.</summary>
+/// <summary>
+/// Simulates the headset: plays the package's sample scene on the stand-in engine, and reads the displayed poses from the scene's transforms.
+/// </summary>
 sealed class DemoHeadset : IDemoHeadset
 {
     const string Package = "Packages/com.nowpose.mril/";

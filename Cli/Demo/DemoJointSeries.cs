@@ -3,7 +3,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Gets true, received and displayed position of one joint over time, for Fig. 16.</summary>
+/// <summary>Gets the true, the received and the displayed position of one joint over time, for Fig. 16.</summary>
 sealed class DemoJointSeries(DemoRun run, ControlTime start)
 {
     readonly int _joints = run.Settings.Robot.MovingJoints.Count;
@@ -27,7 +27,7 @@ sealed class DemoJointSeries(DemoRun run, ControlTime start)
         };
     }
 
-    // The uncompensated value changes when a sample arrives, so its first frame is the first in which the sample is visible.
+    // The uncompensated value changes when a sample arrives, so each change is the first frame in which a sample is visible.
     object Received(int joint, List<int> shown, List<double> times)
     {
         var held = shown.Select(frame => run.Frames.Held(frame, joint)).ToList();

@@ -27,7 +27,7 @@ sealed class DemoRange(DemoRun run, IReadOnlyList<DemoError> errors)
     /// <summary>RMS error of the compensated tool over the scored frames outside the range, mm; null if there are none.</summary>
     public double? RmsOutsideMm => RmsMm(e => e.Mm);
 
-    /// <summary>RMS error of the same frames if they had been displayed without delay, mm; null if there are none.</summary>
+    /// <summary>RMS error that the same frames would have if they had been displayed without delay, mm; null if there are none.</summary>
     public double? RmsInTimeMm => RmsMm(e => e.InTimeMm);
 
     double? RmsMm(Func<DemoError, double> error)

@@ -47,10 +47,10 @@ sealed record DemoResult(
             : FormattableString.Invariant($"{100 * Reduction:0.0} ± {100 * ReductionUncertainty:0.0} %");
     }
 
-    /// <summary>
-    /// Times, in s since the start, at which the runtime detected that the render time had left the constant-latency range and had finally
-    /// returned to it; the number of frames outside the range and the number of alarms.
-    /// </summary>
+    /// <summary>The runtime's range state in a run under load. Times are in s since the start of the run.</summary>
+    /// <param name="LeftS">Time of the first frame that the runtime considers outside the constant-latency range; null if there is none.</param>
+    /// <param name="FoundS">Time of the first frame after the last one outside the range; null if there is none.</param>
+    /// <param name="FramesOutside">Number of frames outside the range.</param>
     public sealed record Ranges(double? LimitRenderMs, double? LeftS, double? FoundS, int FramesOutside, int Alarms);
 
     public sealed record FrameCost(double? CpuUsP50, double? CpuUsP99, double? AllocatedBytesPerFrame);

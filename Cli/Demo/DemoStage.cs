@@ -15,7 +15,7 @@ static class DemoStage
     /// <summary>Skew of the control clock relative to the headset clock: a typical difference between two quartz oscillators.</summary>
     const double ControlSkew = 37e-6;
 
-    /// <summary>Epoch of the control clock. Like Unix time, it is far from the headset's epoch.</summary>
+    /// <summary>Time of the control clock when it is created. It is large, as if the control clock showed Unix time.</summary>
     static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
 
     /// <summary>Plays until the time is over or the user cancels.</summary>

@@ -11,7 +11,9 @@ using Nowpose.Simulation.Work;
 
 namespace Nowpose.Cli.Demo;
 
+/// <summary>
 /// <c>demo</c>, the default verb: runs gateway, network, headset runtime and robot in one process and compares the display with the truth.
+/// </summary>
 static class DemoVerb
 {
     static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 5, 3600, "s");
@@ -98,7 +100,7 @@ static class DemoVerb
         return Settings(parsed) with { Seconds = seconds };
     }
 
-    // Returns the option if it was given a value other than the paper's own.
+    // Returns the option if the user gave it a value other than the paper's value.
     static IEnumerable<Option> Others<T>(ParseResult parsed, Option<T> option, T papers = default) =>
         IsGiven(parsed, option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
 

@@ -4,7 +4,7 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures;
 
-/// <summary>Number and duration of the runs. The figures are the same with all settings.</summary>
+/// <summary>Number and duration of the runs. All settings compute the same set of figures.</summary>
 sealed record FigureSettings
 {
     /// <summary>The predictors that are not in the paper. Must be declared before the settings below, whose initialisers use this list.</summary>

@@ -6,7 +6,7 @@ using Spectre.Console;
 
 namespace Nowpose.Cli.Figures;
 
-/// <c>figures</c>: recomputes the paper's figures as CSV data and one HTML page.
+/// <summary><c>figures</c>: recomputes the paper's figures as CSV data and one HTML page.</summary>
 static class FiguresVerb
 {
     public static Command Create()

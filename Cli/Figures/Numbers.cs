@@ -5,7 +5,7 @@ namespace Nowpose.Cli.Figures;
 /// <summary>Formats numbers for sentences, with few digits and a decimal point.</summary>
 static class Numbers
 {
-    /// <summary>Formats a value with three significant digits, or with two if it is below 1.</summary>
+    /// <summary>Formats a value without decimals from 100 on, with at most one from 10 on, two from 0.1 on, and four below 0.1.</summary>
     public static string Text(double value)
     {
         var size = Math.Abs(value);

@@ -14,7 +14,8 @@ sealed record HeadsetResult(
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true };
 
-    /// <param name="CoarseAfterS">Time from the start to the first coarse state. The next parameter is the time to the synchronised state.</param>
+    /// <param name="CoarseAfterS">Time from the start to the first coarse state.</param>
+    /// <param name="SynchronisedAfterS">Time from the start to the first synchronised state.</param>
     /// <param name="OffsetNs">Estimated Φ = C2 − C1 at <paramref name="AtNs"/>; C2 is this machine's monotonic counter.</param>
     /// <param name="EstimatedErrorUs">Estimated error of the offset in either direction, µs.</param>
     /// <param name="AtNs">C2 at the end of the run, ns.</param>
@@ -26,7 +27,9 @@ sealed record HeadsetResult(
 
     /// <param name="CurrentShare">Share of frames with a current pose, counted from the first current frame.</param>
     /// <param name="LongestNotCurrentS">Longest time without a current pose after the first current frame.</param>
-    /// <param name="CurrentShareOfRun">Share of frames with a current pose in the whole run. Waiting for the first one counts only after 3 s.</param>
+    /// <param name="CurrentShareOfRun">
+    /// Share of frames with a current pose in the whole run. Frames before the first current frame count only from 3 s on.
+    /// </param>
     /// <param name="NotCurrentS">Total time without a current pose after the first current frame. Frames in this time are not scored.</param>
     public sealed record PoseResult(
         string State, double? CurrentAfterS, double? CurrentShare, double LongestNotCurrentS, double? CurrentShareOfRun, double NotCurrentS);

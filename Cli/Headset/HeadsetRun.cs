@@ -68,7 +68,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
         _wasTimeTrusted |= frame.IsTimeTrusted;
         if (_wasCurrent || frame.State != PoseState.Current) return;
         _wasCurrent = true;
-        // The statistics of a recording start with the first current frame.
+        // Restarts the error statistics, so that those in a recording start with the first current frame.
         session.RestartErrorRun();
     }
 
@@ -81,7 +81,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             HeadsetVerdict.ReasonOf(statistics, missing));
     }
 
-    // Gets the robot from the gateway. A session needs a robot to be created, so this one uses the youBot and only waits for the description.
+    // Gets the robot from the gateway. No session can be created without a robot, so this one has the youBot and only waits for the description.
     RobotModel DescribedRobot(CancellationToken cancel)
     {
         using var session = Open(RobotFiles.Load("youbot"));

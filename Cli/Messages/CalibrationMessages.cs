@@ -4,11 +4,11 @@ namespace Nowpose.Cli.Messages;
 static class CalibrationMessages
 {
     public static string OtherSweep(string label, string calibrated, string actual) =>
-        $"--sweep: the log was written with {label} '{calibrated}', the options say '{actual}'; the pictures must belong to the sweep: "
+        $"--sweep: the log was written with {label} '{calibrated}', but the options state '{actual}'; the pictures must belong to the sweep: "
         + "repeat both with the same settings";
 
     public static string OtherProfile(string path, string label, string calibrated, string actual) =>
-        $"--profile: {path}: was measured with {label} '{calibrated}', this measurement has '{actual}'; the values kept from the profile "
+        $"--profile: {path}: was measured with {label} '{calibrated}', but this measurement has '{actual}'; the values kept from the profile "
         + "may be wrong: repeat the load sweep";
 
     public const string NoSpeed = "--speed-mm-s is missing; allowed: 1 to 10000 mm/s";

@@ -28,6 +28,6 @@ static class CalibrationPageTexts
     public const string OverPictures = "L_visu from picture to picture";
 
     public const string OverPicturesNote =
-        "A picture is taken at a random moment while a frame is lit. L_visu therefore scatters by half of that time to either side; the "
-        + "result is its mean.";
+        "A picture is taken at a random moment while a frame is lit. L_visu therefore scatters around its mean, by up to half of the time for "
+        + "which a frame is lit. The result is the mean.";
 }

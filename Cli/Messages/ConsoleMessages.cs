@@ -2,7 +2,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Lines on the error stream beside a result.</summary>
+/// <summary>Lines that commands print to stderr in addition to their result.</summary>
 static class ConsoleMessages
 {
     public static string NotOpened(string reason, string path) => $"nowpose: --open: {reason}; open {path} in a browser";

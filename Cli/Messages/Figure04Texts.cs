@@ -10,8 +10,8 @@ static class Figure04Texts
         + "the errors are significant.";
 
     public const string Conditions =
-        "Constant velocities. With a sample every 0.5 ms the latency is L alone; with T_s of 50 ms a sample is also T_s/2 old on average, "
-        + "so its points are farther right. With prediction, the remaining error is v times the clock error (P95 of Fig. 8).";
+        "Constant velocities. With a sample every 0.5 ms, the latency is L alone. With T_s of 50 ms, a sample is also T_s/2 old on average, so "
+        + "the points for 50 ms are farther right. With prediction, the remaining error is v times the clock error (P95 of Fig. 8).";
 
     public static string HoldCriterion(string tolerance) => $"The error of hold is v·L within {tolerance}, at each velocity and latency.";
 

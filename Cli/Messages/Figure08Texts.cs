@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Messages;
 static class Figure08Texts
 {
     public static string Beyond(string defaultUs, string share, string paperUs) =>
-        $"On the same exchanges the default estimator is within {defaultUs} µs 95 % of the time, {share} of the paper's {paperUs} µs.";
+        $"On the same exchanges, the default estimator is within {defaultUs} µs 95 % of the time, {share} of the paper's {paperUs} µs.";
 
     public static string Conditions(int runs, string seconds, string exchangeErrors) =>
         $"Simulated good WiFi, an exchange every 200 ms, {runs} runs of {seconds} s with skews of 5 to 80 ppm that vary by ±2 ppm; plots "
@@ -17,7 +17,7 @@ static class Figure08Texts
     public const string SkewCriterion = "The skew error over the last quarter of the run is less than half of the error from 2 to 10 s.";
 
     public const string RoundTripCriterion =
-        "In the quarter with the shortest round trips, P95 of the error is less than half of P95 in the quarter with the longest.";
+        "In the quarter with the shortest round trips, P95 of the error is less than half of P95 in the quarter with the longest ones.";
 
     public const string OffsetPlot = "Error of the offset";
     public const string SkewPlot = "Skew of all estimators";
@@ -29,10 +29,10 @@ static class Figure08Texts
 
     public const string SkewConverges =
         "The skew converges: in the last quarter it varies less than half as much as from 2 to 10 s (RMS about the mean of the last "
-        + "quarter), and from the third quarter to the last its mean changes by less than a quarter of that.";
+        + "quarter), and from the third quarter to the last its mean changes by less than a quarter of the variation from 2 to 10 s.";
 
     public const string ShortRoundTrips =
-        "In the quarter with the shortest round trips, P95 of |ε| is less than half of P95 in the quarter with the longest.";
+        "In the quarter with the shortest round trips, P95 of |ε| is less than half of P95 in the quarter with the longest ones.";
 
     public static string TooFewExchanges(int exchanges, int min) => $"{exchanges} usable exchanges after 10 s; {min} are needed";
 

@@ -4,9 +4,9 @@ namespace Nowpose.Cli.Messages;
 static class Figure10Texts
 {
     public const string Display =
-        "A simulated display of 59.94 Hz: render time 4 ms and 8.5 ms per million vertices, ± 3 %, one frame in a hundred much slower. A "
+        "A simulated display of 59.94 Hz: the render time is 4 ms plus 8.5 ms per million vertices, ± 3 %; one frame in a hundred is much slower. A "
         + "frame that is not ready 1.5 ms before a refresh waits for the next one. A frame starts at a refresh, or, while two frames are in "
-        + "progress, when the older one is done: above a render time of a refresh interval, frames start at any time between two refreshes. "
+        + "progress, when the older one is done: if the render time exceeds a refresh interval, frames start at any time between two refreshes. "
         + "The pictures are those of calibrate simulate, about 8 per second and 100 per load, and all codes are read correctly. Each picture "
         + "is taken at a random time within the 4 ms for which its frame is lit, the headset's code has a resolution of 1 ms, and the render "
         + "time is that of the newest finished frame. The paper states neither its camera's exposure nor how long a HoloLens 2 lights a frame. "

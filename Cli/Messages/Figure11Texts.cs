@@ -17,18 +17,18 @@ static class Figure11Texts
 
     public static string Beyond(string limitMs, string above) =>
         $"The end of the range is the most likely boundary between good and bad pictures; the display's own limit is {limitMs} ms. At run "
-        + $"time, the median of 15 frames is compared with it. {above}";
+        + $"time, the median of 15 frames is compared with the end of the range. {above}";
 
     public const string MedianCriterion = "At loads whose render time stays below the limit, the median of L_visu is the same within 1 ms.";
 
     public static string MedianMeasured(string ms, string millions) => $"within {ms} ms up to {millions} million";
 
-    public const string AtLoads = "At the loads whose render time is beyond the limit, each about its mean,";
+    public const string AtLoads = "At the loads whose render time is beyond the limit, about the mean of each load,";
 
     public static string SameLimit(string share) => $"A scene whose vertices take twice as long to render has the same limit within {share}.";
     public static string Stored(double ms) => $"Inside the range, 95 % of the pictures have the stored L_visu within {ms} ms.";
 
-    public const string AtRenderTimes = "At render times above the limit, in steps of 1 ms and each about its mean,";
+    public const string AtRenderTimes = "At render times above the limit, in steps of 1 ms and about the mean of each step,";
 
     public static string Deviation(string where, double factor) =>
         $"{where} the standard deviation of L_visu is at least {factor} times as large as within the range; both are computed from the middle 95 %.";

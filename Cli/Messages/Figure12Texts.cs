@@ -13,7 +13,7 @@ static class Figure12Texts
 
     public const string SevenPhases = "The profile has seven phases of constant jerk.";
     public const string Limits = "Velocity, acceleration and jerk stay within their limits, within 0.1 %.";
-    public const string Hold = "At full speed hold is behind by v·L to v·(L + T_s), 100 to 150 mm.";
+    public const string Hold = "At full speed, hold is behind by v·L to v·(L + T_s), 100 to 150 mm.";
     public const string Derivatives = "Derivatives, each as a share of its limit";
     public const string Share = "share of the limit";
 }

@@ -26,7 +26,8 @@ static class Figure16Texts
         "The RMS error of the compensated signal is less than half of that of the uncompensated one, including the overshoot after each stop.";
 
     public const string CurvedCriterion =
-        "Its error is at least 1.5 times as large where the velocity changes within the 250 ms that a section spans as where it does not (RMS).";
+        "Where the velocity changes within the 250 ms that a section spans, the RMS error of the compensated signal is at least 1.5 times as large "
+        + "as where the velocity does not change.";
 
     public const string DistancePlot = "Distance on the circle";
     public const string DistanceAxis = "distance on the circle";

@@ -18,8 +18,8 @@ static class Figure17Texts
         $"At {moment} the gap with compensation is less than half of the gap without (RMS over all runs).";
 
     public static string Drawing(string held, string predicted, string predictor) =>
-        $"The youBot's arm seen from above and ahead. The distance to the real gripper is {held} for the uncompensated one and {predicted} "
-        + $"for the one compensated by {predictor}.";
+        $"The youBot's arm seen from above and in front. The distance to the real gripper is {held} for the uncompensated gripper and {predicted} "
+        + $"for the gripper compensated by {predictor}.";
 
     public const string FullSpeed = "full speed is reached";
     public const string HalfSpeed = "the speed has fallen to half";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors in calls that compute figures, which only a fault of this program can cause.</summary>
+/// <summary>Errors in the computation of figures that only a fault of this program can cause.</summary>
 static class FigureErrors
 {
     public const string NoCriterion = "a claim needs at least one criterion";

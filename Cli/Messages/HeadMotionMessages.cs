@@ -28,5 +28,5 @@ static class HeadMotionMessages
 
     public static string OtherVisu(double movingMs, double stillMs) =>
         FormattableString.Invariant($"L_visu of the moving pictures is {movingMs:0.0} ms, of the still pictures {stillMs:0.0} ms. The ")
-        + "profile keeps the latter. Check that both were taken with the same settings and a low load";
+        + "profile keeps the value of the still pictures. Check that both were taken with the same settings and a low load";
 }

@@ -8,7 +8,7 @@ static class HeadsetMessages
 
     public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";
     public static string NoJoints(string reason) => $"no joint positions arrived: {reason}; check that a source publishes them to the gateway";
-    public static string AtEnd(string state) => $"at the end the pose is {state}";
+    public static string AtEnd(string state) => $"at the end, the pose is {state}";
     public static string NeverCurrent(string reason) => $"the pose was never current; {reason}";
 
     public static string RarelyCurrent(double percent, double minPercent, string reason) =>

@@ -4,7 +4,8 @@ namespace Nowpose.Cli.Messages;
 static class PaperClaimTexts
 {
     public const string Offset = "The offset is known within 1 ms: P95 of its true error over all frames from 10 s on.";
-    public const string Skew = "The skew converges: its RMS error over the last quarter of the run is less than half of that from 2 to 10 s.";
+    public const string Skew =
+        "The skew converges: its RMS error over the last quarter of the run is less than half of its RMS error from 2 to 10 s.";
 
     public const string RoundTrip =
         "The round-trip time shows how accurate an exchange is: P95 of the error in the quarter of the exchanges with the shortest times is "

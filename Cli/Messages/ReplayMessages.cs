@@ -6,15 +6,15 @@ static class ReplayMessages
     public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";
     public static string TooLong(string path) => $"{path}: is too long for this machine's memory; record shorter sessions";
     public static string JointCount(string path, int joints, int header) =>
-        $"{path}: a frame has {joints} joints, the header {header}; record the session again";
+        $"{path}: a frame has {joints} joints, but the header has {header}; record the session again";
     public static string InSession(string path) => $"a recorded session contains this value; remove the option for {path}";
 
     public static string TooManyFrames(string path, double seconds, double hertz, double samplingMs) =>
-        FormattableString.Invariant($"{path}: {seconds:G6} s are too long to replay at {hertz} frames per second and a sample every ")
+        FormattableString.Invariant($"{path}: {seconds:G6} s is too long to replay at {hertz} frames per second and a sample every ")
         + FormattableString.Invariant($"{samplingMs:G6} ms; check that the time column is in seconds");
 
     public static string TooShort(double seconds, double neededSeconds) =>
-        FormattableString.Invariant($"{seconds:G6} s are too short: a frame is evaluated only after sample 4 has arrived, which takes up ")
+        FormattableString.Invariant($"{seconds:G6} s is too short: a frame is evaluated only after sample 4 has arrived, which takes up ")
         + FormattableString.Invariant($"to {neededSeconds:G6} s; record a longer motion");
 
     public static string AllLost(double loss) =>

@@ -7,7 +7,7 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <c>recommend FILE</c>: recommends a predictor for a user's recording.
+/// <summary><c>recommend FILE</c>: recommends a predictor for a user's recording.</summary>
 static class RecommendVerb
 {
     static readonly (double SamplingMs, double LatencyMs)[] Grid = [(20, 100), (50, 100), (100, 150)];

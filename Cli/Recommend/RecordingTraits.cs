@@ -93,7 +93,7 @@ sealed class RecordingTraits
         if (steps.Count < 20) return null;
         var min = steps.Min();
         var multiples = steps.Count(step => Math.Abs(step / min - Math.Round(step / min)) < 0.01);
-        // A smooth motion has steps of all sizes, so the smallest one is then less than a thousandth of the others.
+        // A smooth motion without rounding has steps of all sizes, so its smallest step is less than a thousandth of the median step.
         return multiples > 0.99 * steps.Count && Quantile.Of(steps, 0.5) < 1000 * min ? Rounded(min) : null;
     }
 

@@ -14,10 +14,10 @@ sealed record Trial(string Predictor, ReplayResult First, ReplayResult Second)
     /// <summary>1 − Rms / RmsHold; null if nothing moved.</summary>
     public double? Reduction => Share(Rms, RmsHold);
 
-    /// <summary>Gets the relative reduction of the RMS error against another trial: 0.1 means 10 % less. Null if the other has no error.</summary>
+    /// <summary>Gets the relative reduction of the RMS error compared with another trial; 0.1 is 10 % less. Null if the other has no error.</summary>
     public double? GainOver(Trial other) => Share(Rms, other.Rms);
 
-    /// <summary>Gets the relative reduction of the RMS error against another trial on one half.</summary>
+    /// <summary>Gets the relative reduction of the RMS error compared with another trial on one half.</summary>
     public double? GainOver(Trial other, Half half) => Share(On(half).Rms, other.On(half).Rms);
 
     public bool IsBetterThan(Trial other, Half half) => On(half).Rms < other.On(half).Rms;

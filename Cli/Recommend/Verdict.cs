@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Recommend;
 /// <summary>Determines the recommended candidate under one condition.</summary>
 /// <remarks>
 /// A predictor other than the default is recommended only if it is better on both halves and the total gain exceeds the minimum. Among
-/// twenty candidates, one always has the smallest error in a given file by chance.
+/// twenty candidates, one can have a slightly smaller error than the default by chance.
 /// </remarks>
 sealed class Verdict
 {

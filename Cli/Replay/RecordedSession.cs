@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Replay;
 /// <summary>The data of a session file that a replay needs, in the order in which the session processed them, in a compact form.</summary>
 sealed class RecordedSession
 {
-    /// <summary>Maximum number of stored values: about 400 MB. A file of the usual maximum size has a tenth of it.</summary>
+    /// <summary>Maximum number of stored values: about 400 MB. A file of the usual maximum size contains a tenth of this number.</summary>
     const int MaxNumbers = 50_000_000;
 
     /// <summary>Number of values per pose: position, quaternion and time stamp.</summary>

@@ -6,7 +6,7 @@ using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;
 
-/// <c>replay FILE</c>: predicts a recorded motion or session as the headset does, in virtual time and without a network.
+/// <summary><c>replay FILE</c>: predicts a recorded motion or session as the headset does, in virtual time and without a network.</summary>
 static class ReplayVerb
 {
     const double MsPerSecond = 1000;

@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Replay;
 /// <remarks>Times are in seconds since the start of the recording.</remarks>
 sealed class SampleFlow
 {
-    /// <summary>Index of the sample with whose arrival the scoring starts. The longest history, h = 4, then has enough samples.</summary>
+    /// <summary>Scoring starts when the sample with this index arrives. The longest history, h = 4, then has enough samples.</summary>
     const int FirstScoredSample = 4;
 
     readonly Func<double, double[]> _positionsAt;

@@ -86,7 +86,7 @@ sealed class SessionReplay
         else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed) Show(next);
     }
 
-    // Discards all samples if the clock has stepped since the last event, so that earlier times cannot be compared with it.
+    // Discards all samples if the clock has stepped since the last event, because earlier times are then not comparable with the new ones.
     void StartTimeLine(in RecordedSession.Event next)
     {
         if (next.TimeLine != _timeLine)

@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Sync;
 /// <summary>Reads logs of sync exchanges, and the instants for which estimates are requested.</summary>
 static class SyncLog
 {
-    /// <summary>Reads the exchanges of a log without checking them. Each has its t4 in ns.</summary>
+    /// <summary>Reads the exchanges of a log without checking them. Also returns their t4 in ns, because the time types round to 100 ns.</summary>
     public static IReadOnlyList<(long T4Nanoseconds, SyncExchange Exchange)> Read(string path) =>
         SessionFileReader.IsSession(path) ? OfSession(path) : OfTable(path);
 

@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Cli.Sync;
 
-/// <c>sync FILE.csv</c>: runs a clock estimator with a log of sync exchanges.
+/// <summary><c>sync FILE.csv</c>: runs a clock estimator with a log of sync exchanges.</summary>
 static class SyncVerb
 {
     public static Command Create()

@@ -27,7 +27,7 @@ sealed class ClockComparison : IDisposable
 
     public void Dispose() => _timer?.Dispose();
 
-    /// <summary>Compares once, unless the previous comparison is still being logged.</summary>
+    /// <summary>Compares once, unless the previous comparison is still running.</summary>
     internal void Look() => _look.RunUnlessBusy();
 
     void LookNow()

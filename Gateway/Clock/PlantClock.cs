@@ -38,10 +38,10 @@ public sealed class PlantClock
     /// <summary>Raised for each exchange with its result, on the thread that made it. Handlers must be quick and must not throw.</summary>
     internal event SyncExchangeHandler Judged;
 
-    /// <summary>Number of usable exchanges, and of requests without a usable answer, since the start.</summary>
+    /// <summary>Number of usable exchanges since the start.</summary>
     public long Exchanges => Interlocked.Read(ref _exchanges);
 
-    /// <inheritdoc cref="Exchanges"/>
+    /// <summary>Number of requests without a usable answer since the start.</summary>
     public long Failures => Interlocked.Read(ref _failures);
 
     /// <summary>The reason of the newest failure; null if there is none.</summary>

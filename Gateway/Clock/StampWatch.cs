@@ -32,7 +32,7 @@ sealed class StampWatch(
     /// <summary>Minimum number of samples in the evaluated interval for a conclusion.</summary>
     internal const int MinSamples = 5;
 
-    /// <summary>Maximum time by which a plausible stamp is in the future. Two clocks synchronised by NTP differ by less.</summary>
+    /// <summary>Maximum time by which a plausible stamp may be in the future. Two clocks synchronised by NTP differ by less.</summary>
     static readonly TimeSpan MaxAhead = TimeSpan.FromMilliseconds(50);
 
     /// <summary>Maximum age of the samples of a live source.</summary>
@@ -66,7 +66,7 @@ sealed class StampWatch(
     public bool IsContradicted => Found is { IsContradiction: true };
 
     /// <summary>
-    /// The sources whose accepted samples have been in the future for at least <see cref="Seconds"/>, and the time by which they are.
+    /// The sources whose accepted samples have been in the future for at least <see cref="Seconds"/> seconds, and by how much, as text.
     /// </summary>
     public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
 

@@ -12,7 +12,7 @@ static class ConfigurationFile
 {
     const int MaxBytes = 64 * 1024;
 
-    /// <param name="wrong">Receives one line for each invalid place.</param>
+    /// <param name="wrong">Receives one line for each error in the file.</param>
     /// <exception cref="InputException">The file cannot be read.</exception>
     public static IReadOnlyList<ConfigurationEntry> Read(string path, List<string> wrong) => Parse(Load(path), path, wrong);
 

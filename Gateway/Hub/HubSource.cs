@@ -112,7 +112,7 @@ public sealed class HubSource : IDisposable
     /// <summary>Publishes the version of the gateway, which is kept for later subscribers.</summary>
     internal void PublishVersion(string version) => _hub.PublishNewest(this, HubMessage.Version(version));
 
-    /// <summary>Whether none of the joints of a robot belongs to another source.</summary>
+    /// <summary>Whether none of these joints of a robot belongs to another source.</summary>
     internal bool MayPublish(string robot, string[] names) => _hub.IsFree(this, robot, names);
 
     /// <summary>Whether none of the frames belongs to another source.</summary>
@@ -126,7 +126,7 @@ public sealed class HubSource : IDisposable
     /// <param name="names">The joints named in the sample, as far as they can be read.</param>
     internal void ReportDropped(string robot, string[] names, string reason) => _hub.ReportDropped(this, robot, names, reason);
 
-    /// <summary>Reports that the source ends normally, so that its joints are removed from the status after a time of silence.</summary>
+    /// <summary>Reports that the source ends normally, so that its joints are removed from the status after a period without samples.</summary>
     internal void Leave() => _hub.ReportLeft(this);
 
     /// <summary>Releases the joints, frames or signals that this source owns on one topic.</summary>

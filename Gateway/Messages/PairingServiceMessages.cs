@@ -6,8 +6,8 @@ static class PairingServiceMessages
     public static string MarkerSize(string text) => $"marker size: '{text}' is not a size; allowed: 10 to 999 mm";
 
     public const string ThisMachineOnly =
-        "the pairing page is available to browsers on the gateway's machine, under its address, its name or localhost, and to operators who "
-        + "have logged in";
+        "the pairing page is available to browsers on the gateway's machine, at its address, its name or localhost, and to operators who have "
+        + "logged in";
 
     public const string Fields = "token and name are needed";
 

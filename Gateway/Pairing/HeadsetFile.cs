@@ -7,8 +7,8 @@ namespace Nowpose.Gateway.Pairing;
 static class HeadsetFile
 {
     /// <summary>
-    /// Together 10 s. Another process holds the file only for one change, but it can make many changes in a row, and each flush to a busy disk
-    /// can take a second.
+    /// Maximum number of attempts to open the file, together 10 s. Another process keeps the file open only for one change, but it can make many
+    /// changes in a row, and each flush to a busy disk can take a second.
     /// </summary>
     const int Attempts = 400;
 
@@ -86,7 +86,7 @@ static class HeadsetFile
         return true;
     });
 
-    // Tries again while another process has the file open, which takes a short time only.
+    // Tries again while another process has the file open.
     static T Retried<T>(Func<T> work)
     {
         for (var left = Attempts; ; left--)

@@ -7,8 +7,8 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Pairing;
 
 /// <summary>
-/// Serves the pairing page, which shows the pairing code and prints markers, and its requests. Available to browsers on this machine and to
-/// operators.
+/// Serves the pairing page, which shows the pairing code and prints markers, and answers the requests of the page. Available to browsers on
+/// this machine and to operators.
 /// </summary>
 /// <remarks>
 /// Anyone who can open the page can pair a headset. On another machine, an operator first logs in on the operations page. Alternatives are a

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>The times at which a simulated cell takes and sends its samples. The schedule follows from a seed and reads no clock.</summary>
+/// <summary>The times at which a simulated cell takes and sends its samples. The schedule is derived from a seed, without a clock.</summary>
 sealed class SampleSchedule
 {
     readonly ControlTime _start;
@@ -8,7 +8,7 @@ sealed class SampleSchedule
     readonly Random _random;
     long _index = -1;
 
-    /// <param name="from">Start. The first sample is taken at the first multiple of T_s from this time on.</param>
+    /// <param name="from">Start. The first sample is taken at the first multiple of T_s that is not earlier.</param>
     /// <param name="timing">Sampling interval and acquisition times.</param>
     /// <param name="seed">Seed of the acquisition times.</param>
     public SampleSchedule(ControlTime from, CellTiming timing, int seed)
@@ -24,7 +24,7 @@ sealed class SampleSchedule
     /// <summary>Time t_k at which the sample is taken, rounded down to the control cycle.</summary>
     public ControlTime Taken { get; private set; }
 
-    /// <summary>Time at which the sample is sent, never earlier than for the previous sample.</summary>
+    /// <summary>Time at which the sample is sent, never earlier than that of the previous sample.</summary>
     public ControlTime Sent { get; private set; }
 
     /// <summary>Advances to the next sample. The first call advances to the first sample.</summary>

@@ -67,7 +67,7 @@ public sealed class SimulatedCell : IDisposable
     {
         StopThread();
         _stop.Reset();
-        // Has a higher priority, because a late thread would lengthen the acquisition time beyond its setting.
+        // Gives the thread a higher priority, because a late thread would lengthen the acquisition time beyond its setting.
         _thread = new Thread(() => Publish(hub)) { IsBackground = true, Name = "simulated cell", Priority = ThreadPriority.AboveNormal };
         _thread.Start();
     }

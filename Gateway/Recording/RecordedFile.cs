@@ -61,7 +61,7 @@ sealed class RecordedFile
     /// <summary>Number of records in the file or waiting to be written. Thread-safe.</summary>
     public long Records => State == RecordingState.Recording && !IsDeleted ? Interlocked.Read(ref _offered) - _ring.Lost : Written;
 
-    /// <summary>Number of missing records, because the ring buffer was full, the disk failed or the file was deleted. Thread-safe.</summary>
+    /// <summary>Number of records that are missing because the ring buffer was full, the disk failed or the file was deleted. Thread-safe.</summary>
     public long Lost => Interlocked.Read(ref _offered) - Records;
 
     /// <summary>

@@ -113,7 +113,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
         file.Publish(record);
     }
 
-    // Marks the places where the time line of C1 changes, because another clock is C1 or the clock was set. Stamps before and after such a
+    // Marks the places where the time line of C1 changes, because another clock became C1 or the clock was set. Stamps before and after such a
     // place are not comparable.
     void AddTimeLine(RecordedFile file)
     {

@@ -28,7 +28,7 @@ sealed class RecordingsWatch : IDisposable
 
     public void Dispose() => _timer.Dispose();
 
-    // Skips the check while the previous one is still waiting for the disk, so that not more than one thread waits.
+    // Skips the check while the previous one is still waiting for the disk, so that at most one thread waits.
     internal void LookUnlessBusy() => _look.RunUnlessBusy();
 
     void LookNow()

@@ -55,7 +55,7 @@ sealed class MessageReceiver(
             _receiving = socket.ReceiveAsync(_buffer.AsMemory(), CancellationToken.None).AsTask();
     }
 
-    // Returns the free part of the buffer. Beyond the maximum length, returns the start again: the message is dropped anyway.
+    // Returns the free part of the buffer. Beyond the maximum length, returns the start of the buffer, because the message is dropped anyway.
     Memory<byte> Room()
     {
         if (_length >= longest)
@@ -65,7 +65,7 @@ sealed class MessageReceiver(
         return _buffer.AsMemory((int)_length);
     }
 
-    // Only a message that has started has a timeout; the wait for its start has none.
+    // The timeout applies from the start of a message. Waiting for the start has no timeout.
     async Task<bool> IsInTimeAsync(Task receiving)
     {
         if (_startedAt is not { } startedAt || receiving.IsCompleted)

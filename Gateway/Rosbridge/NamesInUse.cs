@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.Rosbridge;
 sealed class NamesInUse(TimeProvider time)
 {
     /// <summary>
-    /// Time after the last use of a name at which another connection may use it. Headsets use their names once a second. After a lost connection,
+    /// Time since the last use of a name after which another connection may use it. Headsets use their names once a second. After a lost connection,
     /// a headset gets its name back sooner than pings detect the loss.
     /// </summary>
     internal static readonly TimeSpan FreeAfter = TimeSpan.FromSeconds(3);

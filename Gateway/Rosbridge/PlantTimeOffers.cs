@@ -19,7 +19,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
     /// Starts to request the time from a service of this client. If another client serves the same clock, the requests start when that client
     /// disconnects or no longer answers.
     /// </summary>
-    /// <returns>The reason why no requests are sent; <see cref="DropReason.None"/> if they are.</returns>
+    /// <returns>The reason why no requests are sent; <see cref="DropReason.None"/> if requests are sent.</returns>
     public DropReason Offer(string service)
     {
         if (!service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) || !PlantClocks.IsName(service[RosTopics.PlantTime.Length..]))
@@ -29,7 +29,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
         {
             if (clocks.Find(name) is not { } clock)
             {
-                // Too many clocks. Remembers one without exchanges, so that the client's stamps are not used as times on C1.
+                // There are too many clocks. Stores a clock without exchanges, so that the client's stamps are not used as times on C1.
                 StampClock ??= new PlantClock(name, clocks.Counter);
                 return DropReason.OutOfRange;
             }

@@ -55,7 +55,7 @@ sealed class Subscription : IDisposable
     /// <param name="stop">Ends the wait of a throttled subscription.</param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
     {
-        // Passes no cancellation token, which costs a registration per message. The end of the connection disposes the subscription.
+        // Passes no cancellation token, because it requires a registration for each message. The end of the connection disposes the subscription.
         while (HasMore || await _queue.Reader.WaitToReadAsync(CancellationToken.None))
         {
             var began = Stopwatch.GetTimestamp();
@@ -64,7 +64,7 @@ sealed class Subscription : IDisposable
             if (message == null) continue;
             _times?.Add(message.ReceivedAt);
             var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
-            // Sends the values that were read together without a pause between them.
+            // Does not pause between values that were read from the hub together.
             if (rest > TimeSpan.Zero && !HasMore && await IsOverWithinAsync(rest, stop))
                 return;
         }

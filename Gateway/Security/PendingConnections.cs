@@ -63,7 +63,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         return evicted != null;
     }
 
-    // Prefers the oldest connection before its handshake.
+    // Prefers connections that have not completed their handshake.
     PendingConnection OldestOfAll() => _all.FirstOrDefault(one => !one.IsKnown) ?? _all.First?.Value;
 
     internal void MarkKnown(PendingConnection connection)

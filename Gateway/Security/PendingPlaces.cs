@@ -4,9 +4,7 @@ using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>
-/// Counts each TCP connection to the web server as pending, from before TLS until it is authenticated.
-/// </summary>
+/// <summary>Counts each TCP connection to the web server as pending, from its start, before TLS, until it is authenticated.</summary>
 sealed class PendingPlaces(PendingConnections pending, ConnectionCounters counters, Action<string> log)
 {
     static readonly object Key = new();

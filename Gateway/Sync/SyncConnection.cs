@@ -116,7 +116,7 @@ sealed class SyncConnection
 
     Closure Exchange(Stream stream, Timer deadline)
     {
-        // Before a required token, a single deadline applies to all frames.
+        // Until a required token has been received, a single deadline applies to all frames.
         _awaited = Closure.Token;
         if (_isAccepted)
             AwaitNext(deadline);

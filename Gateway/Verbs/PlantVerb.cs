@@ -58,6 +58,6 @@ static class PlantVerb
         return command;
     }
 
-    // Returns null for a recorded motion, which does not contain when the gripper grips.
+    // Returns null for a recorded motion, which does not contain the times at which the gripper grips.
     static CellWork WorkOf(RobotModel robot, IMotion motion, int robots) => motion is IGrippingMotion gripping ? new CellWork(robot, gripping, robots) : null;
 }

@@ -127,7 +127,7 @@ sealed class ServerArguments
         if (pairing != null) findings.Try(() => DryRun.Pairing(pairing, findings));
         if (recordings != null) findings.Try(() => DryRun.Recordings(recordings, findings));
         else if (Records(parsed)) findings.Try(() => Recordings(parsed));
-        // Skips the check if the certificate is invalid, because it would report the certificate as missing in addition.
+        // Skips the check if the certificate is invalid, because the check would also report the certificate as missing.
         if (certificate == null || options.Certificate != null) findings.Try(() => options.Check(pairsHeadsets: pairing != null));
         DryRun.Ports(options, findings);
         return options;

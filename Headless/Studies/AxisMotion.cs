@@ -14,9 +14,9 @@ public sealed class AxisMotion(string name, double seconds, Func<double, double>
 
     public double At(double t) => at(t);
 
-    /// <summary>Gets the velocity per second as a central difference.</summary>
+    /// <summary>Gets the velocity, in units per second, as a central difference.</summary>
     public double VelocityAt(double t) => (at(t + Step) - at(t - Step)) / (2 * Step);
 
-    /// <summary>Gets the acceleration per second squared as a central difference.</summary>
+    /// <summary>Gets the acceleration, in units per second squared, as a central difference.</summary>
     public double AccelerationAt(double t) => (at(t + Step) - 2 * at(t) + at(t - Step)) / (Step * Step);
 }

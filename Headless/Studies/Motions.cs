@@ -9,7 +9,7 @@ public static class Motions
     /// <remarks>The paper does not state the limits, so these values are assumptions.</remarks>
     internal static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
 
-    /// Repeats <see cref="PaperMove"/> forward and backward endlessly, with dwells of 0.4 s.
+    /// <summary>Repeats <see cref="PaperMove"/> forward and backward endlessly, with dwells of 0.4 s.</summary>
     public static AxisMotion PaperSwing(double seconds = 12)
     {
         const double dwell = 0.4;

@@ -4,7 +4,7 @@ namespace Nowpose.Headless.Tests.Autobahn;
 /// <param name="Number">Number of the case in the suite.</param>
 /// <param name="Expected">
 /// Expected events in any order: "accepted" for each accepted message; "refused" for a message that the protocol does not use and after
-/// which the connection continues; "pong"; "close:CODE" or "close". "|" separates equivalent results.
+/// which the connection continues; "pong"; "close:CODE" or "close". "|" separates alternative results.
 /// </param>
 /// <param name="Play">Sends the frames of the case.</param>
 public sealed record AutobahnCase(string Number, string Expected, Action<object> Play)

@@ -70,10 +70,10 @@ static class FramingCases
 
     public static string Times(string what, int times) => string.Join(' ', Enumerable.Repeat(what, times));
 
-    /// <summary>Expects the answer to the preceding valid message, or that the connection ends before it.</summary>
+    /// <summary>Expects the given event. The answer to the preceding valid message may be missing if the connection ends before it.</summary>
     public static string AfterOne(string expected) => $"accepted {expected}|{expected}";
 
-    // If the size is too small for a valid message, the frame is longer than the size and invalid. For size 0, the frame is empty.
+    // Sends a message of the given size. A size that is too small for a valid message gives a longer, invalid frame; 0 gives an empty frame.
     static void Sized(CaseScript s, int opcode, int size)
     {
         var message = s.Message("", size);

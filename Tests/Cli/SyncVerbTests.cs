@@ -193,7 +193,7 @@ public class SyncVerbTests
         Assert.That(File.ReadAllLines(Path.Combine(folder.Path, "clock.csv")), Has.Length.EqualTo(201));
     }
 
-    // Returns an exchange between two others whose reply arrives before its request is sent.
+    // Returns an exchange whose reply arrives before its request is sent. It is between the given exchange and the next one.
     static string Reversed(string line)
     {
         var t4 = long.Parse(line.Split(',')[3], CultureInfo.InvariantCulture);

@@ -39,7 +39,7 @@ public class UnityConflictTests
     }
 
     [Test]
-    public async Task Unity_RegistryWithAnotherUrl_NamesIt()
+    public async Task Unity_RegistryWithAnotherUrl_NamesTheUrlOrReplacesIt()
     {
         using var project = new UnityProjectFolder(
             """{ "scopedRegistries": [{ "name": "x", "url": "https://unitynuget-registry.azurewebsites.net", "scopes": ["org.nuget"] }] }""");
@@ -66,7 +66,7 @@ public class UnityConflictTests
     }
 
     [Test]
-    public async Task Unity_OlderPackage_NamesIt()
+    public async Task Unity_OlderPackageInTheManifest_NamesBothVersions()
     {
         using var project = new UnityProjectFolder(
             """{ "dependencies": { "com.nowpose.mril": "https://git.example/nowpose.git?path=/Packages/com.nowpose.mril#v0.0.9" } }""");

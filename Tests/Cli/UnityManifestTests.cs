@@ -30,7 +30,7 @@ public class UnityManifestTests
     }
 
     [Test]
-    public async Task Unity_ReadOnlyManifest_NamesItAndKeepsIt()
+    public async Task Unity_ReadOnlyManifest_NamesAndKeepsTheManifest()
     {
         using var project = new UnityProjectFolder(Empty);
         var manifest = project.At("Packages/manifest.json");

@@ -4,7 +4,7 @@ namespace Nowpose.Tests.Common;
 
 static partial class CSharpCode
 {
-    /// <summary>Returns the source without comments and without the contents of strings. Only the names that it uses remain.</summary>
+    /// <summary>Returns the source without comments and strings. A name in the result is therefore a name that the code uses.</summary>
     public static string Of(string source) => CommentsAndStrings().Replace(source, " ");
 
     [GeneratedRegex(""""

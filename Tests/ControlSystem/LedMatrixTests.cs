@@ -42,7 +42,7 @@ public class LedMatrixTests
     }
 
     [Test]
-    public void Program_EachCycle_ShowsTheTimeOfItsOutputs()
+    public void Program_EachCycle_ShowsTheTimeAtWhichItsOutputsTakeEffect()
     {
         var dcTime = 0UL;
         var program = new StructuredText(
@@ -78,7 +78,7 @@ public class LedMatrixTests
 
     [TestCase("END_IF;", "END_IF")]
     [TestCase("END_FOR;", "END_FOR")]
-    public void StructuredText_BlockWithoutSemicolon_IsRefusedAsInTheStandard(string ended, string open)
+    public void StructuredText_BlockWithoutSemicolon_IsRefusedAsTheStandardRequires(string ended, string open)
     {
         var text = Text("FB_NowposeLedCode.st").Replace(ended, open);
         var program = new StructuredText(text);

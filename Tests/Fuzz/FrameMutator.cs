@@ -18,7 +18,7 @@ static class FrameMutator
     {
         var bytes = new byte[SyncFrame.Size];
         Any(random).Write(bytes);
-        // About three quarters stay well-formed, because only these pass the first checks.
+        // Leaves about three quarters of the frames well-formed, because malformed frames do not pass the first checks.
         switch (random.Next(12))
         {
             case 0: bytes[random.Next(bytes.Length)] ^= (byte)(1 << random.Next(8)); break;
@@ -30,7 +30,7 @@ static class FrameMutator
         return bytes;
     }
 
-    /// <summary>Creates a reply with a given sequence number and t1. Its times are near the true ones or far from them.</summary>
+    /// <summary>Creates a reply, mostly with the given sequence number and t1. Its times are near t1 or far from it.</summary>
     public static SyncFrame Reply(Random random, uint sequence, long t1) => new(
         SyncFrameKind.Reply, (ushort)random.Next(4), random.Next(20) == 0 ? Count(random) : sequence, Count(random),
         random.Next(20) == 0 ? Time(random, t1) : t1, Time(random, t1), Time(random, t1), Count(random));

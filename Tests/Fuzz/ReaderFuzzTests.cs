@@ -23,7 +23,7 @@ public class ReaderFuzzTests
         Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
 
     [Test]
-    public void TryRead_DamagedMessages_AcceptsOnlyValidOnes()
+    public void TryRead_DamagedMessages_AcceptsOnlyValidMessages()
     {
         var accepted = new FuzzRun("rosbridge messages", 1, Messages).Feed<string>(() => new TextMutator(Seeds.Messages).Next, () =>
         {
@@ -35,7 +35,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void TryRead_DamagedBytes_AcceptsOnlyValidOnes()
+    public void TryRead_DamagedBytes_AcceptsOnlyValidMessages()
     {
         var accepted = new FuzzRun("rosbridge bytes", 10, Bytes).Feed<byte[]>(() => NextBytes, () =>
         {

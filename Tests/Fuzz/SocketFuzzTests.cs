@@ -46,7 +46,7 @@ public class SocketFuzzTests
             var script = new CaseScript(true, "{\"op\":\"call_service\",\"service\":\"/rosapi/get_time\",\"id\":\"", "\"}");
             for (var n = 0; n < FramesEach; n++) Spoil(script, random);
             await new FramedPeer(raw.Stream).SendAsync(script);
-            // Ends the connection if the last frame was sent only in part. All others have already ended it.
+            // Ends the connection, because the last frame may be incomplete. Any other malformed frame has already ended the connection.
             raw.EndSending();
             await raw.ExpectEndAsync();
         }

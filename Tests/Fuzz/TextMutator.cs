@@ -83,7 +83,7 @@ sealed class TextMutator
     static void Nest(List<string> pieces, int at, Random random)
     {
         var (open, close) = random.Next(3) switch { 0 => ("[", "]"), 1 => ("{\"a\":", "}"), _ => ("<a>", "</a>") };
-        // Uses numbers near the limit, and sometimes far beyond it.
+        // Uses depths near the readers' limits, and sometimes far beyond them.
         var depth = random.Next(50) == 0 ? 5000 : random.Next(1, 24);
         pieces[at] = new StringBuilder().Insert(0, open, depth) + pieces[at] + new StringBuilder().Insert(0, close, depth);
     }

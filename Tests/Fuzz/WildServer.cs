@@ -22,7 +22,7 @@ sealed class WildServer
         _now += new TimeSpan(random.NextInt64(1, 2_000_000));
         var reply = FrameMutator.Reply(random, (uint)seed, t1.Nanoseconds);
         var verdict = SyncVerdict.Dropped;
-        // Adds correct exchanges, so that the false ones do not meet an empty model.
+        // Adds correct exchanges, so that the clock model is not empty when it receives the false ones.
         if (random.Next(3) == 0) verdict = Take(random, t1, new SyncExchange(t1, Control(t1, 0.5), Control(t1, 0.6), _now));
         else if (reply.Sequence == (uint)seed && reply.T1Ns == t1.Nanoseconds)
             verdict = Take(random, t1, new SyncExchange(

@@ -129,7 +129,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Time_TooManyConnections_IsRefusedUntilAnotherEnds()
+    public async Task Time_TooManyConnections_IsRefusedUntilAConnectionEnds()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
         using var first = await RawWebSocket.ConnectAsync(gateway);

@@ -295,6 +295,6 @@ public class ConfigurationTests
     [TestCase("sync_port", "sync-port")]
     [TestCase("colour", null)]
     [TestCase("", null)]
-    public void Nearest_MisspeltWord_ReturnsTheIntendedOne(string word, string expected) =>
+    public void Nearest_MisspeltWord_ReturnsTheIntendedWord(string word, string expected) =>
         Assert.That(Nearest.Of(word, ["bind", "sync-port", "ws-port", "cell"]), Is.EqualTo(expected));
 }

@@ -59,7 +59,7 @@ public sealed class PairingExchangeTests
 
     [TestCase(299, true)]
     [TestCase(300, false)]
-    public async Task Exchange_CodeOfSomeSeconds_SucceedsWithinFiveMinutes(int seconds, bool works)
+    public async Task Exchange_CodeOfSomeAge_SucceedsOnlyWithinFiveMinutes(int seconds, bool works)
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();

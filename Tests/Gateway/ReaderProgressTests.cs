@@ -48,7 +48,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public void IsSilent_ClientThatAnsweredAPingOnlySends_IsTrue()
+    public void IsSilent_ClientStopsAnsweringPingsButSends_IsTrue()
     {
         var time = new SteppedTimers();
         var pings = new List<byte[]>();
@@ -83,7 +83,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public void IsSilent_ClientThatNeverAnswersPingsSends_IsFalse()
+    public void IsSilent_ClientNeverAnswersPingsButSends_IsFalse()
     {
         var time = new SteppedTimers();
         using var progress = Progress(time, []);
@@ -101,7 +101,7 @@ public class ReaderProgressTests
     }
 
     [Test]
-    public async Task OpensAsync_ClientNeverAnswersPings_ReportsItOnce()
+    public async Task OpensAsync_ClientNeverAnswersPings_ReportsTheClientOnce()
     {
         var time = new SteppedTimers();
         var reports = 0;

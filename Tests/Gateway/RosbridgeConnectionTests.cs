@@ -92,7 +92,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public void Reply_ClientReadsNone_DropsTheOldestAndCountsThem()
+    public void Reply_ClientReadsNoReplies_DropsAndCountsTheOldest()
     {
         using var socket = new StuckWebSocket();
         var drops = new DropCounters();

@@ -113,7 +113,7 @@ public class RosbridgeMessageTests
 
     [TestCase(64, true)]
     [TestCase(65, false)]
-    public async Task Message_InFragments_IsAcceptedWithUpTo64(int count, bool expected)
+    public async Task Message_InFragments_IsAcceptedUpTo64Fragments(int count, bool expected)
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

@@ -100,7 +100,7 @@ public class SimulatedCellTests
         var work = new CellWork(robot, motion);
         using var cell = new SimulatedCell(motion, new LookedAtClock(), Timing, 1, false, work);
         var frames = new ConcurrentQueue<HubMessage>();
-        // Publishes into a first hub before. The second hub, like that of a restarted gateway, must also get the stationary frames and all signals.
+        // Publishes into another hub first. The second hub represents a restarted gateway and must get the stationary frames and all signals, too.
         await SampleOf(cell, new MessageHub());
         var hub = new MessageHub();
         using var description = hub.OpenSource();

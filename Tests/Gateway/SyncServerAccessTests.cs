@@ -67,7 +67,7 @@ public class SyncServerAccessTests
     }
 
     [Test]
-    public async Task Token_GatewayWithoutTokens_AnyIsAccepted()
+    public async Task AnyToken_GatewayWithoutTokens_IsAccepted()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawSyncClient.ConnectAsync(gateway);

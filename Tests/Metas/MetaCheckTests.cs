@@ -54,7 +54,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_WrongImporter_NamesTheRightOne()
+    public void Faults_WrongImporter_NamesTheRightImporter()
     {
         _project.Replace("Assets/Folder/A.cs.meta", "MonoImporter", "DefaultImporter");
 

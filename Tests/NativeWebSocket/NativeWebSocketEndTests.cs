@@ -68,7 +68,7 @@ public class NativeWebSocketEndTests
     }
 
     [Test]
-    public async Task Receive_ConnectionLost_ThrowsAsSendingDoes()
+    public async Task ReceiveAndSend_ConnectionLost_ThrowIOException()
     {
         using var server = new FakeWebSocketServer();
         var link = Link(server.Port);

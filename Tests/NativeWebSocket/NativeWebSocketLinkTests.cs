@@ -12,7 +12,7 @@ namespace Nowpose.Headless.Tests;
 public class NativeWebSocketLinkTests
 {
     [Test]
-    public async Task Gateway_PublishesASample_ArrivesAsText()
+    public async Task Sample_PublishedByTheGateway_ArrivesAsText()
     {
         await using var gateway = await Gateways.StartAsync();
         using var link = Link(gateway.WebSocketEndPoint.Port);

@@ -78,8 +78,8 @@ public class PathRunTests
 
     /// <summary>
     /// Where 0.5 ms is less than the jitter, the change cannot be distinguished from a late packet for up to two minutes, and the estimate follows
-    /// the change. The true error must still be within the stated error. A shorter path shows only with the first packet that is faster than all
-    /// earlier ones.
+    /// the change. The true error must still be within the stated error. A shorter path can be detected only after the first packet that is
+    /// faster than all earlier ones.
     /// </summary>
     [TestCaseSource(nameof(SmallChanges))]
     public void Within_ChangeTooSmallToDetect_IsAtLeast99Percent(string link, string name)
@@ -90,7 +90,9 @@ public class PathRunTests
         if (!name.Contains("shorter", StringComparison.Ordinal)) Assert.That(runs.Min(run => run.Within), Is.GreaterThanOrEqualTo(0.95));
     }
 
-    /// <summary>Runs in which an earlier stated error, which included only detected changes, was too small for 2 to 20 % of the time.</summary>
+    /// <summary>
+    /// Runs in which the stated error of an earlier version was too small for 2 to 20 % of the time, because it included only detected changes.
+    /// </summary>
     [TestCase("bad", "requests longer", 20014)]
     [TestCase("bad", "requests longer", 20025)]
     [TestCase("bad", "replies longer", 20000)]

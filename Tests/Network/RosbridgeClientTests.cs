@@ -23,7 +23,7 @@ public class RosbridgeClientTests
         """;
 
     [Test]
-    public async Task Receive_JointStatus_CallsTheListenerAndCountsMalformedOnes()
+    public async Task Receive_JointStatus_CallsTheListenerAndCountsMalformedMessages()
     {
         var socket = await _played.Server.AcceptAsync();
 

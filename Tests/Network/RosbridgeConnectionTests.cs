@@ -79,7 +79,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Receive_ServerClosesTheConnection_StatesItInTheStatus()
+    public async Task Receive_ServerClosesTheConnection_StatesTheCloseInTheStatus()
     {
         var socket = await _played.Server.AcceptAsync();
 

@@ -19,7 +19,7 @@ public class StuckSendTests
     /// <summary>Number of subscriptions and advertisements, which are sent first.</summary>
     const int AtTheBeginning = 6;
 
-    // Both limits are 6 s, and both are reached: either reason is true.
+    // Both limits are 6 s and are reached at the same time, so either reason is correct.
     [TestCase(0, false, false, "(nothing could be sent|received nothing) for 6 s")]
     [TestCase(ForTwoSeconds, false, false, "received nothing for 6 s")]
     [TestCase(AtTheBeginning, true, false, "nothing could be sent for 6 s")]

@@ -204,7 +204,7 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Run_PortClosed_ReportsItAndRetries()
+    public async Task Run_PortClosed_ReportsTheFailureAndRetries()
     {
         var gone = new FakeSyncServer(_ => null);
         var port = gone.Port;

@@ -102,7 +102,7 @@ public class AdaptiveAccuracyTests
 
     [TestCase(false, 0.60)]
     [TestCase(true, 0.50)]
-    public void Adaptive_SamplesWithVelocity_UsesIt(bool tellsAcceleration, double limit) => Assert.That(
+    public void Adaptive_SamplesWithVelocity_UsesTheVelocity(bool tellsAcceleration, double limit) => Assert.That(
         OverQuadratic(s => Motions.FastMoves(s), Usual with { HasVelocity = true, HasAcceleration = tellsAcceleration }), Is.LessThan(limit), Message);
 
     [TestCase(50, 100, 0.45)]

@@ -30,7 +30,7 @@ public class CompetitorTests
     [Test]
     public void DoubleExponential_Parabola_ErrsLikeALine()
     {
-        // Error of a straight line through two samples, 100 ms ahead: a (h² + h T) / 2.
+        // A straight line through two samples errs by a (h² + h T) / 2, with the acceleration a, the horizon h and the sampling interval T.
         Assert.That(ErrorOf("double-exponential", t => 900 * t * t), Is.EqualTo(900 * (Ahead * Ahead + Ahead * Interval)).Within(0.5));
     }
 
@@ -52,7 +52,7 @@ public class CompetitorTests
     }
 
     [Test]
-    public void OneEuro_NoiseAtRest_SmoothsIt()
+    public void OneEuro_NoiseAtRest_SmoothsTheNoise()
     {
         // A low-pass filter of 1 Hz weights each sample with a = 0.24, so the factor for white noise is √(a / (2 − a)) = 0.37.
         Assert.That(NoiseLeft(Candidates.OneEuro(1, 0, 1), ahead: 0), Is.EqualTo(0.37).Within(0.05));

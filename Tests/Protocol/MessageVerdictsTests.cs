@@ -5,8 +5,8 @@ using NUnit.Framework;
 namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>
-/// Compares the reader with an earlier one, which decoded each message and parsed it with Newtonsoft.Json. Its verdicts on messages, most of
-/// which are malformed, are in <c>message-verdicts.tsv</c>, with reason and text per line.
+/// Compares the reader with an earlier reader, which parsed each message with Newtonsoft.Json. Each line of <c>message-verdicts.tsv</c>
+/// contains the earlier reader's verdict (the reason of a rejection, or None) and the message. Most messages are malformed.
 /// </summary>
 public class MessageVerdictsTests
 {

@@ -40,7 +40,7 @@ public class NumberAccuracyTests
 
     // Halfway between two adjacent doubles, the even one is correct. One digit more and one digit less are tested, too.
     [Test]
-    public void ToDouble_HalfwayBetweenTwoDoubles_ReturnsTheEvenOne()
+    public void ToDouble_HalfwayBetweenTwoDoubles_ReturnsTheEvenDouble()
     {
         var random = new Random(Seed);
         for (var i = 0; i < 50_000; i++)

@@ -33,7 +33,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Warnings_NoMotion_ReportIt()
+    public void Warnings_NoMotion_ReportThatNoJointMoves()
     {
         Assert.That(Traits(t => 1 + 1e-6 * Math.Sin(t)).Warnings().Single(), Does.StartWith("no joint moves"));
     }

@@ -2,8 +2,8 @@ using MathNet.Numerics;
 
 namespace Nowpose.Headless.Tests.Replay;
 
-/// <summary>A second, slow implementation of the verb's definition, with decimal times, another library for the fit and no virtual time.</summary>
-/// <remarks>Does not support loss, jitter and stamp errors, which depend on the verb's random numbers.</remarks>
+/// <summary>A second, slow implementation of <c>replay</c>, with decimal times, another library for the fit and no virtual time.</summary>
+/// <remarks>Does not support loss, jitter and stamp errors, which depend on the random numbers of <c>replay</c>.</remarks>
 sealed class ReplayReference
 {
     const int Tick = 7;

@@ -157,7 +157,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_RampWithStampErrors_AmplifiesThemByTheGainOfTheLine()
+    public void Run_RampWithStampErrors_LineAmplifiesTheErrorsByItsGain()
     {
         const double halfWidth = 0.001;
 

@@ -19,7 +19,8 @@ public sealed partial class FolderTests
     const string Common = "Tests/Common";
 
     /// <summary>
-    /// Folders that GitHub, Unity, MSBuild or the include of a shader requires, and three folders whose files fit into no other folder.
+    /// Folders that may have fewer than three files: those that GitHub, Unity, MSBuild or the include of a shader requires, and three folders
+    /// whose files fit into no other folder.
     /// </summary>
     static readonly string[] Small =
     [

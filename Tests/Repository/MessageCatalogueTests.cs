@@ -6,12 +6,12 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Each text of the message catalogues is complete: it has no gaps and contains all its values.</summary>
+/// <summary>Tests that each text of the message catalogues is complete: it has no gaps and contains all its values.</summary>
 public sealed partial class MessageCatalogueTests
 {
     static readonly string[] Assemblies = ["Nowpose", "Nowpose.Unity", "Nowpose.Editor", "Nowpose.Gateway", "Nowpose.Cli", "Nowpose.Web", "Nowpose.Vision"];
 
-    /// <summary>Values for the parameters of messages, by type. A name in angle brackets is the parameter's own.</summary>
+    /// <summary>Values for the parameters of messages, by type. The value of a string is the parameter's name in angle brackets.</summary>
     static readonly Dictionary<Type, Func<string, object>> Samples = new()
     {
         [typeof(string)] = name => $"<{name}>",

@@ -11,7 +11,7 @@ public sealed class MessageFolderTests
 
     static readonly string[] Products = [RepositoryFiles.Package + "/Runtime/", Editor, "Gateway/", "Cli/", "Web/", "Vision/"];
 
-    /// <summary>Calls whose arguments describe a verb or an option, beside its name.</summary>
+    /// <summary>Calls whose arguments name and describe a verb or an option.</summary>
     static readonly string[] Help =
     [
         "Command", "Invocation.Root", "BoxOption.Create", "ChoiceOption.Create", "NumberOption.Create", "NumberOption.CreateOptional", "RangeOption.Create",
@@ -27,7 +27,7 @@ public sealed class MessageFolderTests
         ["Gateway/Rosbridge/RequestText.cs"] = 1,
         // The XML for Unity's linker.
         [Editor + "LinkerProtection.cs"] = 1,
-        // The help of metrics, beside their names.
+        // The help of metrics, without their names.
         ["Gateway/Status/JointMetrics.cs"] = 10,
         ["Gateway/Status/Metrics.cs"] = 38,
         // The help of a verb and of options.
@@ -74,7 +74,7 @@ public sealed class MessageFolderTests
     [TestCase("new Command(\"demo\", \"shows how the product works\")", null)]
     [TestCase("new Option<int>(\"--x\") { Description = \"the length of the arm\", }", null)]
     [TestCase("Log($\"{(isOn ? \"the arm is on now\" : \"off\")}\");", "the arm is on now")]
-    public void LongTexts_Sample_AreFound(string source, string expected) =>
+    public void LongTexts_SampleSource_ReturnsOnlyItsLongTexts(string source, string expected) =>
         Assert.That(LongTexts(source), expected == null ? Is.Empty : Is.EqualTo(new[] { expected }));
 
     static IEnumerable<string> LongTexts(string source) => SourceTexts.In(source)

@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace Nowpose.Headless.Tests.Repository;
 
 /// <summary>Finds the texts of a C# source file: sums of strings, with 0 in place of each inserted value.</summary>
-/// <remarks>Skips comments and attributes. A text within an inserted value or an argument is a text of its own.</remarks>
+/// <remarks>Skips comments and attributes. A text within an inserted value or an argument is a separate text.</remarks>
 sealed partial class SourceTexts
 {
     readonly string _source;
@@ -84,7 +84,7 @@ sealed partial class SourceTexts
         }
     }
 
-    // Comments, directives, blanks and characters.
+    // Skips comments, directives, blanks and character literals.
     bool Skip()
     {
         var skipped = Blank().Match(_source, _at);

@@ -171,7 +171,7 @@ public class RosDirectTests
     }
 
     [Test]
-    public async Task Exchanges_UnexpectedAnswers_CountsAndIgnoresThem()
+    public async Task Exchanges_UnexpectedAnswers_AreCountedAndIgnored()
     {
         Start(RosFlavour.Ros2);
         await SynchronisedAsync();
@@ -188,7 +188,7 @@ public class RosDirectTests
 
     [TestCase(RosFlavour.Ros1)]
     [TestCase(RosFlavour.Ros2)]
-    public async Task Status_RosapiMissing_SuggestsToStartItAndRecovers(RosFlavour flavour)
+    public async Task Status_RosapiMissing_SuggestsStartingRosapiAndRecovers(RosFlavour flavour)
     {
         Start(flavour, hasRosapi: false);
 

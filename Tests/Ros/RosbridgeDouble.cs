@@ -35,7 +35,7 @@ sealed class RosbridgeDouble : IDisposable
     /// <summary>Whether calls are accepted but never answered, as when the list of allowed services excludes the service.</summary>
     public bool IsMute { get; set; }
 
-    /// <summary>Maximum number of concurrent calls.</summary>
+    /// <summary>Largest number of calls that have been in progress at the same time.</summary>
     public int MaxInFlight => Volatile.Read(ref _maxInFlight);
 
     public int Connections { get { lock (_clients) return _clients.Count; } }

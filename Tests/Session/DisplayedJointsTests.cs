@@ -95,7 +95,7 @@ public class DisplayedJointsTests
         _session.Ticked += Hold;
         var holding = Task.Factory.StartNew(() => _session.Tick(now), TaskCreationOptions.LongRunning);
         Assert.That(SpinWait.SpinUntil(() => isHeld.IsSet, Soon.Limit), Is.True);
-        // SpinUntil itself sleeps, which would count as waiting for the lock.
+        // Sets the event only now, because SpinUntil itself sleeps, which would count as waiting for the lock.
         isAtTheLock.Set();
         _session.Displayed();
         _session.Ticked -= Hold;

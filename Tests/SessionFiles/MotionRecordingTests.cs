@@ -110,7 +110,7 @@ public class MotionRecordingTests
 
         Assert.That(recording.Start, Is.EqualTo(1.70000001e9));
         Assert.That(recording.Duration, Is.EqualTo(0.999).Within(1e-12));
-        // The slope beside the row with value 1 is 1 per ms, so an error of 1e-12 s in time is an error of 1e-9 in the value.
+        // The slope next to the row with value 1 is 1 per ms, so an error of 1e-12 s in time is an error of 1e-9 in the value.
         Assert.That(At(recording, 0.5)[0], Is.EqualTo(1).Within(1e-9));
         Assert.That(At(recording, 0.4995)[0], Is.EqualTo(0.5).Within(1e-9));
         Assert.That(At(recording, 0.5005)[0], Is.EqualTo(0.5).Within(1e-9));

@@ -58,7 +58,7 @@ public class SessionFileReaderTests
     [TestCase("t,a\n0,1\n", ":1: is not a JSON object")]
     [TestCase("[]", ":1: is not a JSON object")]
     [TestCase("{\"kind\":\"session\"}", ":1: field 'format' is not 'nowpose-session'")]
-    [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":2}", ":1: field 'version': the file is of version 2")]
+    [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":2}", ":1: field 'version': the file has version 2")]
     [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":1}", ":1: field 'robot' is missing")]
     public void File_NotASession_ThrowsWithAMessageOfOneLine(string text, string expected)
     {

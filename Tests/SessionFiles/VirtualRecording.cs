@@ -29,7 +29,7 @@ sealed class VirtualRecording
 
     /// <summary>Records a session. The control clock steps by 300 ms at the time <paramref name="stepAfter"/> in s.</summary>
     /// <param name="predictor">The predictor, used with <paramref name="blendMs"/> if <paramref name="prediction"/> is null.</param>
-    /// <param name="planLagMs">Delay of the robot against its published set-points; null to publish none.</param>
+    /// <param name="planLagMs">Delay of the robot relative to its published set-points; null to publish no set-points.</param>
     /// <param name="planUntil">Time in s after which no set-points are published.</param>
     /// <param name="hasWork">Whether the robot moves workpieces. The cell then publishes the workpieces and its signals.</param>
     /// <param name="jitterMs">Jitter in ms. Samples overtake each other if the jitter exceeds the sampling interval.</param>

@@ -221,7 +221,7 @@ public sealed class CellActionsTests
     }
 
     [Test]
-    public void Actions_ComponentsMissing_LogThemAndContinue()
+    public void Actions_ComponentsMissing_LogTheMissingComponentsAndContinue()
     {
         var lone = new GameObject("Buttons").AddComponent<CellActions>();
 

@@ -56,7 +56,7 @@ public sealed class PlainReportTests
     }
 
     [Test]
-    public void Render_BuiltWithoutNode_SuggestsToInstallNode()
+    public void Render_BuiltWithoutNode_SuggestsInstallingNode()
     {
         Assert.That(Render("{}"), Does.Contain("Install Node.js 20 or newer"));
     }

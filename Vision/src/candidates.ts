@@ -8,11 +8,11 @@ export const minSide = 56;
 
 /** Size of the blocks in which edges are detected, px. Smaller blocks are not needed. */
 const block = 4;
-/** Maximum gaps between the edges of one code, in blocks. Each value is two cells of a code; together they cover codes of all sizes. */
+/** Maximum gaps between the edges of one code, in blocks. Each value corresponds to two cells of a code; together they cover codes of all sizes. */
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
 /** Maximum width of an area of edges that counts as an edge or a cable of the scene and not as a code, as a multiple of the gap. */
 const narrow = 1.3;
-/** Minimum steps of light at edges; 255 is white. From weak holograms in front of a bright scene to LEDs in bright surroundings. */
+/** Minimum changes of light at edges; 255 is white. The range covers weak holograms in front of a bright scene and LEDs in bright surroundings. */
 const edges = [6, 8, 10, 13, 16, 20, 26, 34];
 
 /**

@@ -69,8 +69,8 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
 }
 
 /**
- * Returns by how much the visible pairs deviate on average from one lit and one dark cell, relative to the light of a lit cell and at most 1
- * per pair. A pair that changed during the exposure does not deviate, because its cells together have the light of one lit cell.
+ * Returns the mean deviation of the visible pairs from one lit and one dark cell, relative to the light of a lit cell and at most 1 per pair. A
+ * pair that changed during the exposure does not deviate, because its cells together have the light of one lit cell.
  */
 export function pairDeviation(levels: number[], { side, pairs, ring }: Pattern, { lit }: Kind, hidden: Band): number {
   const isVisible = (cell: number) => !isWithinBand(hidden, ((cell % side) + 0.5) / side, (Math.floor(cell / side) + 0.5) / side);

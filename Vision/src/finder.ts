@@ -16,7 +16,7 @@ export interface Found extends CellLight {
   corners: Quad;
   /** Share of the steps of light between cells that agree with the code; at most 1. */
   share: number;
-  /** Whether a better match of this kind exists, so that this one can be another object. A weak code counts only if it can be read. */
+  /** Whether a better match of this kind exists, so that this match may be another object. A weak code counts only if it can be read. */
   isWeak: boolean;
   /** Share of the cells whose middle is white. */
   white: number;
@@ -97,7 +97,7 @@ export class Finder {
 
   /**
    * Returns candidates in px of the picture: first those with clear steps of light, then those from the square root of the light. The root
-   * amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so parts of codes are not searched in the latter.
+   * amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so parts of codes are searched only among the first.
    */
   #quadsIn(picture: Mat, { factor }: Layer): { quads: Quad[]; clearCount: number } {
     const { side } = this.#pattern;

@@ -15,8 +15,8 @@ export interface Agreement {
 const outerReach = 0.5;
 
 /**
- * Computes how well a picture agrees with codes, from the steps of light between cells. The size of a step counts at most up to the code's
- * light, which is the median of the steps. Edges of the scene therefore affect only the few steps that they cross.
+ * Computes how well a picture agrees with codes, from the changes of light between adjacent cells (steps). The size of a step counts at most up to
+ * the code's light, which is the median of the steps. Edges of the scene therefore affect only the few steps that they cross.
  */
 export class Matcher {
   readonly kinds: string[];

@@ -35,7 +35,7 @@ export enum Expected {
   Pair,
 }
 
-/** Expected step of light between two adjacent cells. Lengths are relative to the side of the code. */
+/** Expected change of light between two adjacent cells. Lengths are relative to the side of the code. */
 export interface Step {
   /** Middle between the two samples, to the right and down from the top left corner. */
   x: number;

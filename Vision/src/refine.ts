@@ -46,7 +46,7 @@ const maxDistance = 2.4;
 /** Share of agreeing steps below which a refinement ends early. No real code was below it after the first step. */
 const minShareOnTheWay = 0.35;
 
-/** Minimum difference between the best and the second-best kind and orientation, in the share of agreeing steps. Kinds differ in 0.08 of them. */
+/** Minimum lead of the best kind and orientation over the second-best, in the share of agreeing steps. Two kinds differ in 8 % of the steps. */
 const minLead = 0.02;
 
 /** Moves the corners of a quad to the best fit of any kind of code. The picture must be smooth at the size of a cell. */

@@ -102,5 +102,5 @@ async function writeTexts(browser, gateway) {
 
 if (process.argv.includes('--record')) record();
 await draw(WEBGL, drawPictures);
-// Without a graphics card, as in the test.
+// Opens the pages without WebGL, like the test.
 await draw(NO_WEBGL, writeTexts);

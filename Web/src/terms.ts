@@ -8,7 +8,7 @@ const meanings = new Map(
 const ANY = new RegExp(`\\b(${[...meanings.keys()].join('|')})\\b`, 'i');
 
 /**
- * Returns a label whose meaning is shown on hover: that of the label, or that of the first term of the glossary that it contains.
+ * Returns a label that shows an explanation on hover: the label's own meaning, or the meaning of the first glossary term in the label.
  * @param own Meanings of the page's own labels.
  */
 export function term(label: string, own: Record<string, string> = {}): Node | string {

@@ -158,7 +158,7 @@ describe('any window and any text', () => {
     });
   }
 
-  it('distinguishes our, the paper\u2019s and the uncompensated signals by lightness, from each other and the page', async () => {
+  it('distinguishes Nowpose\u2019s, the paper\u2019s and the uncompensated signals by lightness, from each other and from the page', async () => {
     for (const colorScheme of ['light', 'dark']) {
       const page = await browser.open(figures(), { colorScheme });
       const [adaptive, gp, quadratic, cubic, linear, surface] = await luminance(

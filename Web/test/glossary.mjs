@@ -1,4 +1,4 @@
-// Checks the explanations of terms on the pages with the definitions in docs/glossary.md.
+// Compares the explanations of terms on the pages with the definitions in docs/glossary.md.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 

@@ -52,7 +52,7 @@ export const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   return 1 - rows[rows.length >> 1] / over.height;
 }, [index, ink]);
 
-/** Gets which share of a column of the render time plot, at a time within the 10 s shown, has the shade of an alarm. */
+/** Gets the share of a column of the render time plot that has the shade of an alarm. The column is at a time within the 10 s shown. */
 export const shadedShare = (page, time) => page.evaluate(time => {
   const plot = document.querySelector('#range .plot'), canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), left = over.left - canvas.getBoundingClientRect().left;

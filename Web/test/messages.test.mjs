@@ -45,7 +45,7 @@ describe('the message catalogue of the pages', () => {
     assert.match(operationsMessages.noNewState('the gateway does not answer', '10:15:00'), /answer\. .*10:15:00\.$/);
   });
 
-  it('states only what is known', () => {
+  it('omits the parts whose values are unknown', () => {
     const { operationsMessages, robotMessages } = messages;
 
     assert.doesNotMatch(robotMessages.toolError('left door', 2, null), /compensation/);

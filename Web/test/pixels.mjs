@@ -2,7 +2,7 @@
 import { drawn } from './drawn.mjs';
 
 /**
- * Counts the blue, orange and grey pixels of an element, which are the colours of the robots, and the coloured pixels at its edge.
+ * Counts the pixels of an element that have the colours of the robots (blue, orange and grey), and the coloured pixels at its edge.
  * @param holds Condition that the counts of one of the next screenshots must meet.
  */
 export const picture = (page, locator, holds = () => true) => drawn(() => counted(page, locator), holds);

@@ -32,7 +32,7 @@ describe('the playback of a report', () => {
   it('shows the distance between the displayed and the true tool', async () => {
     const page = await browser.open(withPlayback());
 
-    // The tool is 0.4809 m from the rotation axis (from the command line's kinematics).
+    // The tool is 0.4809 m away from the rotation axis, according to the kinematics of the command line.
     const [compensated, held] = (await words(page)).match(/[\d.]+(?=\u00a0mm)/g).map(Number);
     assert.ok(Math.abs(compensated - 4.809) < 0.02, `${compensated} mm`);
     assert.ok(Math.abs(held - 48.07) < 1, `${held} mm`);
@@ -153,7 +153,7 @@ describe('the objects in the playback', () => {
     return { ...others, playback: { ...playback, objects } };
   }
 
-  it('are drawn with their distances, but not before they are known', async () => {
+  it('are drawn with their distances as soon as their poses are known', async () => {
     const page = await browser.open(withObjects());
     assert.ok((await words(page)).includes(reportMessages.workpieceError(null, null)));
 

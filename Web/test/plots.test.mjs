@@ -134,7 +134,7 @@ describe('using a plot', () => {
     }
   });
 
-  it('reaches every control with the keyboard, visibly', async () => {
+  it('reaches every control with the keyboard and shows the focus', async () => {
     const page = await browser.open(report());
     const wanted = await page.evaluate(() => document.querySelectorAll('a, button, summary, [tabindex="0"]').length
       - document.querySelectorAll('details:not([open]) [tabindex="0"]').length);

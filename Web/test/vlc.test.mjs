@@ -68,7 +68,7 @@ function errorOf({ at, cells, times }) {
   return { error: error - PERIOD * Math.round(error / PERIOD), bound: (t4 - t1 - processing) / 2 };
 }
 
-/** Asserts an error within the sum of three parts: half a millisecond of rounding, the bound of the exchanges, and the page's tolerance. */
+/** Asserts that the error is less than the sum of half a millisecond of rounding, the bound of the exchanges, and the page's tolerance. */
 function assertRight(seen) {
   const { error, bound } = errorOf(seen);
   assert.ok(Math.abs(error) < 0.5 + bound + 3, `error ${error.toFixed(2)} ms, bound ${bound.toFixed(2)} ms`);
@@ -242,7 +242,7 @@ describe('the page of the control clock\'s code', () => {
     assert.ok(!kept.includes('sesame') && !(await page.content()).includes('sesame'));
   });
 
-  it('fills the screen on F with a readable code in any window', async () => {
+  it('fills the screen with a readable code in any window when F is pressed', async () => {
     const page = await open(await (gateway = new ClockGateway()).start(), { viewport: { width: 500, height: 900 } });
     await synchronised(page);
 

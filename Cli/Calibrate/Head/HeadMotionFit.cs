@@ -5,8 +5,9 @@ namespace Nowpose.Cli.Calibrate.Head;
 
 /// <summary>Estimates the latency for head motion from the distance between both codes, which changes with the speed of the head.</summary>
 /// <remarks>
-/// The hologram appears where the control code was a latency L ago: h(t) = a + (1 + b) c(t − L). Here a is the distance of the codes,
-/// and b is not 0 if the codes have different distances to the camera. With the speed v of c: h − c = a + b c + k c² − (1 + b) L v.
+/// At time t, the hologram appears where the control code was at t − L: h(t) = a + (1 + b) c(t − L). Here L is the latency, a is the
+/// distance between the codes, and b is not 0 if the codes have different distances to the camera. With the speed v of c:
+/// h − c = a + b c + k c² − (1 + b) L v.
 /// The term k c² models the distortion of lens and display. Over a motion back and forth, v and c are uncorrelated.
 /// </remarks>
 static class HeadMotionFit
@@ -20,15 +21,20 @@ static class HeadMotionFit
     const double MaxShareOfDirection = 0.8;
 
     /// <summary>A picture is an outlier if it deviates from the fit by more than this number of standard deviations.</summary>
-    const double MaxDeviations = 4, PerMedianDeviation = 1.4826;
+    const double MaxDeviations = 4;
+
+    /// <summary>Standard deviation of a normal distribution divided by its median absolute deviation.</summary>
+    const double PerMedianDeviation = 1.4826;
 
     /// <summary>Minimum root mean square of the speed, px/s. At lower speeds, 1 px of noise is as large as the effect of the latency.</summary>
     const double MinSpeed = 60;
 
-    /// <summary>Allowed motion of the hologram divided by the motion of the control code. A hologram that is fixed to the display has 0.</summary>
+    /// <summary>
+    /// Allowed range of the hologram's motion divided by the control code's motion. The ratio is 0 for a hologram that is fixed to the display.
+    /// </summary>
     const double MinScale = 0.7, MaxScale = 1.4;
 
-    /// <summary>Number of parts of the recording. The uncertainty comes from fits that leave out one part each (jackknife).</summary>
+    /// <summary>Number of parts of the recording. The uncertainty comes from fits, each of which leaves out one part (jackknife).</summary>
     const int Parts = 10;
 
     /// <summary>Quantile of Student's distribution with 9 degrees of freedom, for 95 % confidence.</summary>

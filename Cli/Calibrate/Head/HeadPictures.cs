@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Calibrate.Head;
 static class HeadPictures
 {
     /// <summary>
-    /// Maximum deviation of L_visu from the median. A frame that was repeated or late was not rendered for the time of its picture.
+    /// Maximum deviation of L_visu from the median. A frame that was repeated or late was not rendered for the time at which it was photographed.
     /// </summary>
     const double MaxVisuDeviationMs = 10;
 
@@ -38,7 +38,7 @@ static class HeadPictures
         return [.. Along(read, mean)];
     }
 
-    // Skips pictures whose code is not later than the previous one: the code was misread, or the pictures are out of order.
+    // Skips a picture whose control time is not later than that of the previous picture: a code was misread, or the pictures are out of order.
     static IEnumerable<PictureResult> InTime(IEnumerable<PictureResult> pictures)
     {
         PictureResult last = null;

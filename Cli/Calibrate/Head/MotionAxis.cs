@@ -7,7 +7,7 @@ readonly struct MotionAxis
 
     MotionAxis((double X, double Y) mean, (double X, double Y) direction) => (_mean, _direction) = (mean, direction);
 
-    /// <param name="places">One position or more.</param>
+    /// <param name="places">At least one position.</param>
     public static MotionAxis Of(IReadOnlyList<(double X, double Y)> places)
     {
         (double X, double Y) mean = (places.Average(place => place.X), places.Average(place => place.Y));

@@ -17,7 +17,7 @@ static class RangeFit
     /// <summary>Share of the pairs from which the initial plateau is estimated: those with the lowest render times.</summary>
     const double SeedShare = 0.2;
 
-    /// <summary>Minimum tolerance around the plateau, ms. The camera and the 1 ms resolution of the codes cause this scatter.</summary>
+    /// <summary>Minimum tolerance around the plateau, ms. The camera and the 1 ms resolution of the codes cause a scatter of this size.</summary>
     const double MinToleranceMs = 3;
 
     /// <summary>Tolerance around the plateau, in standard deviations.</summary>
@@ -26,7 +26,7 @@ static class RangeFit
     /// <summary>Maximum standard deviation of a plateau, ms. A 30 Hz display that is lit continuously has 9.6 ms.</summary>
     const double MaxSpreadMs = 10;
 
-    /// <summary>Relative gap above the limit without pictures. If the gap is larger, the limit is reported as uncertain.</summary>
+    /// <summary>Maximum relative gap without pictures above the limit. If the gap is larger, the limit is reported as uncertain.</summary>
     const double Coarse = 0.05;
 
     /// <summary>

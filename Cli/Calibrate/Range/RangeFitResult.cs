@@ -21,7 +21,7 @@ sealed class RangeFitResult
     /// <summary>Standard deviation of the L_visu of single pictures within the range, ms.</summary>
     public double SpreadMs { get; }
 
-    /// <summary>Maximum render time with constant L_visu, ms; null if no picture had a higher render time.</summary>
+    /// <summary>Maximum render time with constant L_visu, ms; null if too few pictures had a higher render time.</summary>
     public double? LimitRenderMs { get; }
 
     /// <summary>The limit, ms. If there is none, the maximum render time for which a constant L_visu was observed.</summary>

@@ -64,7 +64,7 @@ static class RangePlots
         for (var i = 0; i < pictures.Count; i++)
         {
             if (pictures[i].Vertices is not int vertices || i > 0 && pictures[i - 1].Vertices == vertices) continue;
-            // With more labels, they would overlap.
+            // More labels would overlap.
             if (loads <= MaxLabels || vertices % RoundLoad == 0) yield return new(FormattableString.Invariant($"{vertices / 1e6:0.##} M"), i + 1);
         }
     }

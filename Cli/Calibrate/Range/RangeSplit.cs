@@ -11,7 +11,7 @@ readonly struct RangeSplit
 {
     const double MinShareBelow = 0.005, MaxShareBelow = 0.2, MinShareBeyond = 0.7, MaxShareBeyond = 0.999;
 
-    /// <summary>Number of pairs as which a bad pair counts.</summary>
+    /// <summary>Weight of a bad pair: it counts as this number of pairs.</summary>
     const double WeightOfBad = 3;
 
     /// <summary>Minimum number of pairs beyond a limit. A few of them can be misread.</summary>
@@ -36,7 +36,7 @@ readonly struct RangeSplit
     /// <summary>Number of pairs below the split if a bad pair counts as one pair. At least <see cref="Count"/>.</summary>
     public int MaxCount { get; }
 
-    /// <summary>Whether enough pairs beyond the split are bad to establish a limit.</summary>
+    /// <summary>Whether there are enough pairs beyond the split, and enough of them are bad, to establish a limit.</summary>
     public bool IsReached { get; }
 
     /// <param name="good">Whether each pair is good, sorted by render time.</param>

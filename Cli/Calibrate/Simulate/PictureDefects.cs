@@ -45,7 +45,7 @@ static class PictureDefects
     {
         var code = AnyCode(shot, random);
         var (left, _, size) = BoundsOf(code);
-        // Moves the codes so that the left or right edge of the picture cuts this one.
+        // Moves all codes so that the left or right edge of the picture cuts off a part of the selected code.
         var cut = size * (0.1 + 0.6 * random.Next());
         var by = left < shot.Width / 2 ? -left - cut : shot.Width - left - size + cut;
         return shot with { Codes = [.. shot.Codes.Select(each => each with { Corners = [.. each.Corners.Select(corner => new[] { corner[0] + by, corner[1] })] })] };

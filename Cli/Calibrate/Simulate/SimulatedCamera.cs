@@ -37,7 +37,7 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
 
     /// <summary>Moves both codes as seen by a camera that turns with the headset. The hologram follows the room.</summary>
     /// <remarks>
-    /// On a real display, a lit frame stands still. Here it is smeared like the room, which makes it harder to read than in reality.
+    /// On a real display, a lit frame stands still. Here it is blurred like the room, which makes it harder to read than in reality.
     /// </remarks>
     (double[][] Control, double[][] Headset, double[] Motion) Turned(SimulatedPlace place, SimulatedMoment moment, double latencyMs)
     {
@@ -84,7 +84,7 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
         return lit;
     }
 
-    /// <summary>Gets the exposure time of a cell's row minus that of the middle of the headset's code, ms.</summary>
+    /// <summary>Gets how much later than the middle of the headset's code a cell's row is exposed, ms.</summary>
     double DelayMs(int cell, double[][] corners, double[][] headset)
     {
         double u = (cell % TimestampCode.Side + 0.5) / TimestampCode.Side, v = (cell / TimestampCode.Side + 0.5) / TimestampCode.Side;

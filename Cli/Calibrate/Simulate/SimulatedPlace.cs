@@ -45,7 +45,7 @@ sealed class SimulatedPlace
 
     public double? Panel { get; }
 
-    /// <summary>Corners of the control code, clockwise from its top left one.</summary>
+    /// <summary>Corners of the control code, clockwise from the top left corner.</summary>
     public double[][] Control { get; }
 
     public double[][] Headset { get; }

@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Calibrate.Simulate;
 /// <summary>Reads pictures with known true values and measures the error.</summary>
 sealed class SimulationCheck
 {
-    /// <summary>Minimum error of a misread picture, ms. The 1 ms resolution of the codes causes half of this value.</summary>
+    /// <summary>Minimum error of a misread picture, ms. The 1 ms resolution of the codes causes errors of about half of this value.</summary>
     public const double MisreadMs = 2.5;
 
     readonly SortedDictionary<int, Checked> _pictures = [];

@@ -20,7 +20,8 @@ static class LagEstimator
     const double Ambiguous = 0.98;
 
     /// <summary>
-    /// Number of instants before and after from which the speed is computed. With fewer, the camera's noise would look like motion.
+    /// The speed at an instant is computed from the positions this number of instants before and after it. With a smaller number, the noise of
+    /// the camera would look like motion.
     /// </summary>
     const int SpeedSpan = 5;
 

@@ -10,7 +10,7 @@ readonly record struct ShiftFit(double Correlation, double Shift, double Deviati
 
     /// <param name="from">First compared instant of the hologram.</param>
     /// <param name="to">End of the compared instants, exclusive.</param>
-    /// <param name="speedSpan">Number of instants before and after for the speed; with 0, only the correlation is computed.</param>
+    /// <param name="speedSpan">The speed is computed from the positions this number of instants before and after; 0 for no speed.</param>
     public static ShiftFit Of(SineTracks tracks, int lag, int from, int to, int speedSpan)
     {
         var count = to - from;

@@ -13,7 +13,7 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     const int MinInstants = 60;
 
     /// <summary>Reads both tracks from one recording.</summary>
-    /// <param name="columns">Names of the two columns. If null, the file must have exactly two, the robot's first.</param>
+    /// <param name="columns">Names of the two columns. If null, the file must have exactly two columns of positions, the robot's first.</param>
     public static SineTracks Of(string path, string columns)
     {
         var recording = MotionRecording.Read(path);
@@ -21,8 +21,8 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         return OnGrid(recording, recording, robot, shown, path);
     }
 
-    /// <summary>Reads the hologram from a camera's file and the robot from a control's file. Both files use the same clock.</summary>
-    /// <param name="joint">Column of the control's file. If null, the file must have exactly one.</param>
+    /// <summary>Reads the hologram's track from a camera's file and the robot's from a control system's file. Both use the same clock.</summary>
+    /// <param name="joint">Column of the control system's file. If null, the file must have exactly one column of positions.</param>
     public static SineTracks Of(string path, string columns, string controlPath, string joint)
     {
         var camera = MotionRecording.Read(path);
@@ -52,7 +52,8 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
         throw new InputException(SineMessages.UnknownColumn(option, path, name, string.Join(", ", recording.Names)));
     }
 
-    /// <summary>Creates the tracks from positions at the same times in increasing order, s.</summary>
+    /// <summary>Creates the tracks from positions of robot and hologram at the same times.</summary>
+    /// <param name="times">Increasing times, s.</param>
     public static SineTracks Of(double[] times, double[] robot, double[] shown, string path)
     {
         Func<double, double> At(double[] places) => time => Between(times, places, time);

@@ -11,7 +11,8 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed class CodeContrasts
 {
     /// <summary>
-    /// Maximum deviation of a pair's mean, relative to the reference. A darker pair is covered; a brighter pair receives other light.
+    /// Maximum deviation of a pair's mean brightness from half the reference, as a share of the reference. A darker pair is covered; a brighter
+    /// pair receives other light.
     /// </summary>
     const double MaxDeviation = 0.45;
 
@@ -19,8 +20,8 @@ sealed class CodeContrasts
     const double MinWhiteShare = 0.05;
 
     /// <summary>
-    /// Maximum residual of the control code. Another board in front of it or behind its gaps causes more, and makes times appear that no
-    /// board shows. A hologram has no limit, because the scene behind it causes residuals in any case.
+    /// Maximum residual of the control code. Another board in front of it or behind its gaps causes a larger residual, and the code can then
+    /// show a time that no board shows. A hologram has no limit, because the scene behind it always causes a residual.
     /// </summary>
     const double MaxResidual = 0.16;
 

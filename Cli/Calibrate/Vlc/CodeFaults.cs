@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <summary>Finds the reason why a picture does not contain exactly one complete code of each kind.</summary>
 static class CodeFaults
 {
-    /// <summary>Minimum length by which a code is outside the picture to be rejected, as a share of its side: half a cell.</summary>
+    /// <summary>A code is rejected if it extends beyond the picture by at least this share of its side: half a cell.</summary>
     const double MinOutside = 0.5 / TimestampCode.Side;
 
     /// <returns>The reason; null if there is exactly one code of each kind, both inside the picture.</returns>

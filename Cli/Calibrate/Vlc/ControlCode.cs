@@ -15,7 +15,7 @@ static class ControlCode
     /// <summary>Maximum root mean square of the residual, relative to the explained part.</summary>
     const double MaxResidual = 0.17;
 
-    /// <summary>Minimum ratio of the second-best residual to the best one. The best residual counts as at least the second number.</summary>
+    /// <summary>Minimum ratio of the second-best residual to the best one, and the value that replaces a smaller best residual.</summary>
     const double Margin = 1.6, MinResidual = 0.06;
 
     const double MinAmplitude = 0.4, MaxAmplitude = 1.35;

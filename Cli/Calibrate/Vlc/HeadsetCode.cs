@@ -13,8 +13,8 @@ static class HeadsetCode
     const double MinContrast = 0.22;
 
     /// <summary>
-    /// Maximum root mean square of the residual, relative to the explained part. Good pictures have less than half of it. It is exceeded if
-    /// an object behind the hologram is as bright as the hologram, because its edge changes some of the pairs.
+    /// Maximum root mean square of the residual, relative to the explained part. Good pictures have less than half of this value. An object
+    /// behind the hologram that is as bright as the hologram causes a larger residual, because its edge changes some of the pairs.
     /// </summary>
     const double MaxResidual = 0.15;
 

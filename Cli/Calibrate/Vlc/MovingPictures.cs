@@ -54,7 +54,7 @@ static class MovingPictures
         var ms = to.Ms - from.Ms;
         if (ms <= 0 || ms > MaxIntervalMs) return default;
         CodePlaces before = from.Picture.Places, after = to.Picture.Places;
-        // The mean side gives the same scale in both directions of time.
+        // With the mean side, the velocity only changes its sign if the two pictures are exchanged.
         var scale = 2000 / (ms * (before.ControlSide + after.ControlSide));
         return (scale * (after.Control.X - before.Control.X), scale * (after.Control.Y - before.Control.Y));
     }

@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>
 /// Rejects pictures whose L_visu is far from the L_visu of the other pictures: their codes were misread and passed the parity check by chance. Frames
-/// that wait behind a slow GPU are late by less than this distance.
+/// that wait for a slow GPU are late by less than <see cref="FarMs"/>.
 /// </summary>
 static class Outliers
 {

@@ -7,8 +7,8 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 /// <remarks>
 /// Codes repeat after 65.5 s. In a shorter sweep, a code matches one frame, and the pictures can have any order. In a longer sweep, a code
 /// can match several frames, and the order of the pictures decides between them: the order in which they were taken, or its reverse.
-/// The method uses the assignment with the most pictures among those in which the frames are in increasing order. A picture that was
-/// misread, or whose frame is not in the log, stays unassigned and does not affect the others. The camera can start at any time.
+/// The method uses the assignment that keeps this order and assigns the most pictures. A picture that was misread, or whose frame is not
+/// in the log, stays unassigned and does not affect the others. The camera can start at any time.
 /// </remarks>
 sealed class SweepJoin
 {
@@ -43,14 +43,14 @@ sealed class SweepJoin
 
     double? RenderMsOf(in SweepRow row) => row.Source == _source ? row.RenderMs : null;
 
-    /// <summary>Gets the largest number of pictures whose frames are in increasing order (longest non-decreasing subsequence).</summary>
+    /// <summary>Gets the largest set of pictures whose frames are in the order of the pictures (longest non-decreasing subsequence).</summary>
     List<Place> LongestRun(IReadOnlyList<PictureResult> pictures)
     {
-        // For each length, the end of the run whose last row is the earliest.
+        // For each length, the last picture of the run of this length that ends at the earliest row.
         var ends = new List<Place>();
         foreach (var picture in pictures)
         {
-            // The latest row comes first, so that a picture never follows itself.
+            // Tries the latest row first, so that a picture never follows itself in a run.
             foreach (var row in _rowsOfCode[(int)picture.HeadsetMs].Reverse())
             {
                 var length = FirstBeyond(ends, row);

@@ -11,7 +11,8 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 sealed class TimeOrder
 {
     /// <summary>
-    /// Minimum share of consecutive pictures with the same direction of time, for an order that counts as the camera's or its reverse.
+    /// Minimum share of the steps between consecutive pictures that have the same direction in time. With at least this share, the given order
+    /// counts as the order in which the pictures were taken, or its reverse.
     /// </summary>
     const double MinShareInOrder = 0.9;
 

@@ -19,7 +19,7 @@ sealed class VlcEvaluation
     /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
     const double MinShareNear = 0.9;
 
-    /// <summary>Number of pictures below which the page warns. Fewer do not show how much L_visu scatters and how accurate its mean is.</summary>
+    /// <summary>Number of pictures below which the page warns: the scatter of L_visu and the accuracy of its mean are then uncertain.</summary>
     const int FewPictures = 10;
 
     readonly VlcResult _result;

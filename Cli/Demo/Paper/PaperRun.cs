@@ -10,7 +10,7 @@ sealed class PaperRun
 {
     static readonly TimeSpan SettledAfter = TimeSpan.FromSeconds(ClockErrors.SettledAfter);
 
-    /// <summary>Time before the start of a swing that is also shown, s.</summary>
+    /// <summary>Frames are shown from this time before the start of a swing, s.</summary>
     const double Before = 0.2;
 
     /// <summary>Maximum time without a frame at the end of a whole swing, s.</summary>

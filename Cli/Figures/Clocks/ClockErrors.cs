@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Figures.Clocks;
 
-/// <summary>Errors of one estimator over all runs, from <see cref="SettledAfter"/> on.</summary>
+/// <summary>Errors of one estimator over all runs. The errors of the offset are absolute errors from <see cref="SettledAfter"/> on.</summary>
 /// <param name="SkewPpmEarly">RMS error of the skew from 2 to 10 s, ppm.</param>
 /// <param name="SkewPpmLate">RMS error of the skew over the last quarter, ppm.</param>
 sealed record ClockErrors(double P50Us, double P95Us, double MaximumUs, double SkewPpmEarly, double SkewPpmLate)

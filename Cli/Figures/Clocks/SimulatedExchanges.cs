@@ -14,7 +14,7 @@ sealed class SimulatedExchanges
     const double SkewVariationPpm = 2;
     const double SkewVariationPeriod = 120;
 
-    /// <summary>Epoch of the control clock. Like Unix time, it is far from the headset's epoch.</summary>
+    /// <summary>Time of the control clock at the epoch of the headset clock. It is large, as if the control clock showed Unix time.</summary>
     static readonly TimeSpan ControlEpoch = TimeSpan.FromTicks(1_700_000_000 * TimeSpan.TicksPerSecond);
 
     readonly double _skewPpm;

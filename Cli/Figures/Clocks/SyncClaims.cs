@@ -29,8 +29,9 @@ static class SyncClaims
         return new(FitErrors.Claim, share >= FitErrors.MinShare, $"{Percent(share)}; median {Text(1000 * Quantile.Of(errors, 0.5))} µs");
     }
 
-    // The second condition detects a skew that still changes at a constant rate. Such a skew varies little within the last quarter, but its
-    // mean changes from the third to the last quarter by more than a quarter of its distance from the early values.
+    // The second condition rejects a skew that still changes at a constant rate. Such a skew varies little within the last quarter, but its mean
+    // changes between the third and the last quarter. The change must be less than a quarter of the RMS difference between the early values and
+    // the mean of the last quarter.
     static Criterion SkewOf(SyncStep[] known)
     {
         var end = known[^1].Seconds;

@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Figures.Clocks;
 /// <summary>Fig. 8 for recorded exchanges, with the paper's quantities.</summary>
 static class SyncFigure
 {
-    /// <summary>Minimum number of settled values for a limited axis, and the share of them at each end that can be outside the axis.</summary>
+    /// <summary>Minimum number of settled values for a limited axis, and the share of these values that can be outside it at each end.</summary>
     const int MinSettled = 10;
     const double Tail = 0.02;
 

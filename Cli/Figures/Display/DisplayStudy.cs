@@ -12,7 +12,7 @@ namespace Nowpose.Cli.Figures.Display;
 /// </summary>
 sealed class DisplayStudy : IFigureStudy
 {
-    /// <summary>Number of pictures per load. They take 12 s, in which the starts of frames drift through several refreshes.</summary>
+    /// <summary>Number of pictures per load. They take 12 s, in which the start of a frame drifts by several refresh intervals.</summary>
     const int PicturesPerLoad = 100;
 
     /// <summary>Number of load steps. Each is 100 000 vertices, so that the sweep contains both loads of Fig. 10.</summary>

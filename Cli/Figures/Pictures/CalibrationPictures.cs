@@ -4,7 +4,7 @@ using Nowpose.Cli.Figures.Model;
 
 namespace Nowpose.Cli.Figures.Pictures;
 
-/// <summary>Creates the manual's pictures of calibration methods without a display: simulated measurements, evaluated as in reality.</summary>
+/// <summary>Creates the manual's pictures of calibration methods from simulated measurements. They are evaluated like real measurements.</summary>
 static class CalibrationPictures
 {
     const double CameraHz = 60;

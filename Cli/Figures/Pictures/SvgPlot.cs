@@ -10,7 +10,7 @@ sealed class SvgPlot(FigurePlot plot, int width)
 {
     const int Height = 280;
 
-    /// <summary>Number of points above which points are drawn small.</summary>
+    /// <summary>Number of points above which the points are drawn smaller.</summary>
     const int ManyPoints = 200;
 
     const int Left = 52, Right = 12, Top = 34, Bottom = 42;

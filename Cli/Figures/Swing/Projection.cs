@@ -2,7 +2,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>Projects points in the robot's base frame, m, to a drawing. The view is from ahead and above, without perspective.</summary>
+/// <summary>Projects points in the robot's base frame, m, to a drawing. The view is from the front and above, without perspective.</summary>
 /// <param name="scale">Length of one metre in units of the drawing.</param>
 /// <param name="x">Horizontal position of the base frame's origin in the drawing; positive to the right.</param>
 /// <param name="y">Vertical position of the base frame's origin in the drawing; positive downwards.</param>

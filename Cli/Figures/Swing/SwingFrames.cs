@@ -24,7 +24,7 @@ sealed record SwingFrames(string Predictor, SwingScenario Scenario, YoubotSwing 
     /// <summary>RMS error while the velocity has changed within the time span of a prediction, mm.</summary>
     public double CurvedRmsMm => RmsMm(Swing.IsCurvedAt);
 
-    /// <summary>RMS gap over all runs with compensation divided by the gap without it, at each <see cref="SwingMoment"/>.</summary>
+    /// <summary>RMS gap over all runs with compensation divided by the RMS gap without it, at each <see cref="SwingMoment"/>.</summary>
     public IReadOnlyList<double> GapRatios
     {
         get

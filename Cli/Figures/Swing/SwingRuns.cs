@@ -33,7 +33,7 @@ sealed class SwingRuns
             select (Action)(() => _frames[s, p, run] = Play(s, Predicted[p], run))];
     }
 
-    /// <summary>The evaluated predictors, the paper's first.</summary>
+    /// <summary>The evaluated predictors, starting with the paper's predictor.</summary>
     public static IReadOnlyList<string> Predicted { get; } = [PaperScenario.Predictor, .. FigureSettings.OurPredictors];
 
     /// <summary>Conditions of all runs. They give an L of 100 to 150 ms, as in the paper's plant.</summary>

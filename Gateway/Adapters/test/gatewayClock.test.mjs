@@ -31,7 +31,7 @@ describe('clock of the gateway', () => {
       it(`Now_Skew${ppm}ppm_Seed${seed}_ErrsByLessThanTheFastestRoundTrip`, () => {
         const { clock, control, time } = read({ ppm, seed });
 
-        // The bounds contain 0.7 ms for the drift between two readings.
+        // The bounds include 0.7 ms for the maximum skew in the second between two readings.
         assert.ok(size(clock.now - control(time.now)) < MS, `${clock.now - control(time.now)} ns`);
       });
 

@@ -33,7 +33,7 @@ describe('the message catalogue of the adapters', () => {
     assert.match(rtdeMessages.restarted(812.34, 0.12), /812\.3 s.*0\.1 s/);
   });
 
-  it('adds only what is known', () => {
+  it('omits the parts whose values are unknown', () => {
     const { adsMessages, configurationMessages, frameMessages, symbolMessages } = messages;
 
     assert.doesNotMatch(configurationMessages.unknownEntry(undefined, ['kind']), /mean/);

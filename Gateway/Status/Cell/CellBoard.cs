@@ -87,7 +87,7 @@ sealed class CellBoard(TimeProvider time, CellReports reports)
         report == null || frame.State != "stale" ? frame : frame with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
 
     // Adds the adapter's reason to a signal. A signal does not become stale by itself, so only a report shows that its value is not current.
-    // The report of another adapter than its source does not apply to a live signal.
+    // A report does not apply to a live signal if it comes from an adapter that is not the signal's source.
     static SignalView Explained(SignalView signal, CellReport report) => report == null || signal.Source != report.Adapter && signal.State == Live
         ? signal : signal with { State = JointDataStates.Of(report.Report.State), Reason = report.Report.Reason };
 

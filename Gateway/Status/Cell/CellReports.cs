@@ -6,7 +6,7 @@ namespace Nowpose.Gateway.Status.Cell;
 sealed record CellReport(string Name, string Adapter, AdapterReport Report);
 
 /// <summary>The adapters' newest reports about their frames and signals. Thread-safe.</summary>
-/// <remarks>Reports expire, because a silent adapter is a fault of its own, and its frames and signals end with its connection.</remarks>
+/// <remarks>Reports expire, because a silent adapter is reported as a separate fault, and its frames and signals end with its connection.</remarks>
 sealed class CellReports(TimeProvider time)
 {
     /// <summary>Maximum number of adapters. The limit bounds the memory that a faulty client can use by sending many names.</summary>

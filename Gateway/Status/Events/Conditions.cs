@@ -59,7 +59,7 @@ sealed class Conditions(
             IsNormalAtStart = row.State == JointDataState.Missing || IsClockAwaited(row),
         };
 
-    // Whether samples are refused only because the adapter's clock is not measured yet, as for its first samples.
+    // Whether samples are refused only because the adapter's clock is not measured yet, which is normal for the first samples.
     static bool IsClockAwaited(JointStatus row) => row.State == JointDataState.Refused
         && row.Reason.Contains(DropMessages.Of(DropReason.Unsynchronised), StringComparison.Ordinal);
 

@@ -29,7 +29,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     public void Publish(IReadOnlyList<JointStatus> joints)
     {
         // For a joint with two sources, uses the better state, because the samples of the other source are refused.
-        // Omits a joint without a source: headsets detect it themselves, and if two gateways are bridged, the other one may have its source.
+        // Omits a joint without a source: headsets detect it themselves, and if two gateways are bridged, the other gateway may have a source.
         var troubled = joints.Where(row => row.Source != UnpublishedJoints.NoSource).GroupBy(joint => joint.Name, StringComparer.Ordinal).Select(rows => rows.MinBy(row => row.State))
             .Where(row => row.State != JointDataState.Live).ToList();
         // If there are too many joints, the most recent failures have priority.

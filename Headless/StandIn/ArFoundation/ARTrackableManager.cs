@@ -43,7 +43,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
         subsystem.Removed.Clear();
     }
 
-    /// <summary>Registers a component that a script has added as a trackable of the device.</summary>
+    /// <summary>Makes a component that a script has added a trackable of the device.</summary>
     internal void Adopt(TTrackable trackable, TSessionRelativeData data)
     {
         m_Trackables.Add(data.trackableId, trackable);

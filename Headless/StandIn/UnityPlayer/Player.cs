@@ -71,7 +71,8 @@ public sealed class Player : IDisposable
         _loop.LoadScene(name, path, roots);
     }
 
-    /// <summary>Runs one frame at a time, given in seconds since the start. The time must not decrease.</summary>
+    /// <summary>Runs one frame.</summary>
+    /// <param name="timeSeconds">Time of the frame since the start, s. It must not decrease.</param>
     public void Step(double timeSeconds)
     {
         if (_disposed) throw new ObjectDisposedException(nameof(Player));

@@ -9,7 +9,7 @@ static class CalibrationObjects
     /// <summary>Distance of the code from the user. At this distance, its height is an eighth of the picture of the headset's camera.</summary>
     const float DistanceMetres = 1;
 
-    /// <summary>Angle below the line of sight. Negative: the code is above the status panel, with space above it for three lines of text.</summary>
+    /// <summary>Angle below the line of sight. It is negative: the code is above the status panel and leaves space for three lines of text.</summary>
     const float DegreesBelow = -6;
 
     /// <summary>Distance of the load behind the status panel, so that the load hides nothing.</summary>

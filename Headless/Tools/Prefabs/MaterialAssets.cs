@@ -10,14 +10,14 @@ static class MaterialAssets
     /// <summary>Render queue of opaque objects.</summary>
     const int Opaque = 2000;
 
-    /// <summary>Render queue after the virtual parts. An object in this queue does not hide them; where it is in front, they shine through.</summary>
+    /// <summary>Render queue after the virtual parts. An object in this queue does not hide the parts behind it: they are already drawn.</summary>
     const int AfterVirtualParts = 3100;
 
     /// <summary>Creates the material of virtual parts. It is bright, because a headset's display can only add light.</summary>
     public static string Hologram(PackageAssets assets) => Make(assets, "Hologram", new Color(0.25f, 0.75f, 1, 1));
 
     /// <summary>
-    /// Creates the material of the arm in scenes without a real one. It fades and has stripes like the tool, but in another colour.
+    /// Creates the material of the arm in scenes without a real arm. It fades and has stripes like the tool, but in another colour.
     /// </summary>
     public static string Arm(PackageAssets assets) => Make(assets, "Arm", new Color(1, 0.55f, 0.15f, 1));
 

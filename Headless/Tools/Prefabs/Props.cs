@@ -41,7 +41,9 @@ static class Props
     /// <summary>Sets the near clip plane. At 0.1 m, a step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.</summary>
     public static void SetNearClip(Camera camera) => camera.nearClipPlane = 0.1f;
 
-    /// <summary>Creates a directional light. A headset's scene has no shadows: they need a second rendering, and its display cannot darken.</summary>
+    /// <summary>
+    /// Creates a directional light. A headset's scene has no shadows: they need a second rendering pass, and a headset's display cannot darken.
+    /// </summary>
     public static GameObject Light(bool hasShadows = true)
     {
         var light = new GameObject("Directional Light");

@@ -95,7 +95,8 @@ public sealed class BadInputTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Vlc_PictureWithoutCode_ReportsIt() => await RejectedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
+    public async Task Vlc_PictureWithoutCode_ReportsThatNoCodeWasFound() =>
+        await RejectedWith("wall.png: no code found", "vlc", Picture("wall.png", WithoutCodes));
 
     [Test]
     public async Task Vlc_AllPicturesWithoutCode_ReportsTheirCount() => await RejectedWith(
@@ -177,7 +178,7 @@ public sealed class BadInputTests : CalibrationFolder
         await RejectedWith(message, "vlc", Picture("half.png", shot => Halved(shot, (CodeKind)half)));
 
     [Test]
-    public async Task Vlc_EmptyFolder_ReportsIt() =>
+    public async Task Vlc_EmptyFolder_ReportsThatItContainsNoPictures() =>
         await RefusedWith("nothing: contains no pictures", "vlc", Directory.CreateDirectory(Path.Combine(Folder, "nothing")).FullName);
 
     string ProfileOfAnother(string device)

@@ -30,7 +30,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
 
         Assert.That(WarningsOf(earlier), Is.EqualTo(new[]
         {
-            "--sweep: the log was written with graphics API 'Direct3D11', the options say 'Vulkan'; the pictures must belong to the sweep: "
+            "--sweep: the log was written with graphics API 'Direct3D11', but the options state 'Vulkan'; the pictures must belong to the sweep: "
                 + "repeat both with the same settings",
             "other",
         }));
@@ -45,7 +45,7 @@ public sealed class EarlierProfileTests : CalibrationFolder
         var earlier = EarlierProfile.Read(path, DisplayConditions.Unknown, Vulkan);
 
         Assert.That(WarningsOf(earlier)[0], Is.EqualTo(
-            $"--profile: {path}: was measured with graphics API 'Direct3D11', this measurement has 'Vulkan'; "
+            $"--profile: {path}: was measured with graphics API 'Direct3D11', but this measurement has 'Vulkan'; "
             + "the values kept from the profile may be wrong: repeat the load sweep"));
     }
 

@@ -105,7 +105,7 @@ public class FilmedCodesTests : VideoFolder
     }
 
     [Test]
-    public async Task Vlc_FfmpegMissing_SuggestsToInstallItAndKeepsTheProfile()
+    public async Task Vlc_FfmpegMissing_SuggestsInstallingFfmpegAndKeepsTheProfile()
     {
         File.WriteAllText(Path.Combine(Directory.CreateDirectory(Out).FullName, "profile.json"), "good");
         UninstallFfmpeg();

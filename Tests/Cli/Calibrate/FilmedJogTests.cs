@@ -102,7 +102,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_FfmpegMissing_SuggestsToInstallIt()
+    public async Task Sine_FfmpegMissing_SuggestsInstallingFfmpeg()
     {
         var video = Video();
         UninstallFfmpeg();

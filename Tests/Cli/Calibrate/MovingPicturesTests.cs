@@ -20,7 +20,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_SomeTakenInMotion_RejectsOnlyThese()
+    public void Rejected_SomePicturesTakenInMotion_RejectsOnlyThese()
     {
         var rejected = MovingPictures.Rejected([.. Still(100), .. Moving(40)], out _);
 
@@ -74,7 +74,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_MostTakenInMotion_RejectsAllAndSuggestsCalibrateHead()
+    public void Rejected_MostPicturesTakenInMotion_RejectsAllAndSuggestsCalibrateHead()
     {
         var rejected = MovingPictures.Rejected([.. Still(40), .. Moving(100)], out var refusal);
 

@@ -95,7 +95,7 @@ public class RangeFitTests
 
     // On a display that is lit continuously, a frame is seen up to half a refresh interval before or after its middle.
     [Test]
-    public void Fit_LatencyScattersByHalfARefresh_FindsTheLimit()
+    public void Fit_LatencyScattersByHalfARefreshPeriod_FindsTheLimit()
     {
         var near = CountNear(new SimulatedPictures { NoiseMs = 4 }, out var limits);
 
@@ -172,7 +172,7 @@ public class RangeFitTests
 
             var limit = RangeFit.Fit(pairs).LimitRenderMs;
 
-            // The limit is at the last value completely within the range, or at the next one if most of it is within, plus a small part of the gap.
+            // The limit is at one of the two values next to the true limit, or above it by a small part of the gap.
             var (before, after) = (Math.Floor(TrueLimitMs / stepMs) * stepMs, Math.Ceiling(TrueLimitMs / stepMs) * stepMs);
             Assert.That(limit, Is.InRange(before - 1e-9, 1.021 * after), "seed " + seed);
         }

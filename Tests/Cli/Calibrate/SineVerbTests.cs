@@ -173,7 +173,7 @@ public class SineVerbTests : CalibrationFolder
         Assert.That(await RefusalOf("sine", Write("jog.csv", [text])), Does.Contain(named));
 
     [Test]
-    public async Task Sine_RobotAtRest_ReportsIt()
+    public async Task Sine_RobotAtRest_ReportsThatTheRobotDoesNotMove()
     {
         var rest = Enumerable.Range(0, 600).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i / Fps:0.####},640,{i % 7}"));
 

@@ -89,7 +89,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_CameraStartsTenSecondsEarly_ExcludesThosePictures()
+    public void Join_CameraStartsTenSecondsEarly_ExcludesTheEarlyPictures()
     {
         for (var seed = 1; seed <= 20; seed++)
         {

@@ -63,7 +63,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Vlc_FileIsNotAPicture_ReportsItAndKeepsTheProfile()
+    public async Task Vlc_FileIsNotAPicture_ReportsTheFileAndKeepsTheProfile()
     {
         Directory.CreateDirectory(In("out"));
         File.WriteAllText(In("out/profile.json"), "good");
@@ -105,7 +105,7 @@ public sealed class VlcVerbTests
     }
 
     [Test]
-    public async Task Vlc_TruncatedOrDamagedPicture_ReportsIt()
+    public async Task Vlc_TruncatedOrDamagedPicture_ReportsTheFault()
     {
         var whole = File.ReadAllBytes(In("pictures/picture-00001.jpg"));
         var tables = whole.AsSpan().IndexOf([(byte)0xff, (byte)0xc4]);
@@ -213,7 +213,7 @@ public sealed class VlcVerbTests
     [TestCase("empty", "contains no pictures")]
     [TestCase("sweep.csv", "neither a picture")]
     [TestCase("broken.png", "broken.png: unreadable")]
-    public async Task Vlc_NoPictures_ReportsItInOneLine(string name, string expected)
+    public async Task Vlc_NoReadablePictures_ReportsTheReasonInOneLine(string name, string expected)
     {
         Directory.CreateDirectory(In("empty"));
         File.WriteAllBytes(In("broken.png"), [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0]);

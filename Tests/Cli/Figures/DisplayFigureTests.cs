@@ -141,8 +141,8 @@ public class DisplayFigureTests
 
     [TestCase(Still, 40.5, Refresh, "holds")]
     [TestCase(Still, 42, Refresh, "holds partly", TestName = "Figure11a_MedianMoves_HoldsPartly")]
-    [TestCase(Still, 40.5, Between, "holds partly", TestName = "Figure11a_ScatterBelowARefresh_HoldsPartly")]
-    [TestCase(Still, 40.5, Still, "holds partly", TestName = "Figure11a_ConstantBeyond_HoldsPartly")]
+    [TestCase(Still, 40.5, Between, "holds partly", TestName = "Figure11a_ScatterBelowARefreshPeriod_HoldsPartly")]
+    [TestCase(Still, 40.5, Still, "holds partly", TestName = "Figure11a_LatencyConstantBeyondTheLimit_HoldsPartly")]
     [TestCase(Between, 42, Between, "does not hold")]
     [TestCase(Still, 42, Still, "does not hold")]
     public void Figure11a_MeasuredValues_DecideTheVerdict(double insideMs, double secondMs, double beyondMs, string verdict)
@@ -154,7 +154,7 @@ public class DisplayFigureTests
 
     // Two of three groups beyond the limit scatter. Together they meet the criteria, and the result names the third group.
     [Test]
-    public void Figure11_OneGroupBeyondTheLimitConstant_NamesTheGroup()
+    public void Figure11_OneGroupIsConstantBeyondTheLimit_NamesTheGroup()
     {
         var sweep = Sweep(Still, 40.5, Still, Refresh, Refresh).ToList();
 
@@ -174,10 +174,10 @@ public class DisplayFigureTests
     }
 
     [TestCase(Still, Refresh, 15.0, "holds")]
-    [TestCase(Still, Between, 15.0, "holds partly", TestName = "Figure11b_ScatterBelowARefresh_HoldsPartly")]
+    [TestCase(Still, Between, 15.0, "holds partly", TestName = "Figure11b_ScatterBelowARefreshPeriod_HoldsPartly")]
     [TestCase(Still, Refresh, 13.0, "holds partly", TestName = "Figure11b_LimitDependsOnTheScene_HoldsPartly")]
-    [TestCase(Between, Refresh, 15.0, "holds partly", TestName = "Figure11b_LatencyScattersInsideTheRange_HoldsPartly")]
-    [TestCase(Still, Still, 15.0, "holds partly", TestName = "Figure11b_LatencyIsConstantOutside_HoldsPartly")]
+    [TestCase(Between, Refresh, 15.0, "holds partly", TestName = "Figure11b_LatencyScattersWithinTheRange_HoldsPartly")]
+    [TestCase(Still, Still, 15.0, "holds partly", TestName = "Figure11b_LatencyConstantOutsideTheRange_HoldsPartly")]
     [TestCase(Between, Still, 13.0, "does not hold")]
     public void Figure11b_MeasuredValues_DecideTheVerdict(double insideMs, double beyondMs, double otherLimitMs, string verdict)
     {

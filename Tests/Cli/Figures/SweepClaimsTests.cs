@@ -32,7 +32,7 @@ public class SweepClaimsTests
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
-    // A move that is too short for full acceleration has fewer phases. A move with other limits exceeds the expected ones.
+    // A move that is too short for full acceleration has fewer phases. A move with other limits exceeds the expected limits.
     [TestCase(500, 1, 100, "holds")]
     [TestCase(500, 1, 90, "holds partly")]
     [TestCase(500, 1.1, 100, "holds partly")]

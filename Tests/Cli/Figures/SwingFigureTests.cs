@@ -115,7 +115,7 @@ public class SwingFigureTests
 
     // Two pictures per load are few, so the profile is not accurate.
     [Test]
-    public void Runs_NoProfile_MeasureItFromPictures()
+    public void Runs_NoProfile_MeasureAProfileFromPictures()
     {
         var runs = new SwingRuns(Settings with { Phases = 1, Profile = null, PicturesPerLoad = 2 });
 
@@ -186,7 +186,7 @@ public class SwingFigureTests
     }
 
     [Test]
-    public void Figure17_GapAboveHalf_CriterionIsNotMet()
+    public void Figure17_GapRatioAboveOneHalf_CriterionIsNotMet()
     {
         Assert.That(Figure17.Criterion("A", 0.45).IsMet, Is.True);
         Assert.That(Figure17.Criterion("A", 0.55).IsMet, Is.False);

@@ -40,7 +40,7 @@ public class PoseOutagesTests
     }
 
     [Test]
-    public void Add_ReasonKnownLater_ReportsIt()
+    public void Add_ReasonKnownLater_ReportsTheReason()
     {
         Play(5, true);
         Play(1, false);
@@ -90,7 +90,7 @@ public class PoseOutagesTests
 
     [TestCase(2.5, 0)]
     [TestCase(4, 1)]
-    public void Add_SlowStart_ReportsItAfterThreeSeconds(double seconds, int lines)
+    public void Add_PoseNotCurrentAtTheStart_ReportsAnOutageAfterThreeSeconds(double seconds, int lines)
     {
         Play(seconds, false);
 

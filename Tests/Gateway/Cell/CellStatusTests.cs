@@ -69,7 +69,7 @@ public class CellStatusTests
     }
 
     [Test]
-    public async Task State_DescribedRobotsReplacedByUndescribedOnes_IsOkWithObjectsOnly()
+    public async Task State_DescribedRobotsReplacedByUndescribedRobots_IsOkWithObjectsOnly()
     {
         for (var i = 0; i < ProtocolLimits.Robots; i++) await _source.SendAsync(RosbridgeWriter.PublishString($"/old{i}/robot_description", "<robot/>"));
         await _source.RoundTripAsync();

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Tests over real sockets that the gateway serves the clock of a control system, which an adapter offers.</summary>
+/// <summary>Tests, over real sockets, that the gateway serves the clock of a control system that an adapter offers.</summary>
 public class PlantTimeTests
 {
     static readonly ControlTime PlantStart = ControlTime.FromSeconds(900_000);

@@ -4,7 +4,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Tests in virtual time two clocks of one control system with different rates, which the gateway measures against its counter.</summary>
+/// <summary>Tests, in virtual time, how the gateway measures two clocks of one control system, which have different rates.</summary>
 public class ServedClockTests
 {
     static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(0.4);

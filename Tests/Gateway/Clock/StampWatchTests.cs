@@ -48,7 +48,7 @@ public class StampWatchTests
     [TestCase(2.0)]
     [TestCase(0.3)]
     [TestCase(-1.5)]
-    public void Look_SystemClockCorrectedAndSourcesFollow_IsAContradictionWithARemedy(double seconds)
+    public void Look_SystemClockCorrectedAndSourcesFollow_ReportsAContradictionWithARemedy(double seconds)
     {
         Run(5, () => System);
         Assert.That(_watch.Warning, Is.Null);
@@ -66,7 +66,7 @@ public class StampWatchTests
     [TestCase(-0.6, "600 ms older")]
     [TestCase(-0.9, "900 ms older")]
     [TestCase(0.11, "110 ms newer")]
-    public void Look_SmallCorrectionAndSourcesFollow_IsAContradictionOfThoseSources(double seconds, string expected)
+    public void Look_SmallCorrectionAndOneSourceFollows_ReportsAContradictionOfThatSource(double seconds, string expected)
     {
         var withoutCorrection = () => _own.Now;
         Run(StampWatch.Seconds + 1, () => System, withoutCorrection);
@@ -92,7 +92,7 @@ public class StampWatchTests
     [TestCase(0.9, "900 ms older")]
     [TestCase(2.5, "2.6 s behind the control clock")]
     [TestCase(-3600.0, "60.0 minutes ahead of the control clock")]
-    public void Look_ServedSystemClockCorrectedButNotTheSource_IsAContradictionOfTheSource(double seconds, string expected)
+    public void Look_ServedSystemClockCorrectedButNotTheSource_ReportsAContradictionOfTheSource(double seconds, string expected)
     {
         var clock = new SystemControlClock(_time);
         var watch = new ServedClock(clock, new ServedClockTests.VirtualPlant().Clocks, _time).Stamps;
@@ -143,11 +143,11 @@ public class StampWatchTests
 
         (_isOwnServed, _plantAhead) = (true, TimeSpan.Zero);
         Run(StampWatch.Seconds + 2, () => System);
-        Assert.That(_watch.Warning, Is.Null, "the own clock is served again");
+        Assert.That(_watch.Warning, Is.Null, "the gateway serves its own clock again");
     }
 
     [Test]
-    public void Look_SamplesBecomeLaterWithoutACorrection_IsNotAContradiction()
+    public void Look_SamplesBecomeLaterWithoutACorrection_ReportsNoContradiction()
     {
         Run(StampWatch.Seconds + 1, () => System);
         Run(60, () => System - TimeSpan.FromSeconds(0.4));
@@ -156,7 +156,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_SystemClockCorrectedButSourcesUseTheGatewaysClock_IsOnlyAWarning()
+    public void Look_SystemClockCorrectedButSourcesUseTheGatewaysClock_GivesOnlyAWarning()
     {
         Run(5, () => _own.Now);
 
@@ -279,7 +279,7 @@ public class StampWatchTests
         _own.Skew = 100e-6;
         for (var i = 0; i < 3600; i++)
         {
-            // The system clock loses 100 µs per second against the own clock.
+            // The system clock loses 100 µs per second relative to the gateway's own clock.
             _correction = TimeSpan.FromSeconds(-100e-6 * i);
             Run(1);
         }

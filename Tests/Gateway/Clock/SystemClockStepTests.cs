@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Clock;
 
-/// <summary>Tests over real sockets a step of the system clock while a source publishes samples with time stamps of this clock.</summary>
+/// <summary>Tests, over real sockets, a step of the system clock while a source publishes samples with time stamps of this clock.</summary>
 public class SystemClockStepTests
 {
     static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);
@@ -181,7 +181,7 @@ public class SystemClockStepTests
     // The time stamps of the other source are far behind or ahead of the control time.
     [TestCase(-755.0)]
     [TestCase(755.0)]
-    public async Task Publish_JointOfAnotherSourceWithWrongTimeStamps_IsNotAContradiction(double seconds)
+    public async Task Publish_JointOfAnotherSourceWithWrongTimeStamps_CausesNoContradiction(double seconds)
     {
         await StartAsync(new StopwatchControlClock(SystemTime));
         using var owner = _gateway.Hub.OpenSource();

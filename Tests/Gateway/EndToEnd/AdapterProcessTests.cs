@@ -86,7 +86,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Start_AdapterWritesLines_AreInTheGatewaysLogDespiteManyOtherLines()
+    public async Task Start_AdapterEndsAfterManyOtherLines_GatewayLogsTheEnd()
     {
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
         await using var gateway = await GatewayServer.StartAsync(

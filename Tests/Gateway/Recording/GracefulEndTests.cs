@@ -21,7 +21,7 @@ public class GracefulEndTests
     [TestCase("TERM", 0)]
     [TestCase("HUP", 0)]
     [TestCase("INT", 130)]
-    public async Task Signal_DuringTraffic_EndsGracefullyWithAllForwardedMessagesInTheFile(string signal, int status)
+    public async Task TerminationSignal_DuringTraffic_EndsGracefullyWithAllForwardedMessagesInTheFile(string signal, int status)
     {
         using var gateway = new PeerProcess(
             "Nowpose.Gateway.dll", "serve", "--sync-port", "0", "--ws-port", "0", "--recordings", _folder, "--record");

@@ -94,7 +94,7 @@ public class RecorderDiskTests
     }
 
     [Test]
-    public async Task Record_DiskFailsBeyondTheMaximumSize_RequestsNoFurtherFile()
+    public async Task Record_DiskFailsAfterTheFileExceededTheMaximumSize_RequestsOnlyOneFurtherFile()
     {
         var time = new CountedTime();
         using var goOn = new ManualResetEventSlim();
@@ -104,7 +104,8 @@ public class RecorderDiskTests
             return new LineFile(new SmallDisk(100_000));
         }, time, maxBytes: 80_000);
         recorder.SwitchOn();
-        // More data than fit are already waiting when the disk fails, so the file does not reach its maximum size before the failure.
+        // The recorder requests the next file when it receives a message. It receives all these messages before it writes the file, and no
+        // message between the time at which the file exceeds its maximum size and the failure of the disk.
         _cell.Publish(2000, "a");
         goOn.Set();
         await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the disk is full");
@@ -132,7 +133,7 @@ public class RecorderDiskTests
             _ => new LineFile(new SmallDisk(10_000_000)),
         });
         recorder.SwitchOn();
-        // A thread of its own opens each file. Waits, so that the second file is not opened before the first.
+        // A separate thread opens each file. Waits for the first file, so that the second one is not opened before it.
         await Soon.BecomesAsync(() => Volatile.Read(ref files) == 1, "the first file is opened");
         _cell.Publish(5, "a");
         _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));

@@ -159,7 +159,7 @@ public class RevocationTests
     }
 
     [Test]
-    public async Task Headset_Revoked_LosesBothItsConnections()
+    public async Task Headset_Revoked_LosesBothConnections()
     {
         var headsets = new HeadsetList(PairingPath, log: _log.Enqueue);
         var token = headsets.Add("seven", out var headset);

@@ -138,7 +138,7 @@ public class WrongTokenTests
 
     [TestCase("/operations/login", "{\"token\":\"guess\"}")]
     [TestCase("/pair", "{\"token\":\"guess\",\"name\":\"a\"}")]
-    public async Task Form_ManyWrongParallelRequests_AreLimitedLikeSequentialOnes(string path, string body)
+    public async Task Form_ManyWrongParallelRequests_AreLimitedLikeSequentialRequests(string path, string body)
     {
         const int Requests = PairingLimits.WrongCodesPerMinute + 3;
         await using var gateway = await PairingGateway.StartAsync(isSecure: false, Gateways.Tokens);

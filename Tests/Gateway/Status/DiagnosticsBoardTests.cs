@@ -51,7 +51,7 @@ public class DiagnosticsBoardTests
     }
 
     [Test]
-    public void Add_LongValue_IsShortenedVisibly()
+    public void Add_LongValue_IsShortenedWithAnEllipsis()
     {
         var board = new DiagnosticsBoard(_time);
         var right = new string('y', DiagnosticsBoard.MaxValueLength);

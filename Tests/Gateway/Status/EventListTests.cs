@@ -61,7 +61,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Update_ConditionWithStartTime_AddsAnEventThatBeginsThen()
+    public void Update_ConditionWithStartTime_AddsAnEventThatBeginsAtThatTime()
     {
         var since = _time.GetUtcNow() - TimeSpan.FromSeconds(1.8);
 
@@ -137,7 +137,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Note_Any_AddsAnEventThatEndsImmediately()
+    public void Note_AnyCondition_AddsAnEventThatEndsImmediately()
     {
         _events.Note(new Condition("recording", "x.jsonl", "was deleted", "", Level.Warning));
         _events.Update([]);

@@ -10,24 +10,24 @@ public class LatencyHistogramTests
     [TestCase(0.5)]
     [TestCase(0.95)]
     [TestCase(0.99)]
-    public void Percentile_ManyLengths_IsTooLongByAtMostOneBucket(double fraction)
+    public void Percentile_ManyDurations_IsTooLongByAtMostOneBucket(double fraction)
     {
         const int Seed = 7;
         var random = new Random(Seed);
         var histogram = new LatencyHistogram();
-        // The lengths are from 1 µs to 10 s, with about the same number in each decade.
-        var lengths = Enumerable.Range(0, 20_000).Select(_ => TimeSpan.FromSeconds(Math.Pow(10, -6 + 7 * random.NextDouble()))).ToArray();
-        foreach (var length in lengths) histogram.Add(length);
-        Array.Sort(lengths);
+        // The durations are from 1 µs to 10 s, with about the same number in each decade.
+        var durations = Enumerable.Range(0, 20_000).Select(_ => TimeSpan.FromSeconds(Math.Pow(10, -6 + 7 * random.NextDouble()))).ToArray();
+        foreach (var duration in durations) histogram.Add(duration);
+        Array.Sort(durations);
 
         var estimate = LatencyHistogram.Percentile(histogram, None, fraction).Value;
 
-        var truth = lengths[(int)Math.Ceiling(fraction * lengths.Length) - 1];
+        var truth = durations[(int)Math.Ceiling(fraction * durations.Length) - 1];
         Assert.That(estimate / truth, Is.InRange(1.0, 1.0626), $"seed {Seed}");
     }
 
     [Test]
-    public void Percentile_TwoHistograms_UsesTheLengthsOfBoth()
+    public void Percentile_TwoHistograms_UsesTheDurationsOfBoth()
     {
         var (fast, slow) = (new LatencyHistogram(), new LatencyHistogram());
         for (var i = 0; i < 99; i++) fast.Add(new TimeSpan(3));
@@ -43,7 +43,7 @@ public class LatencyHistogramTests
     [TestCase(-1)]
     [TestCase(long.MaxValue)]
     [TestCase(long.MinValue)]
-    public void Add_LengthOutsideAllBuckets_CountsInTheNearestBucket(long ticks)
+    public void Add_DurationOutsideAllBuckets_CountsInTheNearestBucket(long ticks)
     {
         var histogram = new LatencyHistogram();
 

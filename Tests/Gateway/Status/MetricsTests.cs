@@ -99,7 +99,7 @@ public class MetricsTests
     }
 
     [Test]
-    public void Of_Joint_Has1ForItsStateOnly()
+    public void Of_Joint_Has1OnlyForItsState()
     {
         var lines = Metrics.Of(Snapshot(), new ForwardingTimes()).Split('\n').Where(line => line.StartsWith("nowpose_joint_state{", StringComparison.Ordinal)).ToList();
 
@@ -116,7 +116,7 @@ public class MetricsTests
     [TestCase("synchronised", 1, "synchronised")]
     [TestCase("holdover", 0, "holdover")]
     [TestCase("invented", 0, "other")]
-    public void Of_ClockStateOfAHeadset_IsSynchronisedInThatStateOnly(string state, int synchronised, string expected)
+    public void Of_ClockStateOfAHeadset_IsSynchronisedOnlyInTheStateSynchronised(string state, int synchronised, string expected)
     {
         var lines = Metrics.Of(Snapshot(Words("goggles", ("state", state))), new ForwardingTimes()).Split('\n');
 

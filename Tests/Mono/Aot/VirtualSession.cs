@@ -65,7 +65,7 @@ namespace Nowpose.Mono.Aot
                 File.Delete(path);
             }
             var ratio = Math.Sqrt(_squares / _holdSquares);
-            // Hold shows the newest sample, like an uncompensated headset. Every other predictor must remove half of the error of hold.
+            // Hold shows the newest sample, like an uncompensated headset. The error of any other predictor must be less than half the error of hold.
             Program.Require(_holdSquares > 0 && (_predictor == "hold" ? ratio > 0.9 && ratio < 1.1 : ratio < 0.5), "error over that of hold: " + ratio);
         }
 

@@ -1,5 +1,5 @@
 // Declares the names from Unity's includes that the package's shaders use, so that glslangValidator can compile them.
-// unity-shader-names.txt beside this folder lists the names that exist in Unity; a test compares the two.
+// unity-shader-names.txt next to this folder lists the names that exist in Unity; a test compares the two.
 #ifndef NOWPOSE_STAND_IN_INCLUDED
 #define NOWPOSE_STAND_IN_INCLUDED
 

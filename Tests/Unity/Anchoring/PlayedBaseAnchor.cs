@@ -67,7 +67,7 @@ sealed class PlayedBaseAnchor : IDisposable
 
     public void Dispose() => Cell.Dispose();
 
-    // Places the head one metre above and beside a place, looking down at it.
+    // Places the head 1 m above a place and 0.2 m to its side, and makes it look straight down.
     void LookDownAt(in RigidTransform place)
     {
         var pose = UnityPoses.ToWorld(place);

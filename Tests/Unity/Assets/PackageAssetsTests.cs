@@ -104,7 +104,7 @@ public sealed class PackageAssetsTests
         Assert.That(missing.Select(e => e.Field), Is.EquivalentTo(left), string.Join("\n", missing));
     }
 
-    /// <summary>Returns whether a path is at a place. A place that ends with a slash stands for all objects below it.</summary>
+    /// <summary>Returns whether a path ends with the place. A place that ends with a slash includes all objects below it.</summary>
     static bool IsIn(string place, string path) =>
         place.EndsWith('/') ? path.Contains(place, StringComparison.Ordinal) : path.EndsWith(place, StringComparison.Ordinal);
 

@@ -193,8 +193,8 @@ public sealed class LatencyProfileLoaderTests
         LatencyProfileFile.Save(Saved, Profile(51));
         _loader.Reload();
 
-        Assert.That(problem, Is.EqualTo("latency profile: StreamingAssets is inside the app's archive here, where no file can be opened; assign the "
-            + "profile as a text asset, or copy it to " + Saved));
+        Assert.That(problem, Is.EqualTo("latency profile: on this device, StreamingAssets is inside the app's archive, where no file can be opened; "
+            + "assign the profile as a text asset, or copy it to " + Saved));
         Assert.That(_loader.Problem, Is.Null);
     }
 

@@ -106,7 +106,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_Cycles_SeparatesTheFirstFromTheThirdOnwards()
+    public void Score_SeveralCycles_SeparatesTheFirstCycleFromTheThirdAndLaterCycles()
     {
         // A cycle takes 4 s. Scoring starts at 5 s, after the first cycle. The error ratios of cycles 2 to 4 are 0.5, 0.2 and 0.1.
         var result = Score(16, s => new Wrong(10, s < 8 ? 5 : s < 12 ? 2 : 1));

@@ -35,7 +35,7 @@ public sealed class AnchorStoreProblemTests
     }
 
     [Test]
-    public void Keep_StoreAlwaysRefuses_ReportsItAndTheAnchorStaysHeld()
+    public void Keep_StoreAlwaysRefuses_ReportsTheRefusalAndTheAnchorStaysHeld()
     {
         _played.Run(0.1);
         _played.Storage.Accepts = false;

@@ -197,7 +197,7 @@ public sealed class ArSpatialAnchorsTests
     }
 
     [Test]
-    public void Keep_NoStore_ReportsItAndTheAnchorStaysHeld()
+    public void Keep_NoStore_ReportsTheMissingStoreAndTheAnchorStaysHeld()
     {
         var anchor = _anchors.Hold(Place);
         Run(0.1);

@@ -68,7 +68,7 @@ public sealed class DisplayTimeFallbackTests
 
     [TestCase(0.9, false)]
     [TestCase(1.05, true)]
-    public void DisplayTime_ImplausibleForASecond_IsReportedOnceAndSoIsItsRecovery(double seconds, bool isReported)
+    public void DisplayTime_ImplausibleForASecond_LogsTheFaultAndTheRecoveryOnce(double seconds, bool isReported)
     {
         _played.Play();
         var texts = new StatusTexts();

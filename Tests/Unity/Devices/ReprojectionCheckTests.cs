@@ -41,7 +41,7 @@ public sealed class ReprojectionCheckTests
         _cell.Run(seconds, _session);
     }
 
-    // Removes the requirement of depth submission whose absence gives a state.
+    // Removes the one requirement of depth submission whose absence causes the given state.
     void Break(DepthSubmission how)
     {
         switch (how)
@@ -86,7 +86,7 @@ public sealed class ReprojectionCheckTests
     }
 
     [Test]
-    public void Update_ConditionMissing_IsReportedOnceAndSoIsItsRecovery(
+    public void Update_ConditionMissing_LogsTheProblemAndTheRecoveryOnce(
         [Values(DepthSubmission.TurnedOff, DepthSubmission.NotSupported, DepthSubmission.NoMainCamera, DepthSubmission.NotRequested)]
         DepthSubmission broken)
     {

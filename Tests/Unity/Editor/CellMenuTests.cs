@@ -66,7 +66,7 @@ public sealed class CellMenuTests : EditorFixture
     }
 
     [Test]
-    public void Place_PrefabMissing_NamesItAndTheRemedy()
+    public void Place_PrefabMissing_NamesThePrefabAndTheRemedy()
     {
         using var folder = new ProjectFolder();
         folder.Write("Packages/manifest.json", "{}");

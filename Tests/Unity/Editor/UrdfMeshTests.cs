@@ -43,7 +43,7 @@ public sealed class UrdfMeshTests : EditorFixture
 
         _imported.Import("<link name='base'>" + Visual("<mesh filename='../meshes/a.stl'/>") + "</link>");
 
-        // The triangle is anticlockwise about z in the file. This is Unity's y, and Unity draws triangles that are clockwise.
+        // The triangle is anticlockwise about z in the file. This axis is Unity's y, and Unity draws triangles that are clockwise.
         var mesh = _imported.Objects().OfType<Mesh>().Single();
         var corners = mesh.triangles.Select(i => mesh.vertices[i]).ToArray();
         Assert.That(mesh.normals, Is.All.EqualTo(Vector3.up));

@@ -46,7 +46,7 @@ sealed class PlayedPanel : IDisposable
 
     public TextMesh[] Texts => Sheet.GetComponentsInChildren<TextMesh>();
 
-    /// <summary>Returns the value and the note beside a label.</summary>
+    /// <summary>Returns the value and the note in the row of a label.</summary>
     public (string Value, string Note) Row(string label)
     {
         var row = Texts.Single(t => t.text == label).name.Split(' ')[0];

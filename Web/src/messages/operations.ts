@@ -21,9 +21,9 @@ export const operationsMessages = {
   noNewState: (reason: string, shownAt: string) => (shownAt === '' ? ended(reason) : `${ended(reason)} The data shown are from ${shownAt}.`),
   beyondLimits: (joints: string[]) =>
     `Outside the limits of the robot description, and drawn at the limit: ${joints.join(', ')}. `
-    + 'Check that the description is that of this robot, and that the source sends rad and m, not degrees and mm.',
+    + 'Check that the description belongs to this robot, and that the source sends rad and m, not degrees and mm.',
   noFolder: 'This gateway has no folder for recordings: start it with --recordings FOLDER.',
-  recordAsOperator: "To start or stop it, log in with an operator's token.",
+  recordAsOperator: "To start or stop the recorder, log in with an operator's token.",
   listAsOperator: "To see and download recordings, log in with an operator's token.",
   notListed: (reason: string) => `The recordings cannot be listed: ${ended(reason)}`,
 };

@@ -90,7 +90,7 @@ export class OtherRobots implements Beside {
       robot.bodies = new Bodies(data);
       this.group.add(robot.bodies.group);
     } catch {
-      // Ignores a description that cannot be read, because the headsets report it.
+      // Ignores a description that cannot be read, because the headsets report this error.
     }
   }
 }

@@ -17,7 +17,7 @@ import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, 
 /** Poses of a robot that can be drawn together. */
 export type Part = 'truth' | 'displayed' | 'hold';
 
-/** Style of each pose. They are drawn in the order of `place`, so the last one covers the others where they coincide. */
+/** Style of each pose. Poses are drawn in the order of `place`, so the last one covers the others where they coincide. */
 export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> = {
   truth: { ink: '--truth', opacity: 1, place: 2 },
   displayed: { ink: '--compensated', opacity: 0.5, place: 1 },
@@ -45,7 +45,7 @@ export class Bodies {
           transparent: PARTS[part].opacity < 1,
           opacity: PARTS[part].opacity,
           depthWrite: PARTS[part].opacity === 1,
-          // A coloured copy on top of the grey one at the same position would look like a different position.
+          // At the same position, a coloured copy in front of the grey robot would look like a robot at a different position.
           ...(PARTS[part].opacity < 1 ? BACK : {}),
         }),
     );
@@ -73,7 +73,7 @@ export class Bodies {
     base.decompose(this.group.position, this.group.quaternion, this.group.scale);
   }
 
-  /** Hides the links below joints whose position is unknown. Drawn at 0, they would look like measured ones. */
+  /** Hides the links below joints whose position is unknown. At the position 0, these links would look as if they had been measured. */
   showKnown(part: Part, isKnown: (joint: string) => boolean): void {
     showKnown(this.robots[part], isKnown);
   }

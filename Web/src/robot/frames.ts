@@ -47,7 +47,7 @@ export class Frames {
       transforms = JSON.parse(text).msg.transforms;
       for (const transform of transforms) this.add(transform, isStationary);
     } catch {
-      // Ignores a message that cannot be read. The gateway has validated it, so its format is unknown to this page.
+      // Ignores a message that cannot be read. The gateway has checked the message, so it has a format that this page does not know.
     }
   }
 

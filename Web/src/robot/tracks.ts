@@ -1,6 +1,6 @@
 import { JointTrack } from './track';
 
-/** Maximum number of joints: twice the maximum in a message, so that the joints of another robot fit, too. */
+/** Maximum number of joints: twice the maximum in a message, so that the joints of a second robot fit, too. */
 const MAX_JOINTS = 512;
 
 /** Positions of all joints at one time. */

@@ -68,7 +68,7 @@ function frame(at: number): void {
 async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) return document.exitFullscreen();
   await document.documentElement.requestFullscreen();
-  // Keeps the screen on, because a dimmed screen cannot be read. Some browsers have no wake lock, and none over plain HTTP.
+  // Keeps the screen on, because a dimmed screen cannot be read. Some browsers have no wake lock, and no browser has one over plain HTTP.
   await navigator.wakeLock?.request('screen').catch(() => undefined);
 }
 

@@ -85,8 +85,8 @@ describe('the robot', () => {
   it('shows the distance between the displayed and the true tool at one time', async () => {
     const page = await open();
 
-    // Turned by 0.1 rad about the base axis, from which the tool is 0.4809 m away (from the command line's kinematics). On a busy machine
-    // messages arrive in bursts, and positions between two bursts are wrong for a while.
+    // The displayed pose is turned by 0.1 rad about the base axis. The tool is 0.4809 m away from this axis, according to the kinematics of
+    // the command line. On a busy machine, messages arrive in bursts, and positions between two bursts are wrong for a while.
     const far = 2 * 480.9 * Math.sin(0.05);
     await showsToolError(page, far - 1, far + 1);
     gateway.turned = 0;
@@ -154,7 +154,7 @@ describe('the robot', () => {
     }
   });
 
-  it('turns with the keyboard and returns', async () => {
+  it('turns with the arrow keys and returns to its first view with the key 0', async () => {
     const page = await open({ reducedMotion: 'reduce' });
     gateway.isSilent = true;
     await page.waitForSelector('#content.stale');

@@ -184,7 +184,7 @@ describe('the shown state', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('can be completely unknown', async () => {
+  it('is shown as unknown if the gateway reports no values', async () => {
     gateway.state = { role: 'observer' };
     const page = await open({}, false);
 

@@ -45,7 +45,7 @@ export class Cycles {
   }
 }
 
-/** Adds an entry to a map with a maximum size. Returns the oldest entry if it had to be removed. */
+/** Adds an entry to a map with a maximum size. Beyond this size, removes the oldest entry and returns its value. */
 function remember<T>(map: Map<bigint, T>, stamp: bigint, value: T, most: number): T | undefined {
   map.set(stamp, value);
   if (map.size <= most) return undefined;

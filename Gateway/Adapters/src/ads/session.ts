@@ -17,7 +17,7 @@ import { adsMessages, symbolMessages } from '../messages/ads';
 const RUN = 5;
 const GOODBYE_MS = 500;
 
-/** Address of the state of the runtime, which exists whichever program is loaded. */
+/** Address of the state of the runtime. It exists in every PLC, independently of the loaded program. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
 /** Delay of a value in addition to the sampling and publishing intervals, and maximum time for which a value may remain unconfirmed. */
@@ -216,7 +216,7 @@ export class AdsSession {
 
   #put(stamp: Nanoseconds | null, values: CycleValue[]): void {
     const { isOnChange, samplingMs, publishingMs } = this.settings;
-    // Changes with an earlier stamp have already arrived, so values without one were unchanged until then.
+    // All changes with earlier stamps have already arrived, so a value without a change was unchanged up to this stamp.
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.index)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));

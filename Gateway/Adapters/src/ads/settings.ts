@@ -7,7 +7,7 @@ import { adsSettingMessages } from '../messages/ads';
 import { configurationMessages } from '../messages/configuration';
 import { summaryMessages } from '../messages/gateway';
 
-/** Our AMS port without a local router, from the range that TwinCAT's router assigns to clients. */
+/** The adapter's AMS port if this machine has no router, from the range that TwinCAT's router assigns to clients. */
 const OWN_PORT = 32905;
 
 const SAMPLING_MS = 10;
@@ -15,7 +15,7 @@ const SAMPLING_MS = 10;
 /** The settings of the kind ads, after the checks by the schema and by `check`. */
 export interface AdsSettings {
   endpoint: AdsEndpoint;
-  /** Our AMS address, if this machine has no router; null if the router at `endpoint.host` assigns an address. */
+  /** The adapter's AMS address if this machine has no router; null if the router at `endpoint.host` assigns an address. */
   local: { netId: string; port: number } | null;
   samplingMs: number;
   publishingMs: number;

@@ -8,7 +8,10 @@ const QUIET_MS = 50;
 /** Time without a value after which a symbol is read, if the PLC sends only changes. */
 const SILENT_MS = 60;
 
-/** A value counts as late after LATE_MS and DELAYS times its maximum delay. The PLC is then assumed to send no notifications for it. */
+/**
+ * A value counts as late after the longer of LATE_MS and DELAYS times its maximum delay. The PLC is then assumed to send no notifications for
+ * the value.
+ */
 const LATE_MS = 400;
 const DELAYS = 2;
 

@@ -33,7 +33,7 @@ export interface PoseOptions {
 /** Maximum interval between the values of a moving component, as a multiple of the source's sampling interval. */
 const PATIENCE_INTERVALS = 5;
 
-/** Maximum change of a quaternion or rotation vector component between two samples. A larger change is a change of all signs. */
+/** Maximum change of a quaternion or rotation vector component between two samples. A larger change means that all signs have changed. */
 const MAX_STEP = 1;
 
 /** Marks a number that must not be interpolated. */

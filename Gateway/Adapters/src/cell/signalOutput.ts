@@ -53,7 +53,7 @@ export class SignalOutput {
     for (const value of values) this.#take(value);
   }
 
-  /** Confirms that all signals still have their last value, except for the signals of some values. */
+  /** Confirms that the signals still have their last values, except the signals whose values are in `except`. */
   hold(except: ReadonlySet<number>): void {
     for (const i of this.#valid) if (!except.has(i + this.offset)) this.silence.heard(this.signals[i].signal);
   }

@@ -36,7 +36,7 @@ const MAX_READINGS = 64;
 const CHANGES = 2;
 const BETWEEN_READINGS_MS = 3;
 
-/** Resolution with which a gateway no longer synchronises. With steps of 30 ms, it needs two to three minutes. */
+/** Resolution with which a gateway no longer synchronises. With a resolution of 30 ms, the synchronisation takes two to three minutes. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
 
 /** Interval of the resolution measurements, which are needed because a gateway reads the time too rarely to detect standstills. */
@@ -96,8 +96,8 @@ export class PlantClock {
   }
 
   /**
-   * Reports that the plant is connected. Resolves when the resolution of its clock is known, because a wrong resolution causes an offset error of
-   * half the difference. Resolves with false if the plant has disconnected in the meantime.
+   * Reports that the plant is connected. Resolves when the resolution of its clock is known, because an error of the resolution causes an offset
+   * error of half its size. Resolves with false if the plant has disconnected in the meantime.
    */
   async attach(read: ReadClock, stop: AbortSignal): Promise<boolean> {
     this.#detached = new AbortController();

@@ -12,7 +12,7 @@ import { robotMessages } from '../messages/configuration';
 
 const DESCRIPTION_BYTES = 1024 * 1024;
 
-/** URDFs of the robots that are available by name. The gateway has the same. */
+/** URDFs of the robots that are available by name. They are the same as in the gateway. */
 const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot };
 
 /** A joint's name in the configuration, and its name in the robot description. */

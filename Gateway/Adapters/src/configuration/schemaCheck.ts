@@ -31,7 +31,7 @@ export function checkAgainstSchema(file: YamlFile, kind: string): void {
   }
 }
 
-// Whether the schema describes the allowed forms of an entry, so that the error of a choice can be reported as a whole.
+// Whether the schema describes the allowed forms of an entry in words, so that one message can report that none of them matches.
 const isOwnWords = (error: ErrorObject): boolean => error.keyword !== 'if' && (error.parentSchema as Described)?.description !== undefined;
 
 function inWords(error: ErrorObject, root: unknown): { path: Path; text: string } {

@@ -32,7 +32,7 @@ export class PinnedAgent extends Agent {
   }
 }
 
-/** Gets the reason why a server is refused that does not have the pinned key; null if it has the key. */
+/** Gets the reason for refusing a server without the pinned key; null if the server has this key. */
 export function pinProblem(socket: TLSSocket, pin: string): string | null {
   const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
   if (found === undefined) return gatewayMessages.noCertificate;

@@ -24,7 +24,7 @@ export const adsMessages = {
   noRuntime: (port: number, netId: string) =>
     `${netId} has no PLC runtime at AMS port ${port}; check plant.endpoint: the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
   unknownNetId: (host: string, netId: string) =>
-    `${host} does not know the AMS Net Id ${netId}; check plant.endpoint, and that ${host} has this AMS Net Id or a route to it`,
+    `${host} does not know the AMS Net Id ${netId}; check plant.endpoint, and check that ${host} has this AMS Net Id or a route to it`,
   /** @param localNetId AMS Net Id of this machine; null if the router at the host assigns an address. */
   noAnswer: (host: string, localNetId: string | null) =>
     `${host} accepts the connection but does not answer${

@@ -15,7 +15,7 @@ export const brokerMessages = {
   closed: 'the broker closed the connection',
   subscriptionRefused: (topic: string, reason: string) =>
     `the broker refuses the subscription to ${topic}: ${reason}; check the user's rights at the broker`,
-  refuses: (endpoint: string) => `${endpoint} refuses the connection; check that the broker runs, and the port in plant.endpoint`,
+  refuses: (endpoint: string) => `${endpoint} refuses the connection; check that the broker runs, and check the port in plant.endpoint`,
   loginRefused: (endpoint: string) => `${endpoint} refuses the login; check plant.user, and the user's rights at the broker`,
   notTrusted: (code: string) =>
     `the broker's certificate is not trusted (${code}); set plant.authority_file to the certificate of the authority that issued it`,

@@ -52,7 +52,7 @@ export const opcuaMessages = {
   rareTime: 'the server rarely updates CurrentTime, so its clock is read from the time stamps of its answers',
   noTimeOfAnswer: "the server's answer has no time stamp",
   notAllowed: (request: string) => `${request} is not allowed; the adapter only reads`,
-  noServer: (endpoint: string) => `no OPC UA server answers at ${endpoint}; check that it runs, and plant.endpoint`,
+  noServer: (endpoint: string) => `no OPC UA server answers at ${endpoint}; check that the server runs, and check plant.endpoint`,
 };
 
 /** Reasons why a server refuses this adapter, with the remedy. */

@@ -31,7 +31,7 @@ export const rtdeMessages = {
   silent: (place: string, seconds: number) =>
     `nothing has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
   halfPackage: (place: string, seconds: number) =>
-    `only half a package has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
+    `only a part of a package has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
   invalidData: (place: string, problem: string) => `${place} sends ${problem}; reading starts again. If this repeats, update the controller`,
   restarted: (before: number, after: number) =>
     `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${after.toFixed(1)} s; reading starts again`,

@@ -56,7 +56,8 @@ export const silenceMessages = {
   /** @param basis Origin of the limit. */
   stopTooHard: (required: number, limit: number, unit: string, basis: keyof typeof LIMITS) =>
     `a stop at the last position requires a deceleration of ${required.toFixed(1)} ${unit}, above the ${limit.toFixed(1)} ${unit} ${LIMITS[basis]}`,
-  unobservedStop: (required: number, unit: string) => `the stop itself was not observed; it would need ${required.toFixed(1)} ${unit}`,
+  unobservedStop: (required: number, unit: string) =>
+    `the stop itself was not observed; it would require a deceleration of ${required.toFixed(1)} ${unit}`,
   notWritten: "the server's source timestamps show that the value is no longer written, although it was written at rest before",
 };
 

@@ -239,8 +239,8 @@ export class ReadOnlySession {
     }
   }
 
-  // Monitors the nodes with a filter on time stamps, so that the server also sends values at rest. Does without the filter if the server does not
-  // support it.
+  // Monitors the nodes with a filter on time stamps, so that the server also sends values at rest. Omits the filter if the server does not support
+  // it.
   async #monitored(subscription: ClientSubscription, nodes: string[]): Promise<ClientMonitoredItem[]> {
     if (nodes.length === 0) return [];
     const byStamp = await this.#group(subscription, nodes, BY_STAMP());

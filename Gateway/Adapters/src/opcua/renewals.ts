@@ -10,7 +10,10 @@ const MIN_RENEWALS = 3;
  */
 const QUIET_MS = 1000;
 
-/** A source is assumed to have stopped writing a node after STOPPED_MS and INTERVALS times the longest observed interval without a renewal. */
+/**
+ * A source is assumed to have stopped writing a node if the node was not renewed for the longer of STOPPED_MS and INTERVALS times the longest
+ * observed interval.
+ */
 const STOPPED_MS = 1200;
 const INTERVALS = 3;
 
@@ -65,8 +68,8 @@ export class Renewals {
   }
 
   /**
-   * Gets when the source stopped writing a node: at rest, or after a change. Returns null if the source still writes, or if this is unknown
-   * because the source did not write the node periodically at rest.
+   * Gets whether the source stopped writing a node at rest or directly after a change. Returns null if the source still writes the node, or if
+   * this is unknown because the source did not write the node periodically at rest.
    */
   stopOf(node: number): SourceStop | null {
     const { changedAt, renewals, isRenewed, longestMs } = this.#nodes[node];

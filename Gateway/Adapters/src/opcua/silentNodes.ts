@@ -12,8 +12,8 @@ import { nodeMessages } from '../messages/opcua';
 const SILENT_MS = 60;
 
 /**
- * A node counts as no longer monitored if reads have differed from the last notification for DIFFERENT_MS and for DELAYS times the maximum delay
- * of a notification.
+ * A node counts as no longer monitored if reads have differed from the last notification for the longer of DIFFERENT_MS and DELAYS times the
+ * maximum delay of a notification.
  */
 const DIFFERENT_MS = 400;
 const DELAYS = 2;

@@ -28,7 +28,7 @@ export class Watch {
   /**
    * Checks the server until `ended` resolves. Each check also reads the clock. Resolves with the reason when the server no longer responds.
    * @param keepAliveMs Interval of the server's keep-alive messages, ms.
-   * @param look Called in each check with the time of the clock just before; null if the clock could not be read.
+   * @param look Called in each check with the time that the clock showed just before; null if the clock could not be read.
    */
   async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);

@@ -108,7 +108,7 @@ export const ros: Kind = {
   },
 };
 
-/** Reports a topic that is configured with two types. The ROS 1 and the ROS 2 name of a type, which contains /msg/, are equal. */
+/** Reports a topic that is configured with two types. The ROS 1 name of a type and its ROS 2 name with /msg/ count as equal. */
 function requireOneType(file: YamlFile, entries: { path: Path; topic?: string; type?: string }[]): void {
   const seen = new Map<string, { path: Path; type: string }>();
   for (const { path, topic, type } of entries) {

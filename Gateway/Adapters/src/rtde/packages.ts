@@ -56,7 +56,10 @@ export function setUpOutputs(frequencyHz: number, names: string[]): Buffer {
 
 export const start = (): Buffer => packageOf('start');
 
-/** Gets the text in a message of protocol version 2, or of version 1, which starts with the level and has no source; null if it is neither. */
+/**
+ * Gets the text in a message of protocol version 2 or 1; null if the payload is neither. A message of version 1 starts with its level and has no
+ * source.
+ */
 export function textOf(payload: Buffer): string | null {
   const length = payload[0] ?? 0;
   const source = payload[1 + length] ?? 0;

@@ -124,7 +124,10 @@ export class RobotClock {
     this.#uppers = this.#uppers.map(upper => upper + change);
   }
 
-  /** Widens the bounds if a package arrived earlier than expected. Adds half of that time, because the next late period may be longer. */
+  /**
+   * Widens the distance between the bounds if a package arrived earlier than expected: by 1.5 times this difference, because the next late period
+   * may be longer.
+   */
   #widen(faster: Nanoseconds): void {
     if (this.#kept === null || faster >= LATE) return;
     const width = this.#kept.assumed + (3n * faster) / 2n;

@@ -181,7 +181,7 @@ export class RtdeSession {
 
   /**
    * Gets a random time to wait before a request, mostly until shortly before the next package: the shorter the time between an answer and the next
-   * package, the tighter the bound. Random, because the transmission time of the request is unknown.
+   * package, the tighter the bound. The time is random, because the transmission time of the request is unknown.
    */
   #untilPackageMs(): number {
     const intervalMs = 1000 * (this.#pace.usual ?? 0);

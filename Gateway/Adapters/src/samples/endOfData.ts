@@ -8,7 +8,7 @@ const MIN_SAMPLES = 4;
 const GAP_S = 0.3;
 const GAP_INTERVALS = 6;
 
-/** Number of last second differences that are searched for braking, and number of last second differences from which the resolution is estimated. */
+/** Number of newest second differences that are searched for braking, and number of those from which the resolution is estimated. */
 const BRAKING = 2;
 const RESIDUALS = 12;
 
@@ -16,7 +16,7 @@ const RESIDUALS = 12;
 const STEADY = 0.7;
 const EQUAL = 1e-9;
 
-/** No sampling was skipped in the last interval if it is below this multiple of the source's sampling interval or of the shortest interval. */
+/** No sample was skipped in an interval that is shorter than this multiple of the source's sampling interval or of the shortest interval. */
 const EACH_LOOK = 1.6;
 
 /** Number of newest intervals whose median predicts the next interval. With a median, a single late sample does not hide the end of the data. */

@@ -55,7 +55,7 @@ describe('ads', { concurrency: 4 }, () => {
     });
 
   for (const [kind, more] of [['Notification', ''], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n']])
-    it(`Clock_${kind}_IsBetweenRequestAndAnswer`, async t => {
+    it(`Clock_ReadFrom${kind}_IsBetweenRequestAndAnswer`, async t => {
       const CYCLE_NS = 5_000_000, plc = youBot({ cycleMs: CYCLE_NS / 1e6, aheadMs: -7000 });
       const { bridge, server } = await cell(t, { plc, more });
       await statesOf(bridge);
@@ -78,7 +78,7 @@ describe('ads', { concurrency: 4 }, () => {
     });
 
   for (const [kind, more] of [['Notification', ''], ['Variable', '  timestamp: variable\n  time: { symbol: GVL.nTime, unit: ns }\n']])
-    it(`Clock_${kind}InPlantWithoutJoints_IsOffered`, async t => {
+    it(`Clock_ReadFrom${kind}InPlantWithoutJoints_IsOffered`, async t => {
       const { bridge, plc } = await cell(t, { plc: youBot({ cycleMs: 5, aheadMs: -7000 }), more, joints: '  []\n' });
       await clockOf(bridge);
 

@@ -16,7 +16,7 @@ import { ANY, like, messages } from '../messages.mjs';
 const { adsMessages, symbolMessages } = messages;
 
 describe('faults over ADS', { concurrency: 4 }, () => {
-  it('Adapter_SymbolMissingInNewProgram_IsFaultWhileOthersStayLive', async t => {
+  it('Symbol_MissingInNewProgram_IsInFaultWhileOthersStayLive', async t => {
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxis2, unit: deg }\n';
     const { plc, bridge } = await cell(t, { joints });
     await Promise.all(['arm_joint_1', 'axis'].map(name => jointIs(bridge, name, 'live')));
@@ -31,7 +31,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     await jointIs(bridge, 'axis', 'live');
   });
 
-  it('Adapter_SymbolUnknownAtStart_IsMissingWhileOthersAreLive', async t => {
+  it('Symbol_UnknownAtStart_IsMissingWhileOthersAreLive', async t => {
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxs2 }\n';
     const { bridge } = await cell(t, { joints });
 
@@ -41,7 +41,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assert.match(bridge.joint('axis').reason, like(symbolMessages.unknown('line 11', 'MAIN.fAxs2', ['MAIN.fAxis2'])));
   });
 
-  it('Adapter_PlcStopped_ReportsTheStopAndReadsAgainAfterIt', async t => {
+  it('Adapter_PlcStoppedAndStarted_ReportsTheStopThenReadsAgain', async t => {
     const { plc, bridge, adapter } = await cell(t);
     await statesOf(bridge);
 

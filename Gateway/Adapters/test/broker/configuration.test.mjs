@@ -31,7 +31,7 @@ describe('broker configuration', () => {
       assert.doesNotMatch(lines.join('\n'), /me:word/);
     });
 
-  it('Check_StartedByAGateway_DoesNotShowTheAddressOfTheFile', async t => {
+  it('Check_StartedByAGateway_DoesNotShowTheAddressInTheFile', async t => {
     const path = temporaryFile('broker.yaml', plant('  clock: { host: a }\n'));
 
     const { subscribing } = brokerSettingMessages;

@@ -25,7 +25,7 @@ describe('faults behind a broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual([far.joint('a').state, far.joint('a').reason], ['fault', brokerMessages.bridgeAway]);
   });
 
-  it('Joint_NoLongerPublished_IsFaultWhileOthersStayLive', async t => {
+  it('Joint_NoLongerPublished_IsInFaultWhileOthersStayLive', async t => {
     const { near, far, sync } = await halls(t), names = new Set(['a', 'b']);
     const publishing = setInterval(() => names.forEach(name => publish(near, '/joint_states', state(sync.now(), [name], [1]))), 50);
     t.after(() => clearInterval(publishing));

@@ -66,7 +66,7 @@ describe('objects over a broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(['arm1/a', 'a'].map(name => far.joint(name).state), ['live', 'live']);
   });
 
-  it('Check_NamespaceTwice_NamesItsLine', () => assert.match(wrongIn(temporaryFile('broker.yaml',
+  it('Check_NamespaceListedTwice_NamesItsLine', () => assert.match(wrongIn(temporaryFile('broker.yaml',
     'plant:\n  kind: broker\n  direction: publish\n  endpoint: mqtt://127.0.0.1\n  topic: a\n  namespaces: [arm1, arm1]\n'))[0],
   /line 6: plant\.namespaces\[1\]: value "arm1" occurs twice/));
 });

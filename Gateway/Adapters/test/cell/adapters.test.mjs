@@ -218,7 +218,7 @@ signals:
     await until(() => bridge.published('/signals')[0]?.value[0] === 0.08, () => JSON.stringify(bridge.state));
   });
 
-  it('Ros_BoolWithoutRobotClock_IsStampedWithTheArrivalOnTheGatewaysClock', async t => {
+  it('Ros_BoolWithoutRobotClock_IsStampedWithItsArrivalTimeOnTheGatewaysClock', async t => {
     const robot = await Robot.start(t, { now: null }), now = () => BigInt(Date.now()) * 1_000_000n + 60_000_000_000n;
     const bridge = await RosbridgeDouble.start(t, { now }), before = now();
     start(t, [temporaryFile('plant.yaml', `gateway: { url: "${bridge.url}" }

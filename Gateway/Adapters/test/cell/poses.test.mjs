@@ -234,7 +234,7 @@ describe('poses', () => {
     assert.ok(status.values()['frame/part'].endsWith(refusalMessages.parent(2, 1)), status.values()['frame/part']);
   });
 
-  it('ConstantFrame_IsPublishedOnceAsStationary', () => {
+  it('Frame_Constant_IsPublishedOnceAsStationary', () => {
     const { kept, stateOf } = cell({ frames: [table, part], values: VALUES });
 
     const [[topic, { transforms }]] = kept;

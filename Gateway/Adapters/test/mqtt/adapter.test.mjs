@@ -60,7 +60,7 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(bridge.heard.filter(({ op }) => op === 'advertise_service'), []);
   });
 
-  it('Numbers_WithoutTime_AreStampedWithTheArrivalOnTheGatewaysClock', async t => {
+  it('Numbers_WithoutTime_AreStampedWithTheirArrivalTimeOnTheGatewaysClock', async t => {
     const { bridge, send, now } = await cell(t, { plant: TIME, rest: REST });
     const before = now();
 

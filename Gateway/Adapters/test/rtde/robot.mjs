@@ -31,7 +31,7 @@ export class RtdeRobot {
   version = [5, 11, 1, 108318];
   accepts = 2;
   isAnsweringWhileStreaming = true;
-  /** The controller loses each package whose number is a multiple of this. */
+  /** The controller loses each package whose number is a multiple of this value. */
   losesEach = Infinity;
   sendsHalf = false;
   stands = false;

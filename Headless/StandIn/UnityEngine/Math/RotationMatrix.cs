@@ -8,7 +8,7 @@ static class RotationMatrix
     /// <summary>Converts a rotation to a quaternion. The three vectors must be orthonormal and form Unity's left-handed axes.</summary>
     internal static Quaternion ToQuaternion(Vector3 right, Vector3 up, Vector3 forward)
     {
-        // Divides by the largest component of the quaternion, because the precision would be low near half a turn otherwise.
+        // Divides by a component of the quaternion that is at least 0.5, because a division by a small component would be less precise.
         var trace = right.x + up.y + forward.z;
         if (trace > 0)
         {

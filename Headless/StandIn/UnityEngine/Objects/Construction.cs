@@ -4,7 +4,7 @@ using System.Runtime.ExceptionServices;
 
 namespace UnityEngine;
 
-/// <summary>Creates objects of Unity's classes, also with a private constructor, as Unity does.</summary>
+/// <summary>Creates objects of Unity's classes, even if their constructor is private, as Unity does.</summary>
 static class Construction
 {
     internal static Object Create(Type type)

@@ -60,7 +60,7 @@ public sealed partial class GameObject : Object
     /// <summary>Scene of the object; null for a prefab, and until a new object is added to a scene.</summary>
     internal SceneContent Content { get; private set; }
 
-    /// <summary>Creates an object that is not in a scene. Its scripts do not wake before <see cref="SceneContent.Adopt"/>.</summary>
+    /// <summary>Creates an object that is not in a scene. Its scripts receive Awake in <see cref="SceneContent.Adopt"/> at the earliest.</summary>
     internal static GameObject Detached(string name) => new(name, (SceneContent)null);
 
     public bool CompareTag(string tag) => this.tag == tag;

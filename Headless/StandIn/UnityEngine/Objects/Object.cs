@@ -49,7 +49,7 @@ public partial class Object
     /// <summary>Whether the object is an asset. Destroy refuses assets, so that scripts do not destroy them by mistake.</summary>
     internal bool IsAsset { get; private set; }
 
-    /// <summary>Object that has this object's name: the GameObject of a component, otherwise the object itself.</summary>
+    /// <summary>Object that stores the name of this object: for a component, its GameObject; otherwise the object itself.</summary>
     internal virtual Object NameOwner => this;
 
     /// <summary>Creates a copy for Instantiate; returns null if Instantiate must copy the serialised fields.</summary>

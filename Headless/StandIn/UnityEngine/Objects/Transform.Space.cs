@@ -8,7 +8,7 @@ public partial class Transform
     [SerializeField, SerializedName("m_LocalRotation")] Quaternion _localRotation = Quaternion.identity;
     [SerializeField, SerializedName("m_LocalScale")] Vector3 _localScale = Vector3.one;
 
-    // Cached pose in the world; valid while _known is true, which is until the transform or an ancestor moves.
+    // Cached pose in the world; valid while _known is true. _known becomes false when the transform or an ancestor moves.
     Matrix4x4 _matrix;
     Quaternion _rotation;
     bool _known;
@@ -136,7 +136,7 @@ public partial class Transform
     public Vector3 InverseTransformPoint(Vector3 position)
     {
         ThrowIfDestroyed();
-        // Converts step by step from the root, because the rounding error of an inverse 4x4 matrix of floats is too large at a metre.
+        // Converts step by step from the root, because an inverse 4x4 matrix of floats has too large rounding errors for positions of a metre.
         var above = _parent is null ? position : _parent.InverseTransformPoint(position);
         return Unscaled(Quaternion.Inverse(_localRotation) * (above - _localPosition));
     }

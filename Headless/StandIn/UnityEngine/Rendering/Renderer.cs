@@ -25,7 +25,7 @@ public class Renderer : Component
         }
     }
 
-    /// <summary>Bounding box in the world of the transformed bounding box of the mesh, as in Unity.</summary>
+    /// <summary>Axis-aligned box in the world that encloses the transformed bounding box of the mesh, as in Unity.</summary>
     public Bounds bounds
     {
         get

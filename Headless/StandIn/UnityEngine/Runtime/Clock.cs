@@ -23,7 +23,7 @@ sealed class Clock
     internal float Scale { get; set; } = 1;
     internal float MaximumDelta { get; set; } = 1f / 3;
 
-    /// <summary>Starts a frame at a time, given in s.</summary>
+    /// <summary>Starts a frame at the given time, s.</summary>
     internal void Advance(double seconds)
     {
         if (!double.IsFinite(seconds)) throw new ArgumentOutOfRangeException(nameof(seconds), seconds, "the time of a frame must be finite");

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Adds instances of MRTK3's buttons and sliders to a canvas in their original size: 32 mm square and 100 mm wide.</summary>
+/// <summary>Adds instances of MRTK3's buttons and sliders to a canvas at their original size: 32 mm square and 100 mm wide.</summary>
 sealed class Buttons
 {
     /// <summary>Distance of the original slider's handle from the canvas, mm.</summary>

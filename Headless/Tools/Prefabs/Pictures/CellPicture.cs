@@ -12,7 +12,9 @@ static class CellPicture
     /// <summary>Horizontal field of view of the camera, degrees.</summary>
     const double Field = 29;
 
-    /// <summary>Minimum distance, across the view, by which the uncompensated gripper lags, m. It is reached in fast motion of the sample.</summary>
+    /// <summary>
+    /// Minimum distance, perpendicular to the line of sight, by which the uncompensated gripper lags, m. Fast moves of the sample reach it.
+    /// </summary>
     const float MinGapMetres = 0.06f;
 
     /// <summary>Position of the camera, and the point that it faces: above the base, between conveyor and fixture.</summary>

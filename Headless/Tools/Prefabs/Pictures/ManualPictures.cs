@@ -41,7 +41,7 @@ static class ManualPictures
             (string.Create(CultureInfo.InvariantCulture, $"without Nowpose: {1000 * gap:0} mm behind"), uncompensated), ("with Nowpose", compensated));
     }
 
-    /// <summary>Draws the gripper at the end of the arm three times: current, current beside the ghost, and held.</summary>
+    /// <summary>Draws the gripper at the end of the arm three times: current, current next to the ghost, and held.</summary>
     public static string Appearance(string root)
     {
         using var cell = new PlayedCell(root);

@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Messages
 
         public const string CameraBackground =
             "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and pictures that the headset takes "
-            + "need the alpha.";
+            + "need the alpha channel.";
 
         public const string FrameTiming =
             "Frame Timing Stats provide the GPU time per frame. Without them, the render time is measured less accurately, and a limit of "
@@ -39,8 +39,8 @@ namespace Nowpose.Editor.Messages
             + "components are not compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.";
 
         public const string NearClip =
-            "The headset stabilises the picture with a 16-bit depth, whose steps are larger if the plane is closer: at 1.5 m they are 0.34 mm "
-            + "with 0.1 m, and 1.7 mm with the 0.02 m of MRTK3's rig.";
+            "The headset stabilises the picture with a 16-bit depth. A closer near clip plane makes the steps of the depth larger: at a distance "
+            + "of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m, as in MRTK3's rig.";
 
         public const string OpenXrLoader = "Without OpenXR, the app is a flat window in front of the wearer.";
         public const string MixedRealityOpenXr = "Features of a HoloLens beyond OpenXR: anchors, markers and display times.";

@@ -15,7 +15,7 @@ namespace Nowpose.Editor.Messages
             $"{file}: the file is read-only; make it writable, or check it out of version control, and try again";
 
         public static string TooLong(string file, string bytes) =>
-            $"{file}: the file has {bytes} bytes; the limit is 1 MiB; remove what does not belong there";
+            $"{file}: the file has {bytes} bytes; the limit is 1 MiB; remove what does not belong in a manifest";
         public static string ChangedMeanwhile(string file) => $"{file}: another program has changed the file; try again";
 
         public static string NotWritten(string file, string reason, string backup) =>
@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Messages
         public static string NotUtf8(string file) => $"{file}: the file is not UTF-8; save it as UTF-8";
 
         public static string VersionUnreadable(string package, string version, string needed) =>
-            $"{package} is kept at {version}: its version cannot be read there; {needed} is needed; check it";
+            $"{package} is kept at {version}, which does not state a version; {needed} is needed; check it";
 
         public static string Scopes(string place) => $"{place}: scopes must be an array; correct it";
         public static string NotAString(string place, string name) => $"{place}: {name} must be a string: a version or an address; correct it";

@@ -71,7 +71,7 @@ public class JointStatusTopicTests
     }
 
     [Test]
-    public void Publish_CalledRepeatedly_SendsChangesAndEachSecondWhileAJointIsNotLive()
+    public void Publish_CalledRepeatedly_SendsEachChangeAndOncePerSecondWhileAJointIsNotLive()
     {
         JointStatus[] fault = [Joint("a", JointDataState.Fault)];
         JointStatus[] none = [Joint("a", JointDataState.Live)];

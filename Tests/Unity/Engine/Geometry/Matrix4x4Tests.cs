@@ -19,7 +19,7 @@ public sealed class Matrix4x4Tests
         Is.LessThan(2e-6f));
 
     [Test]
-    public void Multiply_TwoMatrices_AppliesTheRightOneFirst()
+    public void Multiply_TwoMatrices_AppliesTheRightMatrixFirst()
     {
         var move = Matrix4x4.TRS(Vector3.right, Quaternion.identity, Vector3.one);
         var turn = Matrix4x4.Rotate(Quaternion.Euler(0, 90, 0));

@@ -37,7 +37,7 @@ public sealed class QuaternionTests
     }
 
     [Test]
-    public void Multiply_TwoQuaternions_AppliesTheRightOneFirst()
+    public void Multiply_TwoQuaternions_AppliesTheRightQuaternionFirst()
     {
         var both = Quaternion.Euler(0, 90, 0) * Quaternion.Euler(0, 0, 90);
 

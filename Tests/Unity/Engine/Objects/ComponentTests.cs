@@ -30,7 +30,7 @@ public sealed class ComponentTests : PlayerFixture
     }
 
     [Test]
-    public void GetComponent_InterfaceOrBase_FindsTheFirst()
+    public void GetComponent_InterfaceOrBase_FindsTheFirstComponent()
     {
         var a = Add<Keeper>("a");
 

@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Engine.Rendering;
 public sealed class CameraTests : PlayerFixture
 {
     [Test]
-    public void Main_SeveralCameras_IsTheEnabledOneWithTheTag()
+    public void Main_SeveralCameras_IsTheEnabledCameraWithTheTag()
     {
         Add<Camera>("other");
         var main = Add<Camera>("main");

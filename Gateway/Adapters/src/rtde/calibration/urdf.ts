@@ -5,7 +5,7 @@ import { calibrationMessages } from '../../messages/rtde';
 /** The joints in the included descriptions of UR's arms, from the base to the flange. The last joint is fixed. */
 const CHAIN = ['shoulder_pan_joint', 'shoulder_lift_joint', 'elbow_joint', 'wrist_1_joint', 'wrist_2_joint', 'wrist_3_joint', 'tool0_joint'];
 
-/** Maximum difference at the tool in m that a calibration can cause. A larger difference means that the robot is another one. */
+/** Maximum difference at the tool in m that a calibration can cause. A larger difference means that the kinematics belong to another robot. */
 const MAX_DIFFERENCE = 0.03;
 
 const originOf = (joint: string): RegExp => new RegExp(`(<joint name="${joint}"[^]*?<origin) xyz="([^"]*)" rpy="([^"]*)"`);

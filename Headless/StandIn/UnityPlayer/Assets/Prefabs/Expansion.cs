@@ -85,7 +85,7 @@ sealed class Expansion
         }
     }
 
-    /// <summary>Adds children and components that the file adds to an instance to the lists of the instance, which come from the prefab.</summary>
+    /// <summary>Adds to the instance's lists, which come from the prefab, the children and components that only the instance has.</summary>
     void AddFrom(PrefabInstance instance)
     {
         foreach (var own in _objects.Where(o => o.Link == null))

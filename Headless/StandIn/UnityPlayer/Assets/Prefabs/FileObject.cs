@@ -38,7 +38,7 @@ sealed class FileObject
 
     public Place Place => PlaceAs(ClassName);
 
-    /// <summary>Returns the object as part of an instance of this prefab.</summary>
+    /// <summary>Returns a copy of this prefab object that belongs to an instance of the prefab.</summary>
     public FileObject In(PrefabInstance instance)
     {
         var fields = (YamlMappingNode)LocalReferences.Map(Fields, instance.Map);

@@ -15,7 +15,7 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 /// </summary>
 static class PropertyPath
 {
-    /// <summary>Tag of an element added to a list that is empty in the prefab. Only the modifications tell which fields it has.</summary>
+    /// <summary>Tag of an element added to a list that is empty in the prefab. Its fields are known only from the modifications.</summary>
     static readonly TagName Open = new TagName("!open");
 
     static readonly Regex Element = new Regex(@"^data\[(\d+)\]\z", RegexOptions.CultureInvariant);

@@ -19,7 +19,7 @@ namespace Nowpose.Messages
 
         public const string TooOblique = "is seen too obliquely: stand in front of it";
         public const string Behind = "is behind you: look at it";
-        public const string OtherSize = "does not have the configured size: correct the size of the marker, or print it in this size";
+        public const string OtherSize = "does not have the configured size: correct the size of the marker, or print it at this size";
         public const string TwoPlaces = "is in two places: cover one of the two";
         public const string NotInView = "is no longer in view: look at it";
         public const string NotPlaced = "has no position from the headset yet: look at it";

@@ -41,7 +41,8 @@ namespace Nowpose.Messages
         public static string RosTimeMissing(DropReason fault) =>
             $"the answer contains no time ({fault}); check that rosapi has the service get_time";
 
-        public static string StartRosapi(string reason) => $"{reason}; start the node rosapi beside rosbridge, as rosbridge's launch file does";
+        public static string StartRosapi(string reason) =>
+            $"{reason}; start the node rosapi together with rosbridge, as rosbridge's launch file does";
         public static string RosClockStopped(string service) => $"{service}: the clock does not advance; continue the simulation if it is paused";
 
         public static string NoAnswer(string service, double seconds) =>

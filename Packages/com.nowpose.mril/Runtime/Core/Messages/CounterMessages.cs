@@ -4,7 +4,7 @@ namespace Nowpose.Messages
     static class CounterMessages
     {
         public static string Missing(string reason) => $"this platform has no performance counter of Windows ({reason}); disable Display Time";
-        public static string WentBack(int readings) => $"the performance counter went back in all of {readings} readings; restart the device";
+        public static string WentBack(int readings) => $"the performance counter went back in all {readings} readings; restart the device";
 
         public static string NotWorking(string frequency) =>
             $"the performance counter does not work: its frequency is {frequency}; restart the device";

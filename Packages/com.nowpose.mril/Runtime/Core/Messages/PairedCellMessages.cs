@@ -11,7 +11,7 @@ namespace Nowpose.Messages
 
         public static string CellCount(int cells, int max) => $"paired cells: {cells} cells; allowed: up to {max}";
 
-        public const string SameName = "paired cells: two have the same name; rename or remove one";
+        public const string SameName = "paired cells: two cells have the same name; rename or remove one";
         public const string UsedNotInList = "paired cells: the cell in use must be in the list";
         public const string List = "list of paired cells";
         public const string NotComplete = "it must be a complete JSON object";
@@ -19,11 +19,11 @@ namespace Nowpose.Messages
         public static string Unusable(string file, string reason) => $"{file}: cannot be used as a list of paired cells: {reason}";
         public static string Field(DropReason fault) => $"a field is missing, occurs twice, or has the wrong type ({fault})";
         public static string OtherFormat(string format) => $"its format must be '{format}'";
-        public static string NewerVersion(long version, int max) => $"it has version {version}; this Nowpose reads version {max}; update Nowpose";
+        public static string NewerVersion(long version, int max) => $"it has version {version}; this release of Nowpose reads version {max}; update Nowpose";
 
         /// <param name="copy">Path of the kept copy; null for none.</param>
         public static string Lost(string reason, string copy) => copy == null
             ? $"{reason}; look at the codes again"
-            : $"{reason}; kept as {copy}; look at the codes again";
+            : $"{reason}; the file is kept as {copy}; look at the codes again";
     }
 }

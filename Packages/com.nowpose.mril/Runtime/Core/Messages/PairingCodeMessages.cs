@@ -34,7 +34,7 @@ namespace Nowpose.Messages
         public static string NoVersion(int version) => $"has no version; expected: /{version}?";
 
         public static string OtherVersion(int version, int supported) =>
-            $"has version {version}; this Nowpose reads version {supported}; update Nowpose";
+            $"has version {version}; this release of Nowpose reads version {supported}; update Nowpose";
 
         public static string NotAField(string allowed) => $"a field is not KEY=VALUE; allowed: {allowed}";
         public static string UnknownField(char key, string allowed) => $"field {key} is not known; allowed: {allowed}";

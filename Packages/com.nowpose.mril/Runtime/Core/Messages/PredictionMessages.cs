@@ -16,7 +16,7 @@ namespace Nowpose.Messages
         public static string PositionCount(int positions, int times) =>
             $"{positions} positions for {times} times; the numbers must be equal and at least 1";
 
-        public static string DerivativeCount(int times) => $"the numbers of velocities and accelerations must equal that of the times, {times}";
+        public static string DerivativeCount(int times) => $"the numbers of velocities and accelerations must equal the number of times, {times}";
         public static string TimeOrder(int index, double time, double earlier) =>
             FormattableString.Invariant($"time {index}: {time} s is not later than {earlier} s; times must increase");
         public static string LimitOrder(double lower, double upper) =>

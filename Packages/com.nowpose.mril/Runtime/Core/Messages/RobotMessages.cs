@@ -22,7 +22,7 @@ namespace Nowpose.Messages
             + "choose another robot";
 
         public static string TooManyJoints(string robot, int joints, int max) =>
-            $"robot {robot}: has {joints} moving joints; a message carries at most {max}; make some of them fixed";
+            $"robot {robot}: has {joints} moving joints; a message contains at most {max}; make some of them fixed";
 
         public static string NamespaceTaken(string name, string robot) =>
             $"robot namespace '{name}': robot {robot} already has it; give each robot its own namespace";

@@ -9,7 +9,7 @@ namespace Nowpose.Messages
             "no component measured the render time, so the limit cannot be determined; add a Render Time Source to the session";
 
         public static string Rise(double lowVertices, double highVertices, string source, double lowMs, double highMs) =>
-            FormattableString.Invariant($"from about {lowVertices:0} to {highVertices:0} vertices {source} went from {lowMs:0.00} to ")
+            FormattableString.Invariant($"from about {lowVertices:0} to {highVertices:0} vertices, {source} went from {lowMs:0.00} to ")
             + FormattableString.Invariant($"{highMs:0.00} ms");
 
         public static string Responds(string rise) => $"this source responds to load: {rise}";

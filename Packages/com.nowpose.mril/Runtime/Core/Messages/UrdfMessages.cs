@@ -45,7 +45,7 @@ namespace Nowpose.Messages
             $"there are two root links, this one and {other}; every link except one must be the child of a joint";
 
         public static string Cycle(string link) =>
-            $"link {link} is above itself: the joints form a cycle; correct the parent or child of one of them";
+            $"link {link} is its own ancestor: the joints form a cycle; correct the parent or child of one of them";
 
         /// <param name="isXacro">Whether the text is a xacro expression.</param>
         public static string NotANumber(string attribute, string text, bool isXacro) => isXacro

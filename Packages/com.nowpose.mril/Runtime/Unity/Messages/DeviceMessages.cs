@@ -23,7 +23,7 @@ namespace Nowpose.Unity.Messages
         public const string AnchorRemoved = "the device has removed the anchor; lock or place the base again";
         public const string NoAnchors = "the device has no anchors; lock or place the base again";
         public const string AnchorNotCreated = "the device cannot create an anchor here; look around, so that it maps the room, and lock or place the base again";
-        public const string AnchorNeeds = "it needs a device that holds anchors";
+        public const string AnchorNeeds = "it needs a device that supports anchors";
         public const string ImageNeeds = "it needs a library with the images, and a device that tracks images";
 
         public const string QrCodeNeeds =

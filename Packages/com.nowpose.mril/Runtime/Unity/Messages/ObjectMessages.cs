@@ -19,6 +19,6 @@ namespace Nowpose.Unity.Messages
         /// <param name="copy">Path of the saved copy of the invalid file; null if it could not be saved.</param>
         public static string PlacesLost(string reason, string copy) => copy == null
             ? $"{reason}; place the objects again"
-            : $"{reason}; kept as {copy}; place the objects again";
+            : $"{reason}; the file is kept as {copy}; place the objects again";
     }
 }

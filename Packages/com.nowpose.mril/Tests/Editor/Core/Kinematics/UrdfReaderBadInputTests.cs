@@ -77,15 +77,15 @@ namespace Nowpose.Tests.Core.Kinematics
 
         [Test]
         public void Read_CycleOfAllLinks_NamesTheCycle() => RefusesJoints(
-            Joint("i", "a", "b") + Joint("j", "b", "c") + Joint("k", "c", "a"), "is above itself: the joints form a cycle");
+            Joint("i", "a", "b") + Joint("j", "b", "c") + Joint("k", "c", "a"), "is its own ancestor: the joints form a cycle");
 
         [Test]
         public void Read_CycleBesideARoot_NamesALinkOfTheCycle() => RefusesJoints(
-            Joint("j", "b", "c") + "\n" + Joint("k", "c", "b"), "r.urdf:4: joint 'k': link 'b' is above itself: the joints form a cycle");
+            Joint("j", "b", "c") + "\n" + Joint("k", "c", "b"), "r.urdf:4: joint 'k': link 'b' is its own ancestor: the joints form a cycle");
 
         [Test]
         public void Read_LinkJoinedToItself_IsRefusedAsACycle() => RefusesJoints(
-            Joint("i", "a", "b") + Joint("j", "c", "c"), "joint 'j': link 'c' is above itself");
+            Joint("i", "a", "b") + Joint("j", "c", "c"), "joint 'j': link 'c' is its own ancestor");
 
         [Test]
         public void Read_LongNameWithLineBreak_IsShownInOneShortLine()

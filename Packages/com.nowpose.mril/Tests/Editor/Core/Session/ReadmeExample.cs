@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Session
             var clock = new StopwatchHeadsetClock();
 
             using var session = new CompensationSession(settings, robot, clock);
-            session.Connect();                           // connects, and reconnects, by itself
+            session.Connect();                           // connects, and reconnects automatically
 
             // every frame:
             var frame = session.Tick(clock.Now);         // allocates nothing

@@ -95,7 +95,8 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
             var words = LoadSensitivity.Judge(sweep.Rows((t, v) => ConstantTime(sweep))).Words;
 
-            Assert.That(words, Does.StartWith("this source does not respond to load: from about 200000 to 1800000 vertices camera_cpu went from 2."));
+            Assert.That(words, Does.StartWith(
+                "this source does not respond to load: from about 200000 to 1800000 vertices, camera_cpu went from 2."));
             Assert.That(words, Does.Contain(" ms").And.Contain("Frame Timing Stats").And.Not.Contain("\n"));
         }
 
@@ -107,7 +108,8 @@ namespace Nowpose.Tests.Core.Latency.Sweep
             var judged = LoadSensitivity.Judge(sweep.Rows((t, v) => sweep.GpuMs(t, v)));
 
             Assert.That(judged.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
-            Assert.That(judged.Words, Does.StartWith("this source responds to load: from about 200000 to 1800000 vertices display_gpu_time went from 5."));
+            Assert.That(judged.Words, Does.StartWith(
+                "this source responds to load: from about 200000 to 1800000 vertices, display_gpu_time went from 5."));
         }
 
         [Test]
