@@ -85,7 +85,7 @@ namespace Nowpose.Unity
         /// <summary>Raised when <see cref="Robot"/> changes.</summary>
         public event Action RobotChanged;
 
-        /// <summary>Raised for each change of the session. If there is a UnityEvent for the change, it is raised before.</summary>
+        /// <summary>Raised for each change of the session. If there is a UnityEvent for the change, the UnityEvent is raised first.</summary>
         public event Action<SessionChange> Changed;
 
         /// <summary>

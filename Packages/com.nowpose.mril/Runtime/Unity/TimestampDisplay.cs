@@ -62,7 +62,7 @@ namespace Nowpose.Unity
             _sheet = null;
         }
 
-        // Shows a message until the first frame. Not done in OnEnable, because Unity does not allow new children while it enables objects.
+        // Shows a message until the first frame. OnEnable cannot show it, because Unity does not allow new children while it enables objects.
         void LateUpdate()
         {
             if (_sheet == null) Hide();

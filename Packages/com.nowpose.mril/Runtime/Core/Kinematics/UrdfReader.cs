@@ -13,8 +13,8 @@ namespace Nowpose.Kinematics
     {
         /// <param name="text">The whole document, with xacro already expanded.</param>
         /// <param name="sourceName">Name in error messages, usually the file name.</param>
-        /// <exception cref="InputException"> The text does not describe a robot whose kinematics can be computed; the message names the
-        /// line, the element and the error.
+        /// <exception cref="InputException">
+        /// The text does not describe a robot whose kinematics can be computed; the message names the line, the element and the error.
         /// </exception>
         public static RobotModel Read(string text, string sourceName)
         {

@@ -15,8 +15,10 @@ namespace Nowpose.Pairing
         }
 
         /// <summary>Ends a frame.</summary>
-        /// <returns>Name of another cell that the wearer has looked at for long enough and has not declined; null if there is none, or if
-        /// the cell in use is also in view.</returns>
+        /// <returns>
+        /// Name of another cell that the wearer has looked at for long enough and has not declined; null if there is none, or if the cell
+        /// in use is also in view.
+        /// </returns>
         public string Wanted(HeadsetTime now)
         {
             var other = _isUsedInView ? null : _inView;

@@ -5,7 +5,7 @@ namespace Nowpose.Signals
 {
     /// <summary>
     /// Detects that the clock of a signal's source went back, by several consecutive late values: each is older than the newest stamp and
-    /// newer than the previous late value. Fewer late values were overtaken on the network.
+    /// newer than the previous late value. If there are fewer late values, they were overtaken on the network.
     /// </summary>
     sealed class LateValues
     {

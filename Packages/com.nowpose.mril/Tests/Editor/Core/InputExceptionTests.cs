@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void OneLine_CutInsideASurrogatePair_KeepsOrDropsThePair([Values(0, 1)] int before)
+        public void OneLine_CutInsideASurrogatePair_KeepsOrDropsTheWholePair([Values(0, 1)] int before)
         {
             var text = new string('x', before) + string.Concat(Enumerable.Repeat("\U0001F916", 200));
 

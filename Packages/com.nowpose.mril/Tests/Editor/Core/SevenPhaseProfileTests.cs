@@ -124,9 +124,9 @@ namespace Nowpose.Tests.Core
         }
 
         [TestCaseSource(nameof(Moves))]
-        public void Profile_AnyMove_IsAlwaysAtALimit(double[] move)
+        public void Profile_AnyMove_VelocityAccelerationOrJerkIsAtItsLimit(double[] move)
         {
-            // A time-optimal profile has velocity, acceleration or jerk at its limit at every moment.
+            // At every time, the velocity, the acceleration or the jerk of a time-optimal profile is at its limit.
             var profile = Profile(move);
             var step = profile.Duration / 1e5;
 

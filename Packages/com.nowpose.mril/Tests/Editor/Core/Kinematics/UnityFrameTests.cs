@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Axes_Joint_MoveInUnityAsInTheUrdf()
+        public void AxisConversion_RevoluteAndPrismaticJoint_MoveInUnityAsInTheUrdf()
         {
             var random = new Random(13);
             for (var i = 0; i < 50; i++)

@@ -97,7 +97,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void EndFrame_UsedSourceStops_IsReplacedAfter30Frames()
+        public void EndFrame_SourceInUseStops_IsReplacedAfter30Frames()
         {
             Frames(100, "03");
             Frames(29, "3");

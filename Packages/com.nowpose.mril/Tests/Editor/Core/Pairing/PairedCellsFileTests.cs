@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Save_SeveralCells_RoundTrip()
+        public void Load_SavedCells_RoundTrip()
         {
             var first = new PairedCell(new[] { CodeOf("Prüfzelle 3", 0), CodeOf("Prüfzelle 3", 1) }, "to\"ken");
             var cells = PairedCells.None.Use(first).Use(new PairedCell(new[] { CodeOf("b", 0) }, null)).Use(first);

@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase(0.1, 0.05, 0)]
         [TestCase(0.05, 0.05, 0.01)]
         [TestCase(0.02, 0.02, 0.008)]
-        public void Play_SamplingIntervalChanges_AddsNoError(double before, double after, double shift)
+        public void Play_SamplingIntervalChanges_ErrorStaysSmall(double before, double after, double shift)
         {
             var joint = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
             var turn = (int)(30 / before);
@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Play_LongRestAtStart_KeepsLaterRestSteady()
+        public void Play_RestWithoutNoiseAtStart_DoesNotAmplifyNoiseAtALaterRest()
         {
             const double noise = 1e-4;
             var random = new Random(4);

@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         // A frame may read the position twice, the second time for a later display time. A sample may arrive between the two reads.
         [Test]
-        public void At_SampleBetweenTwoReadsOfOneFrame_ContinuesTheFirst()
+        public void At_SampleBetweenTwoReadsOfOneFrame_SecondReadContinuesTheFirst()
         {
             var (blended, bare) = Moving(1);
             var first = blended.Show(1.1 + Frame).Position;

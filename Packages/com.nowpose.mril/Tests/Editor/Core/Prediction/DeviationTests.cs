@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_NewestSample_EqualsTheNoise()
+        public void DeviationAt_NewestSample_IsSmallButPositive()
         {
             var predictor = Fed("gp", Waves, 100);
 
@@ -60,7 +60,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_AfterAChangeOfMotion_FollowsWithinSeconds()
+        public void DeviationAt_AfterAChangeOfMotion_FollowsWithinAMinute()
         {
             double Quiet(double t) => t < 20 ? Waves(t) : Waves(20) + 0.01 * (Waves(t) - Waves(20));
 

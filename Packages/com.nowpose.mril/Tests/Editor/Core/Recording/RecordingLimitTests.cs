@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void File_AtItsMaximumSize_EndsWithAWholeLineAndReportsIt()
+        public void File_AtItsMaximumSize_EndsWithAWholeLineAndReportsTheLimit()
         {
             var session = NewSession();
             var run = new RecordedRun(session, maximumMegabytes: 0.02);

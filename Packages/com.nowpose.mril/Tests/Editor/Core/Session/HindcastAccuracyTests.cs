@@ -78,7 +78,7 @@ namespace Nowpose.Tests.Core.Session
         // Each window of ten seconds contains different moves. Nevertheless, the uncertainty intervals of more than 85 % of the windows
         // must contain the reduction of the whole run.
         [Test]
-        public void ToolError_TenSeconds_UncertaintyCoversTheWholeRun()
+        public void ToolError_WindowsOfTenSeconds_UncertaintyUsuallyCoversTheWholeRun()
         {
             var (covered, count, widths) = (0, 0, new List<double>());
             for (var seed = 11; seed <= 14; seed++)

@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Session
             var simulated = Running(isEachJointApart);
 
             simulated.SilentJoint = "elbow";
-            // Samples that have been taken before still arrive, after 105 ms of acquisition plus the delay of the WiFi.
+            // Samples from before the joint fell silent still arrive, up to 105 ms plus the delay of the WiFi after they were taken.
             var states = StatesOf(simulated, 0.3 + 0.15);
             var after = StatesOf(simulated, 3);
             var statistics = StatisticsOf(simulated);

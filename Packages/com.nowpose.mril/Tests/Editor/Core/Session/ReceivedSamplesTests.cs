@@ -65,7 +65,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Received_StampsCoarserThanTheSamples_PoseStaysCurrent()
+        public void Received_StampsCoarserThanTheSamplingInterval_PoseStaysCurrent()
         {
             var simulated = new SimulatedSession(NetworkProfile.Lan, Seed);
             simulated.Run(6);

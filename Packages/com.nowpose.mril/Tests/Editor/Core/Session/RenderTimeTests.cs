@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Rendered_OutsideWhileUnsynchronisedOrHeld_ShowsTheMoreSevereState()
+        public void Rendered_OutsideRangeWhileIncompleteOrHeld_ShowsTheMoreSevereState()
         {
             var simulated = Session(Range);
             var incomplete = Run(simulated, 20, RenderTimeSourceKind.DisplayGpuTime).First();

@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Change_DuringAMove_ContinuesFromThatPosition()
+        public void Change_DuringAMove_ContinuesFromTheCurrentPosition()
         {
             var stroke = Open();
             stroke.Change(1, At(10));

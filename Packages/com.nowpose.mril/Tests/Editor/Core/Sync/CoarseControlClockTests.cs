@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test, Combinatorial]
-        public void ErrorBound_ExchangesAtTheSamePhaseOfTheStep_HoldsWithoutAClockStep(
+        public void ErrorBound_ExchangesAtTheSamePhaseOfTheCycle_HoldsWithoutAClockStep(
             [ValueSource(nameof(Resolutions))] double resolutionMs, [ValueSource(nameof(Skews))] double skewPpm,
             [Values("lan", "wifi")] string network)
         {

@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(-1.7e9)]
         [TestCase(0)]
         [TestCase(4e9)]
-        public void Error_DistantEpochs_IsUnchanged(double epoch)
+        public void Error_DistantEpochs_StaysSmall(double epoch)
         {
             var link = new SimulatedLink(NetworkProfile.Lan, FirstSeed, 40, controlEpoch: epoch);
 

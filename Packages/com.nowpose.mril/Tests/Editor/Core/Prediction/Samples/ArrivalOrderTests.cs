@@ -192,7 +192,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_OvertakenSample_WaitsForTheNext()
+        public void Add_OvertakenSample_WaitsForTheNextSample()
         {
             var joint = TestPredictors.Polynomial(1, 1);
             joint.Add(0, 0);

@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Frame_ClockUnknown_StaysInTheGripperOfTheHeldRobot()
+        public void Frame_ClockUnknown_StaysInTheDisplayedGripper()
         {
             var cell = new CellSession(isClockKnown: false);
             cell.Session.Frames.Need("part");
