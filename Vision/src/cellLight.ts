@@ -1,6 +1,6 @@
 import { homography, type Quad } from './geometry';
 import { Equations, leastAbsolute } from './leastAbsolute';
-import { lightThrough, type Light } from './levels';
+import { sampleLight, type Light } from './levels';
 import { type Band, Cell, cellAt, eachEdge, isWithinBand, type Kind, type Pattern } from './pattern';
 
 /** Number of samples along one side of a cell. */
@@ -90,20 +90,23 @@ const white = 0.97;
 
 /** Returns the share of cells whose middle is white. Such cells are overexposed, and their light cannot be measured. */
 export function whiteShare(picture: Light, quad: Quad, side: number): number {
-  const seen = homography(quad);
-  const middles = Array.from({ length: side * side }, (_, i) =>
-    lightThrough(picture, seen, ((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side),
-  );
+  const middles = gridLight(picture, quad, side, i => (i + 0.5) / side);
   return middles.filter(light => light >= white).length / middles.length;
 }
 
 /** Samples the light along the rows and columns of a code, from one cell outside the code to one cell outside on the other side. */
 function samplesOf(picture: Light, quad: Quad, side: number): (row: number, column: number) => number {
-  const seen = homography(quad);
   const length = (side + 2) * samples;
-  const light = new Float32Array(length * length);
-  const along = (sample: number) => ((sample + 0.5) / samples - 1) / side;
-  for (let row = 0, i = 0; row < length; row++)
-    for (let column = 0; column < length; column++, i++) light[i] = lightThrough(picture, seen, along(column), along(row));
+  const light = new Float32Array(gridLight(picture, quad, length, sample => ((sample + 0.5) / samples - 1) / side));
   return (row, column) => light[(row + samples) * length + column + samples];
+}
+
+/** Samples the light in rows and columns, whose positions relative to the side of the code are given. */
+function gridLight(picture: Light, quad: Quad, length: number, along: (index: number) => number): Float64Array {
+  const points = new Float64Array(2 * length * length);
+  for (let row = 0, i = 0; row < length; row++)
+    for (let column = 0; column < length; column++, i += 2) [points[i], points[i + 1]] = [along(column), along(row)];
+  const light = new Float64Array(length * length);
+  sampleLight(picture, homography(quad), points, light, 0, light.length);
+  return light;
 }

@@ -56,23 +56,35 @@ function lightOfBytes(bytes: Uint8Array | Uint8ClampedArray, first: number, stri
   return light;
 }
 
-/** Returns the light at a point, interpolated between the centres of pixels; NaN outside the picture. */
-function lightAt({ width, height, data }: Light, x: number, y: number): number {
-  const column = Math.floor(x - 0.5);
-  const row = Math.floor(y - 0.5);
-  if (!(column >= 0 && row >= 0 && column < width - 1 && row < height - 1)) return NaN;
-  const right = x - 0.5 - column;
-  const down = y - 0.5 - row;
-  const at = row * width + column;
-  const above = data[at] * (1 - right) + data[at + 1] * right;
-  const below = data[at + width] * (1 - right) + data[at + width + 1] * right;
-  return above * (1 - down) + below * down;
-}
-
-/** Returns the light at a point of the unit square, which a homography maps to the picture. */
-export function lightThrough(picture: Light, { a, b, c, d, e, f, g, h }: Homography, u: number, v: number): number {
-  const w = 1 / (g * u + h * v + 1);
-  return lightAt(picture, (a * u + b * v + c) * w, (d * u + e * v + f) * w);
+/**
+ * Computes the light at points of the unit square, which a homography maps to the picture. The light is interpolated between the centres of
+ * pixels; NaN outside the picture.
+ *
+ * @param points u and v of each point, one after another.
+ * @param lights Gets the light at the points from `first` to `end`, exclusive.
+ */
+export function sampleLight(picture: Light, seen: Homography, points: Float64Array, lights: Float64Array, first: number, end: number): void {
+  const { a, b, c, d, e, f, g, h } = seen;
+  const { width, height, data } = picture;
+  const right = width - 1;
+  const bottom = height - 1;
+  for (let i = first; i < end; i++) {
+    const u = points[2 * i];
+    const v = points[2 * i + 1];
+    const w = 1 / (g * u + h * v + 1);
+    const x = (a * u + b * v + c) * w - 0.5;
+    const y = (d * u + e * v + f) * w - 0.5;
+    if (x >= 0 && y >= 0 && x < right && y < bottom) {
+      const column = x | 0;
+      const row = y | 0;
+      const at = row * width + column;
+      const across = x - column;
+      const down = y - row;
+      const above = data[at] * (1 - across) + data[at + 1] * across;
+      const below = data[at + width] * (1 - across) + data[at + width + 1] * across;
+      lights[i] = above * (1 - down) + below * down;
+    } else lights[i] = NaN;
+  }
 }
 
 /** Light to which the brightest pixels of a dark picture are raised, the share of pixels that count as the brightest, and the maximum factor. */

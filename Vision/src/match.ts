@@ -1,5 +1,5 @@
 import { homography, type Quad } from './geometry';
-import { lightThrough, type Light } from './levels';
+import { sampleLight, type Light } from './levels';
 import { medianOf } from './median';
 import { Band, Expected, isWithinBand, outer, stepsOf, type Pattern, type Step } from './pattern';
 
@@ -23,99 +23,113 @@ export class Matcher {
   readonly side: number;
   /** For each kind, the steps of the whole code, and the steps of the code without each band. */
   readonly #kinds: { whole: Steps; parts: Steps[] }[];
-  readonly #outer: { whole: Float64Array; parts: Float64Array[] };
-  readonly #steps: Float64Array;
+  readonly #outer: { whole: Steps; parts: Steps[] };
+  readonly #lights: Float64Array;
   readonly #rises: Float64Array;
 
   constructor(pattern: Pattern) {
     this.side = pattern.side;
     this.kinds = Object.keys(pattern.kinds);
-    this.#kinds = Object.values(pattern.kinds).map(kind => {
-      const steps = stepsOf(pattern, kind);
-      return { whole: stepsIn(steps), parts: bands.map(band => stepsIn(steps.filter(({ x, y }) => !isWithinBand(band, x, y)))) };
+    const withParts = (steps: Step[]) => ({
+      whole: new Steps(steps),
+      parts: bands.map(band => new Steps(steps.filter(({ x, y }) => !isWithinBand(band, x, y)))),
     });
-    const edges = outerOf(pattern.side);
-    this.#outer = {
-      whole: Float64Array.from(edges.flat()),
-      parts: bands.map(band => Float64Array.from(edges.filter(([x, y]) => !isWithinBand(band, x, y)).flat())),
-    };
-    this.#steps = new Float64Array(Math.max(...this.#kinds.map(({ whole }) => whole.expected.length)));
-    this.#rises = new Float64Array(this.#steps.length);
+    this.#kinds = Object.values(pattern.kinds).map(kind => withParts(stepsOf(pattern, kind)));
+    this.#outer = withParts(outerOf(pattern.side));
+    this.#lights = new Float64Array(2 * Math.max(...this.#kinds.map(({ whole }) => whole.count)));
+    this.#rises = new Float64Array(this.#lights.length / 2);
   }
 
   /**
    * @param reach Distance from the edge of a cell at which light is sampled, in cells; 0.5 is the middle of the cell.
    * @param hidden Band of the code that is ignored.
+   * @param needed Light times share that the caller needs. An agreement that cannot reach it is not computed completely.
    * @param given Light of the code if it is known, so that kinds and orientations of the same quad can be compared.
    */
-  agreement(picture: Light, quad: Quad, kind: number, reach: number, hidden?: Band, given?: number): Agreement {
+  agreement(picture: Light, quad: Quad, kind: number, reach: number, hidden?: Band, needed = 0, given?: number): Agreement {
     const { whole, parts } = this.#kinds[kind];
-    const { points, expected, most } = hidden === undefined ? whole : parts[hidden];
-    const steps = this.#steps;
-    this.#sample(picture, quad, points, reach);
-    let count = 0;
-    for (let i = 0; i < expected.length; i++) if (expected[i] === Expected.Rise) this.#rises[count++] = steps[i];
-    const light = given ?? medianOf(this.#rises, count);
-    if (!(light > 0)) return { light: 0, share: 0 };
-    let sum = 0;
-    for (let i = 0; i < expected.length; i++) {
-      const step = steps[i];
-      if (expected[i] === Expected.Rise) sum += Math.max(-light, Math.min(step, light));
-      else sum += (expected[i] === Expected.Pair ? 1 : -1) * Math.min(Math.abs(step), light);
-    }
-    return { light, share: sum / light / most };
+    return this.#agreement(picture, quad, hidden === undefined ? whole : parts[hidden], reach, needed, given);
   }
 
   /** Computes the agreement of the outer edge alone, which is independent of kind and orientation of the code. */
   outerAgreement(picture: Light, quad: Quad, hidden?: Band): Agreement {
-    const points = hidden === undefined ? this.#outer.whole : this.#outer.parts[hidden];
-    const count = points.length / 4;
-    this.#sample(picture, quad, points, outerReach);
-    this.#rises.set(this.#steps.subarray(0, count));
-    const light = medianOf(this.#rises, count);
-    if (!(light > 0)) return { light: 0, share: 0 };
-    let sum = 0;
-    for (let i = 0; i < count; i++) sum += Math.max(-light, Math.min(this.#steps[i], light));
-    return { light, share: sum / light / count };
+    return this.#agreement(picture, quad, hidden === undefined ? this.#outer.whole : this.#outer.parts[hidden], outerReach, 0);
   }
 
-  /** Computes the steps of light. A step is 0 if one of its samples is outside the picture. */
-  #sample(picture: Light, quad: Quad, points: Float64Array, reach: number): void {
+  #agreement(picture: Light, quad: Quad, steps: Steps, reach: number, needed: number, given?: number): Agreement {
     const seen = homography(quad);
-    const steps = this.#steps;
-    for (let i = 0, at = 0; at < points.length; i++, at += 4) {
-      const x = points[at];
-      const y = points[at + 1];
-      const dx = reach * points[at + 2];
-      const dy = reach * points[at + 3];
-      steps[i] = lightThrough(picture, seen, x + dx, y + dy) - lightThrough(picture, seen, x - dx, y - dy) || 0;
+    const points = steps.pointsAt(reach);
+    const lights = this.#lights;
+    const rises = this.#rises;
+    const { count, riseCount, pairCount } = steps;
+    sampleLight(picture, seen, points, lights, 0, 2 * riseCount);
+    for (let i = 0; i < riseCount; i++) rises[i] = lights[2 * i] - lights[2 * i + 1] || 0;
+    const light = given ?? medianOf(rises, riseCount);
+    if (!(light > 0)) return none;
+    // The values from the median on are at least as large as the light. All other steps are assumed to agree.
+    const smaller = given === undefined ? riseCount >> 1 : riseCount;
+    let sum = (riseCount - smaller + pairCount) * light;
+    for (let i = 0; i < smaller; i++) sum += Math.max(-light, Math.min(rises[i], light));
+    const most = riseCount + pairCount;
+    const minSum = (1 - rounding) * needed * most;
+    for (let first = riseCount; first < count; first += block) {
+      if (sum < minSum) return none;
+      const end = Math.min(count, first + block);
+      sampleLight(picture, seen, points, lights, 2 * first, 2 * end);
+      for (let i = first; i < end; i++) {
+        const size = Math.min(Math.abs(lights[2 * i] - lights[2 * i + 1] || 0), light);
+        sum -= i < riseCount + pairCount ? light - size : size;
+      }
     }
+    return { light, share: sum / light / most };
   }
 }
 
-/** Points and directions of steps in flat arrays, and the number of steps at which a change of light is expected. */
-interface Steps {
-  points: Float64Array;
-  expected: Uint8Array;
-  most: number;
-}
+const none: Agreement = { light: 0, share: 0 };
+
+/** Number of steps that are sampled before the agreement is compared with the needed one. */
+const block = 8;
+/** Bound of the relative rounding error of a sum. */
+const rounding = 1e-9;
 
 const bands = [Band.Top, Band.Right, Band.Bottom, Band.Left, Band.Columns, Band.Rows];
 
-const stepsIn = (steps: Step[]): Steps => ({
-  points: Float64Array.from(steps.flatMap(({ x, y, dx, dy }) => [x, y, dx, dy])),
-  expected: Uint8Array.from(steps, step => step.expected),
-  most: steps.filter(step => step.expected !== Expected.Level).length,
-});
+/** Steps of a code or of a part of it: first those at which the light rises, then those of pairs, then those without a change of light. */
+class Steps {
+  readonly count: number;
+  readonly riseCount: number;
+  readonly pairCount: number;
+  readonly #steps: Step[];
+  readonly #points = new Map<number, Float64Array>();
 
-/** Returns the points and directions of the inward steps across the outer edge. */
-function outerOf(side: number): number[][] {
+  constructor(steps: Step[]) {
+    const [rises, pairs, levels] = [Expected.Rise, Expected.Pair, Expected.Level].map(kind => steps.filter(({ expected }) => expected === kind));
+    this.#steps = [...rises, ...pairs, ...levels];
+    this.count = steps.length;
+    this.riseCount = rises.length;
+    this.pairCount = pairs.length;
+  }
+
+  /** Returns the two points of each step at which light is sampled, the brighter one first. */
+  pointsAt(reach: number): Float64Array {
+    let points = this.#points.get(reach);
+    if (!points) {
+      points = Float64Array.from(this.#steps.flatMap(({ x, y, dx, dy }) => [x + reach * dx, y + reach * dy, x - reach * dx, y - reach * dy]));
+      this.#points.set(reach, points);
+    }
+    return points;
+  }
+}
+
+/** Returns the inward steps across the outer edge. */
+function outerOf(side: number): Step[] {
   const edge = outer.inwards / side;
   const step = outer.length / side;
+  const expected = Expected.Rise;
   return Array.from({ length: side }, (_, i) => (i + 0.5) / side).flatMap(along => [
-    [edge, along, step, 0],
-    [1 - edge, along, -step, 0],
-    [along, edge, 0, step],
-    [along, 1 - edge, 0, -step],
+    { x: edge, y: along, dx: step, dy: 0, expected },
+    { x: 1 - edge, y: along, dx: -step, dy: 0, expected },
+    { x: along, y: edge, dx: 0, dy: step, expected },
+    { x: along, y: 1 - edge, dx: 0, dy: -step, expected },
   ]);
 }

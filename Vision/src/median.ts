@@ -1,4 +1,4 @@
-/** Returns the upper median of the first `count` values, with Hoare's selection algorithm. Changes the order of the values. */
+/** Returns the upper median of the first `count` values, with Hoare's selection algorithm. Moves smaller values before it and larger ones behind it. */
 export function medianOf(values: Float64Array, count: number): number {
   const middle = count >> 1;
   for (let first = 0, last = count - 1; first < last;) {

@@ -66,7 +66,8 @@ export class Refiner {
   startsAt(candidate: Quad, hidden?: Band): Start[] {
     const cell = sizeOf(candidate) / this.#matcher.side;
     return sizes
-      .flatMap(size => shifts.flatMap(x => shifts.map(y => this.#outer(shiftedBy(grownBy(candidate, size), x * cell, y * cell), hidden))))
+      .map(size => grownBy(candidate, size))
+      .flatMap(quad => shifts.flatMap(x => shifts.map(y => this.#outer(shiftedBy(quad, x * cell, y * cell), hidden))))
       .sort(byScore)
       .slice(0, followed);
   }
@@ -76,7 +77,8 @@ export class Refiner {
     return starts
       .map(start => {
         const cell = sizeOf(start.quad) / this.#matcher.side;
-        return outerSteps.reduce((best, step) => climb(best, step * cell, 2, quad => this.#outer(quad, start.hidden)), start);
+        const at = (quad: Quad) => this.#matcher.outerAgreement(this.#picture, quad, start.hidden);
+        return outerSteps.reduce((best, step) => climb(best, step * cell, 2, at), start);
       })
       .map(({ quad, hidden }) => this.#alternatives(quad, middle, hidden)[0])
       .sort(byScore);
@@ -114,9 +116,10 @@ export class Refiner {
     const { kind, hidden } = fit;
     const cell = sizeOf(fit.quad) / this.#matcher.side;
     let best = fit;
+    const isNear = (quad: Quad) => quad.every((p, i) => distance(p, fit.quad[i]) <= maxDistance * cell);
     for (const [step, reach] of stepsToTake) {
-      const at = (quad: Quad) => ({ quad, kind, hidden, ...this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach), hidden) });
-      best = climb(at(best.quad), step * cell, 3, at, quad => quad.every((p, i) => distance(p, fit.quad[i]) <= maxDistance * cell));
+      const at = (quad: Quad, needed?: number) => this.#matcher.agreement(this.#picture, quad, kind, this.#reach(kind, reach), hidden, needed);
+      best = climb({ ...best, ...at(best.quad) }, step * cell, 3, at, isNear);
       if (best.share < minShareOnTheWay) break;
     }
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
@@ -130,7 +133,7 @@ export class Refiner {
         this.#isFilled.map((_, kind) => {
           const seen = turned(quad, turns);
           const band = hidden === undefined ? undefined : turnedBand(hidden, turns);
-          return { quad: seen, kind, hidden: band, ...this.#matcher.agreement(this.#picture, seen, kind, reach, band, light) };
+          return { quad: seen, kind, hidden: band, ...this.#matcher.agreement(this.#picture, seen, kind, reach, band, 0, light) };
         }),
       )
       .sort(byScore);
@@ -144,24 +147,27 @@ export class Refiner {
 const score = ({ light, share }: Agreement) => light * share;
 const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 
-/** Moves, scales and deforms a quad by steps of `by` px as long as this improves its score, for at most `rounds` rounds. */
-function climb<T extends Agreement & { quad: Quad }>(
+/**
+ * Moves, scales and deforms a quad by steps of `by` px as long as this improves its score, for at most `rounds` rounds.
+ *
+ * @param at Returns the agreement of a quad. It can be incomplete if its score is below the needed one.
+ */
+function climb<T extends Start>(
   start: T,
   by: number,
   rounds: number,
-  at: (quad: Quad) => T,
+  at: (quad: Quad, needed: number) => Agreement,
   isAllowed: (quad: Quad) => boolean = () => true,
 ): T {
   let best = start;
-  for (let round = 0; round < rounds; round++) {
-    const before = best;
-    for (const move of moves) {
-      const quad = move(best.quad, by);
-      if (!isAllowed(quad)) continue;
-      const tried = at(quad);
-      if (score(tried) > score(best)) best = tried;
-    }
-    if (best === before) break;
+  let failed = 0;
+  for (let tries = 0; tries < rounds * moves.length && failed < moves.length; tries++) {
+    const quad = moves[tries % moves.length](best.quad, by);
+    const found = isAllowed(quad) ? at(quad, score(best)) : undefined;
+    if (found && score(found) > score(best)) {
+      best = { ...best, quad, ...found };
+      failed = 0;
+    } else failed++;
   }
   return best;
 }
