@@ -56,8 +56,7 @@ export async function writePicture(path: string, grey: Grey): Promise<void> {
   if (path.endsWith('.png')) return writePng(path, grey);
   if (!isEncoding) await initEncoder(new WebAssembly.Module(encoder));
   isEncoding = true;
-  const data = grey.colours ?? Uint8Array.from({ length: 4 * grey.data.length }, (_, i) => (i % 4 < 3 ? grey.data[i >> 2] : 255));
-  const picture = new ImageData(new Uint8ClampedArray(data), grey.width, grey.height);
+  const picture = new ImageData(new Uint8ClampedArray(grey.colours ?? coloursOf(grey.data)), grey.width, grey.height);
   const options = {
     quality: 88,
     color_space: grey.colours ? yCbCr : greyscale,
@@ -66,6 +65,12 @@ export async function writePicture(path: string, grey: Grey): Promise<void> {
     trellis_multipass: false,
   };
   writeFileSync(path, Buffer.from(await encodeJpeg(picture, options)));
+}
+
+function coloursOf(grey: Uint8Array): Uint8ClampedArray {
+  const colours = new Uint8ClampedArray(4 * grey.length).fill(255);
+  for (let i = 0, j = 0; i < grey.length; i++, j += 4) colours[j] = colours[j + 1] = colours[j + 2] = grey[i];
+  return colours;
 }
 
 function writePng(path: string, { width, height, data, colours }: Grey): void {
