@@ -20,7 +20,7 @@ export const adsMessages = {
   notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; switch it to RUN mode, then reading continues`,
   stopped: (netId: string, state: string) => `TwinCAT at ${netId} has changed to ${state} mode; reading continues in RUN mode`,
   noRouter: (host: string, port: number, code: string) =>
-    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router runs there and that its firewall allows TCP port ${port}`,
+    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router is running there and that its firewall allows TCP port ${port}`,
   noRuntime: (port: number, netId: string) =>
     `${netId} has no PLC runtime at AMS port ${port}; check plant.endpoint: the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
   unknownNetId: (host: string, netId: string) =>
