@@ -2,7 +2,7 @@ using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Benchmarks.Competitors;
 
-/// <summary>Base of filters that store only their last state. They cannot use a sample that arrives after a newer one.</summary>
+/// <summary>Base class of filters that store only their last state. They cannot use a sample that arrives after a newer one.</summary>
 abstract class RecursiveFilter : Forecaster
 {
     bool _hasStarted;

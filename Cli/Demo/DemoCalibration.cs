@@ -26,7 +26,7 @@ static class DemoCalibration
 
     static List<LatencyPair> Sweep(DemoSettings settings)
     {
-        // Uses another seed than the run, so that the calibration is made with different frames.
+        // The seed differs from the run's, so that the calibration uses different frames.
         var display = new DisplayPipeline(settings.Seed + 1, DemoDisplay.Settings(settings));
         var phase = new Random(settings.Seed);
         var pairs = new List<LatencyPair>();

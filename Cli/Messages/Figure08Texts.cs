@@ -24,8 +24,8 @@ static class Figure08Texts
     public const string FittingError = "From 10 s on, the fitting error |ε_i| of Eq. (6) is below 1 ms: share of all exchanges, 95 % or more.";
 
     public static string ExchangeErrors(string share, double boundMs) =>
-        $" With the true offset instead of the fit, {share} of the exchanges from 10 s on are below {boundMs} ms; the others took at least "
-        + "2 ms longer in one direction than in the other.";
+        $" With the true offset instead of the fit, {share} of the exchanges from 10 s on have an error below {boundMs} ms; the others took at "
+        + "least 2 ms longer in one direction than in the other.";
 
     public const string SkewConverges =
         "The skew converges: in the last quarter it varies less than half as much as from 2 to 10 s (RMS about the mean of the last "

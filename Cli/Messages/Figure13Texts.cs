@@ -32,5 +32,6 @@ static class Figure13Texts
 
     public const string CubicBeatsLine = "The cubic is also better than the line at each latency.";
 
-    public static string Reacts(string predictor, string factor) => $"An error of ±5 ms multiplies the {predictor}'s error by {factor} or more.";
+    public static string Reacts(string predictor, string factor) =>
+        $"A time stamp error of ±5 ms multiplies the {predictor}'s RMS error by {factor} or more.";
 }

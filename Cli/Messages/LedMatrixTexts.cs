@@ -4,8 +4,8 @@ namespace Nowpose.Cli.Messages;
 static class LedMatrixTexts
 {
     public const string Label =
-        "Front of the LED matrix: 18 pairs inside a lit ring, with pitch, margin, bytes and bits. The codes of control system and "
-        + "headset show 12345 ms";
+        "Front of the LED matrix: 18 pairs of LEDs inside a lit ring. Pitch, margin, bytes and bits are labelled. The codes of the control system "
+        + "and the headset show 12345 ms";
 
     public const string TopMarks = "two dark marks at the top";
     public const string Pairs = "of each pair one is lit: left for 1, right for 0";

@@ -17,7 +17,7 @@ static class RangePageTexts
     public const string OverRenderTime = "L_visu as a function of the render time";
     public const string NoLimitNote = "The limit was not reached: L_visu is constant at least up to the longest measured render time.";
     public const string LimitNote = "Left of the limit is the constant-latency range.";
-    public const string OutsidePlateau = "Outside the plateau (misread, or behind a slow frame)";
+    public const string OutsidePlateau = "Outside the plateau (misread, or delayed by a slow frame)";
 
     public static string Result(double visuMs, double spreadMs, double limitMs) =>
         FormattableString.Invariant($"L_visu is {visuMs:0.0} ms ± {spreadMs:0.0} ms while the render time is below {limitMs:0.00} ms.");

@@ -37,7 +37,8 @@ export const loading = {
   loader: { '.urdf': 'text' }, plugins: [withSchemaChecks], define: { NOWPOSE_VERSION: JSON.stringify(version) },
 };
 
-// Removes a self-test of node-opcua. At each start, it takes a second to generate a 4096-bit key and tests a padding that the adapters do not use.
+// Removes a self-test of node-opcua. The test delays each start by a second: it generates a 4096-bit key to test a padding that the adapters do not
+// use.
 export const withoutTrial = {
   name: 'without-trial',
   setup: ({ onLoad }) => onLoad({ filter: /node-opcua-secure-channel.*verify_pcks1\.js$/ }, () => ({

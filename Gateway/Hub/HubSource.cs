@@ -126,7 +126,7 @@ public sealed class HubSource : IDisposable
     /// <param name="names">The joints named in the sample, as far as they can be read.</param>
     internal void ReportDropped(string robot, string[] names, string reason) => _hub.ReportDropped(this, robot, names, reason);
 
-    /// <summary>Reports that the source ends normally, so that its joints are removed from the status after a period without samples.</summary>
+    /// <summary>Reports that the source ends normally. Its joints are then removed from the status after a period without samples.</summary>
     internal void Leave() => _hub.ReportLeft(this);
 
     /// <summary>Releases the joints, frames or signals that this source owns on one topic.</summary>

@@ -3,7 +3,7 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Errors in a configuration file. The reader adds the file and the line.</summary>
 static class ConfigurationMessages
 {
-    public static string SecondDocument(string place) => $"{place}: a second document starts here; a configuration must have one";
+    public static string SecondDocument(string place) => $"{place}: a second YAML document starts here; keep only one in the file";
     public static string NotYaml(string place) => $"{place}: not valid YAML, in this line or a later one; correct it";
     public static string TooLong(string path, long bytes, int max) => $"--config {path}: {bytes} bytes; the maximum is {max}";
     public static string NoEntry(string place) => $"{place}: a line \"key: value\" is needed";

@@ -9,7 +9,7 @@ static class VerbMessages
         $"{address}: {status} {reason}; check that the gateway was started with --pairing";
 
     public static string NoGateway(Uri address, string reason) =>
-        $"{address}: {reason}; check that the gateway runs; if it uses TLS, add --certificate or --pin";
+        $"{address}: {reason}; check that the gateway is running; if it uses TLS, add --certificate or --pin";
 
     public static string NoList(string path) =>
         $"--pairing {path}: file not found; a gateway that is started with --pairing creates it; start one, or correct the path";

@@ -58,7 +58,7 @@ public sealed class SimulatedCell : IDisposable
     /// <param name="positions">Receives one position per joint name of the motion, rad or m.</param>
     public void TruthAt(ControlTime time, Span<double> positions) => Motion.At(SecondsAt(time), positions);
 
-    /// <summary>Starts to publish to a hub, on a separate thread, until the cell is disposed.</summary>
+    /// <summary>Starts a thread that publishes to a hub until the cell is disposed.</summary>
     /// <remarks>
     /// Call this method again after a restart of the gateway, with its new hub. Subscribers must not call this method or
     /// <see cref="Dispose"/> while they receive a sample.

@@ -84,7 +84,7 @@ sealed class RecordedFile
     /// <summary>Stops the recording. Returns immediately; <see cref="Ended"/> completes when the records up to now are written.</summary>
     public void Stop() => _writer.Stop();
 
-    /// <summary>Reports that a user has deleted the file.</summary>
+    /// <summary>Records that a user has deleted the file.</summary>
     /// <param name="isRecording">Whether the file was still being written, which is an error.</param>
     public void SetDeleted(bool isRecording)
     {

@@ -143,7 +143,8 @@ sealed class SyncConnection
         deadline.Change(_options.SyncSilence, Timeout.InfiniteTimeSpan);
     }
 
-    // Reads a frame. A frame that has begun must end within a deadline, so that a client that sends single bytes cannot keep the connection open.
+    // Reads a frame. Once a frame has begun, it must be complete before a deadline. Otherwise a client could keep the connection open by sending
+    // single bytes.
     bool TryReadFrame(Stream stream, Timer deadline)
     {
         var begun = stream.Read(_frame);

@@ -132,7 +132,7 @@ sealed class SyncServer : IDisposable
 
     void Evict(SyncConnection connection)
     {
-        // Reports the end before the thread does, because the next connection needs the place.
+        // Reports the end now instead of at the end of the connection's thread, because the next connection needs the place.
         Ended(connection, Closure.ConnectionLimit, null);
         connection.Stop(Closure.ConnectionLimit);
     }

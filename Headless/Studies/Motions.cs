@@ -91,7 +91,7 @@ public static class Motions
         return sequence.Motion("repeating cycles");
     }
 
-    /// <summary>Creates fast moves, each followed by a damped oscillation of a few millimetres with 4 to 9 Hz.</summary>
+    /// <summary>Creates fast moves, each followed by a damped oscillation of a few millimetres at 4 to 9 Hz.</summary>
     public static AxisMotion Ringing(int seed, double seconds = 30)
     {
         var random = new Random(seed);

@@ -41,7 +41,7 @@ public class GatewayCommandLineTests
     [TestCase("cell --cell a --host localhost --offset 1,2", "--offset")]
     [TestCase("cell --cell a --host localhost --size-mm 0", "--size-mm")]
     [TestCase("cell --cell a --host localhost --out code.gif", ".svg or .png")]
-    [TestCase("pair --ws-port 1", "check that the gateway runs")]
+    [TestCase("pair --ws-port 1", "check that the gateway is running")]
     [TestCase("pairings --pairing none.txt", "none.txt")]
     [TestCase("replay", "FILE")]
     [TestCase("replay none.csv", "none.csv")]

@@ -106,7 +106,7 @@ public class RosbridgeConnectionTests
     [Test]
     public async Task Reader_SendsButNeverReads_IsClosed()
     {
-        // The gateway sends no pings here, so only the missing reads can end the connection.
+        // The gateway sends no pings at the ping interval here, so the connection can end only because the client does not read.
         var options = Gateways.Options() with { PingInterval = TimeSpan.FromMinutes(5), PongTimeout = TimeSpan.FromMilliseconds(300) };
         await using var gateway = await Gateways.StartAsync(options);
         // The gateway sends 2 kB/s to a client that does not answer pings. With a small receive buffer, all buffers are soon full.

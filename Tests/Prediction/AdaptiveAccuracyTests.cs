@@ -107,7 +107,7 @@ public class AdaptiveAccuracyTests
 
     [TestCase(50, 100, 0.45)]
     [TestCase(100, 150, 0.50)]
-    public void Adaptive_KnownDriveLimits_UsesTheProfile(double samplingMs, double latencyMs, double limit)
+    public void Adaptive_KnownDriveLimits_ErrorIsBelowHalfOfTheQuadraticsError(double samplingMs, double latencyMs, double limit)
     {
         var limits = new PredictionLimits(
             horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity, velocity: 1000, acceleration: 5000, jerk: 50_000);

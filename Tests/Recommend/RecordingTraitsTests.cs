@@ -49,7 +49,7 @@ public class RecordingTraitsTests
     }
 
     [Test]
-    public void Repeats_RecordingFasterThanTheMachine_CountsRepeatedSamples()
+    public void Repeats_RecordingRateAboveTheUpdateRate_IsTheShareOfRepeatedSamples()
     {
         // Every fifth sample repeats the previous one.
         var traits = Traits(t => Math.Sin(Math.Round(t * 100) % 5 == 4 ? Math.Round(t * 100 - 1) / 100 : Math.Round(t * 100) / 100));

@@ -18,7 +18,7 @@ public sealed class MessageFolderTests
     ];
 
     /// <summary>Files with longer texts and the number of these texts.</summary>
-    static readonly Dictionary<string, int> Elsewhere = new()
+    static readonly Dictionary<string, int> Exceptions = new()
     {
         // The heads of HTTP requests and answers, and the operations of rosbridge.
         [Core + "Network/WebSocketUpgrade.cs"] = 1,
@@ -49,14 +49,14 @@ public sealed class MessageFolderTests
     public void Texts_OfProducts_AreInTheirCatalogue()
     {
         var found = Sources.Select(file => (File: file, Texts: LongTexts(RepositoryFiles.Read(file)).ToList()))
-            .Where(source => source.Texts.Count != Elsewhere.GetValueOrDefault(source.File))
+            .Where(source => source.Texts.Count != Exceptions.GetValueOrDefault(source.File))
             .Select(source => $"{source.File}: {source.Texts.Count} texts:\n  {string.Join("\n  ", source.Texts)}");
 
         Assert.That(found, Is.Empty, $"move texts of more than {MaxWords} words to the folder Messages of the product");
     }
 
     [Test]
-    public void Elsewhere_AllFiles_Exist() => Assert.That(Elsewhere.Keys.Except(Sources), Is.Empty);
+    public void Exceptions_AllFiles_Exist() => Assert.That(Exceptions.Keys.Except(Sources), Is.Empty);
 
     [TestCase("throw new E(\"a file has no end\");", "a file has no end")]
     [TestCase("throw new E(\"no end\");", null)]

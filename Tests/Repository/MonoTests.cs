@@ -14,7 +14,7 @@ public sealed partial class MonoTests
     public void Calls_InThePackage_BehaveTheSameUnderMono()
     {
         var different = RepositoryFiles.Under(RepositoryFiles.Package, ".cs")
-            .SelectMany(file => DifferingCalls(RepositoryFiles.Read(file)).Select(call => file + ": " + call));
+            .SelectMany(file => MonoDifferences(RepositoryFiles.Read(file)).Select(call => file + ": " + call));
 
         Assert.That(different, Is.Empty);
     }
@@ -25,7 +25,7 @@ public sealed partial class MonoTests
     [TestCase("TimeSpan.FromSeconds(\n    2 + x)")]
     [TestCase("new TcpClient()")]
     [TestCase("new TcpClient { NoDelay = true }")]
-    public void DifferingCalls_FractionalOrVariableTimeOrNoAddressFamily_AreReported(string code) => Assert.That(DifferingCalls(code), Is.Not.Empty);
+    public void MonoDifferences_InexactTimeOrMissingAddressFamily_AreReported(string code) => Assert.That(MonoDifferences(code), Is.Not.Empty);
 
     [TestCase("TimeSpan.FromMilliseconds(250)")]
     [TestCase("TimeSpan.FromSeconds(-2_000)")]
@@ -33,10 +33,10 @@ public sealed partial class MonoTests
     [TestCase("TimeSpan.FromTicks(ticks)")]
     [TestCase("new TcpClient(address.AddressFamily) { NoDelay = true }")]
     [TestCase("// TimeSpan.FromSeconds(x) rounds")]
-    public void DifferingCalls_WholeNumberTicksOrAddressFamily_AreNotReported(string code) => Assert.That(DifferingCalls(code), Is.Empty);
+    public void MonoDifferences_WholeNumberTicksOrAddressFamily_AreNotReported(string code) => Assert.That(MonoDifferences(code), Is.Empty);
 
-    static IEnumerable<string> DifferingCalls(string source) => DifferingCall().Matches(CSharpCode.Of(source)).Select(m => m.Value);
+    static IEnumerable<string> MonoDifferences(string source) => MonoDifference().Matches(CSharpCode.Of(source)).Select(m => m.Value);
 
     [GeneratedRegex(@"TimeSpan\.From(Milliseconds|Seconds)\((?!-?[0-9_]+\))[^\n]*|new\s+TcpClient\s*(\(\s*\)|\{)")]
-    private static partial Regex DifferingCall();
+    private static partial Regex MonoDifference();
 }

@@ -4,7 +4,7 @@ using Nowpose.Gateway.Clock;
 
 namespace Nowpose.Headless.Tests.Ros;
 
-/// <summary>Simulates the ROS graph behind a rosbridge: topics with their types, the time, and rosbridge's log.</summary>
+/// <summary>Simulates the ROS graph behind a rosbridge server: topics with their types, the time, and rosbridge's log.</summary>
 sealed class RosGraph(RosFlavour flavour, IControlClock clock)
 {
     readonly Dictionary<string, string> _types = [];

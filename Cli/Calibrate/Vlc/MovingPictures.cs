@@ -54,7 +54,7 @@ static class MovingPictures
         var ms = to.Ms - from.Ms;
         if (ms <= 0 || ms > MaxIntervalMs) return default;
         CodePlaces before = from.Picture.Places, after = to.Picture.Places;
-        // With the mean side, the velocity only changes its sign if the two pictures are exchanged.
+        // Divides by the mean side, so that the reverse movement has the same velocity with the opposite sign.
         var scale = 2000 / (ms * (before.ControlSide + after.ControlSide));
         return (scale * (after.Control.X - before.Control.X), scale * (after.Control.Y - before.Control.Y));
     }

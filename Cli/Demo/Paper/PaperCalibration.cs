@@ -15,7 +15,7 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
 {
     const int LoadSteps = 10;
 
-    /// <summary>Added to the run's seed, so that the calibration uses other frames than any run.</summary>
+    /// <summary>Added to the run's seed, so that no run has the same frames as the calibration.</summary>
     const int SeedOffset = 1_000_003;
 
     /// <param name="settings">The settings, including the error that is added to L_visu.</param>

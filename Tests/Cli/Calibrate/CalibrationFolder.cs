@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Base of tests that need a folder for measurements and results. The folder is deleted after each test.</summary>
+/// <summary>Base class of tests that need a folder for measurements and results. The folder is deleted after each test.</summary>
 public abstract class CalibrationFolder
 {
     protected string Folder { get; private set; }

@@ -172,7 +172,7 @@ public class RangeFitTests
 
             var limit = RangeFit.Fit(pairs).LimitRenderMs;
 
-            // The limit is at one of the two values next to the true limit, or above it by a small part of the gap.
+            // The limit must lie between the two rounded values next to the true limit, or at most 2.1 % above the larger one.
             var (before, after) = (Math.Floor(TrueLimitMs / stepMs) * stepMs, Math.Ceiling(TrueLimitMs / stepMs) * stepMs);
             Assert.That(limit, Is.InRange(before - 1e-9, 1.021 * after), "seed " + seed);
         }

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Base of tests with videos. Substitutes for ffmpeg and ffprobe output the pictures that the test has drawn.</summary>
+/// <summary>Base class of tests with videos. Replaces ffmpeg and ffprobe with scripts that output the pictures drawn by the test.</summary>
 [Platform(Exclude = "Win", Reason = "the stand-ins are shell scripts")]
 public abstract class VideoFolder : CalibrationFolder
 {

@@ -12,7 +12,7 @@ public class SystemClockStepTests
 {
     static readonly TimeSpan Acquisition = TimeSpan.FromMilliseconds(70);
 
-    /// <summary>Length of the past period that the gateway compares, as documented.</summary>
+    /// <summary>Length of the past period whose samples the gateway compares with its clocks, as documented in clock-reference.md.</summary>
     static readonly TimeSpan Window = TimeSpan.FromSeconds(5);
 
     readonly List<string> _log = [];

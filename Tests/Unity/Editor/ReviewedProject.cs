@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Unity.Tests.Editor;
 
-/// <summary>A project with a camera in the stand-in editor, and the review of its checks for HoloLens 2.</summary>
+/// <summary>A project with a camera in the stand-in editor, and its review by the checks for HoloLens 2.</summary>
 sealed class ReviewedProject
 {
     public ReviewedProject(EditorFixture fixture)

@@ -131,7 +131,7 @@ public sealed class VoiceCommandsTests
 
         Assert.That(_player.Logs.Select(l => (l.Type, l.Message)), Is.EqualTo(new[]
         {
-            (LogType.Log, "[Nowpose] voice commands 'Voice': keyword recognition does not run; use the menu instead"),
+            (LogType.Log, "[Nowpose] voice commands 'Voice': keyword recognition is not running; use the menu instead"),
         }));
     }
 }

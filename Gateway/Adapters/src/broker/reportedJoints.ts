@@ -46,13 +46,13 @@ export class ReportedJoints {
     if (this.#isThere) this.#apply(reports);
   }
 
-  /** Reports that the other gateway is present. */
+  /** Records that the other gateway is present, and applies its newest message. */
   enter(): void {
     this.#isThere = true;
     if (this.#newest !== null) this.#apply(this.#newest);
   }
 
-  /** Reports that the other gateway is absent. Its reports are no longer used, because they may be outdated. */
+  /** Records that the other gateway is absent, and discards its newest message, because it may be outdated. */
   leave(): void {
     this.#isThere = false;
     this.#newest = null;

@@ -23,7 +23,7 @@ export interface Upstream {
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';
   broker: BrokerAddress;
-  /** Prefix of all topics of this plant at the broker. */
+  /** Prefix of all topics of this plant on the broker. */
   topic: string;
   /** Namespaces of the robots. The first entry is empty, for the robot without a namespace. */
   namespaces: string[];

@@ -96,7 +96,7 @@ export class PlantClock {
   }
 
   /**
-   * Reports that the plant is connected. Resolves when the resolution of its clock is known, because an error of the resolution causes an offset
+   * Offers the clock of the plant, which has connected. First measures the clock's resolution, because an error of the resolution causes an offset
    * error of half its size. Resolves with false if the plant has disconnected in the meantime.
    */
   async attach(read: ReadClock, stop: AbortSignal): Promise<boolean> {
@@ -112,8 +112,8 @@ export class PlantClock {
   }
 
   /**
-   * Reports that the plant has no clock at present, so that its values are stamped with the gateway's clock. Resolves when the gateway's clock is
-   * known, or when the signal is aborted.
+   * Stamps the values with the gateway's clock until the plant's clock is available. Resolves when the gateway's clock is known, or when the signal
+   * is aborted.
    */
   doWithout(stop: AbortSignal): Promise<void> {
     this.#without ??= new Promise(resolve => {
@@ -122,7 +122,7 @@ export class PlantClock {
     return this.#without;
   }
 
-  /** Reports that the plant is disconnected, so its clock cannot be read. */
+  /** Ends the readings of the clock, because the plant has disconnected. */
   detach(): void {
     this.#detached.abort();
     this.#read = null;

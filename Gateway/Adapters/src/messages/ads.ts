@@ -20,7 +20,7 @@ export const adsMessages = {
   notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; switch it to RUN mode, then reading continues`,
   stopped: (netId: string, state: string) => `TwinCAT at ${netId} has changed to ${state} mode; reading continues in RUN mode`,
   noRouter: (host: string, port: number, code: string) =>
-    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router runs there and that its firewall allows TCP port ${port}`,
+    `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router is running there and that its firewall allows TCP port ${port}`,
   noRuntime: (port: number, netId: string) =>
     `${netId} has no PLC runtime at AMS port ${port}; check plant.endpoint: the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
   unknownNetId: (host: string, netId: string) =>
@@ -38,9 +38,9 @@ export const adsMessages = {
   newProgram: 'the PLC has a new program; its variables are looked up again',
   moved: (symbol: string) => `the size of ${symbol} has changed; the PLC's variables are looked up again`,
   notReadable: (symbol: string, reason: string) => `${symbol} cannot be read: ${reason}`,
-  valuesStopped: "the PLC's program does not run, so its variables are not current",
+  valuesStopped: "the PLC's program is not running, so its variables are not current",
   programState: (state: string) => `the PLC's program is in state ${state}; positions are sent again when it runs`,
-  programStopped: "the PLC's program does not run; start it",
+  programStopped: "the PLC's program is not running; start it",
   clockNotReadable: (reason: string) => `the PLC's clock cannot be read: ${reason}`,
   clockStopped: (symbol: string) => `the time in ${symbol} does not advance`,
   noNotification: (maxMs: number) => `the PLC sent no first notification within ${maxMs} ms`,

@@ -14,12 +14,12 @@ export const brokerMessages = {
     'the connection to the broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the plant',
   closed: 'the broker closed the connection',
   subscriptionRefused: (topic: string, reason: string) =>
-    `the broker refuses the subscription to ${topic}: ${reason}; check the user's rights at the broker`,
-  refuses: (endpoint: string) => `${endpoint} refuses the connection; check that the broker runs, and check the port in plant.endpoint`,
-  loginRefused: (endpoint: string) => `${endpoint} refuses the login; check plant.user, and the user's rights at the broker`,
+    `the broker refuses the subscription to ${topic}: ${reason}; check the user's rights on the broker`,
+  refuses: (endpoint: string) => `${endpoint} refuses the connection; check that the broker is running, and check the port in plant.endpoint`,
+  loginRefused: (endpoint: string) => `${endpoint} refuses the login; check plant.user, and the user's rights on the broker`,
   notTrusted: (code: string) =>
     `the broker's certificate is not trusted (${code}); set plant.authority_file to the certificate of the authority that issued it`,
-  noPublisher: (topic: string) => `no client publishes ${topic} at the broker yet; check that the bridge with direction: publish runs`,
+  noPublisher: (topic: string) => `no client publishes ${topic} on the broker yet; check that the bridge with direction: publish is running`,
   gatewayAway: 'the bridge has lost the gateway that has the plant',
   bridgeAway: 'the bridge of the gateway that has the plant is disconnected',
   atOtherGateway: (reason: string) => `at the gateway of the plant: ${reason}`,

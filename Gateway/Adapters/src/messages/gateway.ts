@@ -6,7 +6,7 @@ export const gatewayMessages = {
   noToken: 'HTTP status 401: the token is missing or unknown to the gateway; set gateway.token_file to a token with the role source',
   measuring: (name: string) => `${name} is measuring this clock; it forwards positions after the measurement`,
   noService: (service: string) => `this adapter has no service ${service}`,
-  refuses: 'the connection was refused; check the port, and check that the program runs there',
+  refuses: 'the connection was refused; check the port, and check that the program is running there',
   notTrusted: (code: string) => `the certificate is not trusted (${code}); set gateway.pin to the pin that the gateway prints`,
   noCertificate: 'the gateway sent no certificate; start it with --tls or --certificate',
   otherPin: (pin: string) =>

@@ -33,7 +33,7 @@ export const certificateMessages = {
   addThumbprint: (reason: string) =>
     `The certificate could not be stored (${reason}). If it is the certificate of your server, set plant.security.thumbprint to this thumbprint`,
   outOfDate: (thumbprint: string, from: string, to: string) =>
-    `the server's certificate ${thumbprint} is valid only from ${from} to ${to}; renew it at the server, then trust the new certificate`,
+    `the server's certificate ${thumbprint} is valid only from ${from} to ${to}; renew it on the server, then trust the new certificate`,
 };
 
 /** Texts about the connection to an OPC UA server. */
@@ -52,19 +52,19 @@ export const opcuaMessages = {
   rareTime: 'the server rarely updates CurrentTime, so its clock is read from the time stamps of its answers',
   noTimeOfAnswer: "the server's answer has no time stamp",
   notAllowed: (request: string) => `${request} is not allowed; the adapter only reads`,
-  noServer: (endpoint: string) => `no OPC UA server answers at ${endpoint}; check that the server runs, and check plant.endpoint`,
+  noServer: (endpoint: string) => `no OPC UA server answers at ${endpoint}; check that the server is running, and check plant.endpoint`,
 };
 
 /** Reasons why a server refuses this adapter, with the remedy. */
 export const opcuaRefusalMessages = {
   adapterNotTrusted: (file: string, thumbprint: string) =>
-    `the server does not trust this adapter; accept the certificate ${file}, thumbprint ${thumbprint}, at the server`,
+    `the server does not trust this adapter; accept the certificate ${file}, thumbprint ${thumbprint}, on the server`,
   user: (name: string) =>
-    `the server does not accept the user ${name}; check name and password in plant.user, and the rights of this user at the server`,
+    `the server does not accept the user ${name}; check name and password in plant.user, and the rights of this user on the server`,
   anonymous: 'the server does not accept an anonymous user or this certificate; set plant.user to a user with read access',
   noOpenEndpoint: 'the server offers no connection without security; remove plant.security.mode',
   noPolicy: (policy: string) =>
-    `the server offers no SignAndEncrypt with ${policy}; choose another plant.security.policy, or enable this policy at the server`,
+    `the server offers no SignAndEncrypt with ${policy}; choose another plant.security.policy, or enable this policy on the server`,
   login: 'the server does not support this login; change plant.user',
   noFreeSession: 'the server has no free session; close the session of another client',
 };

@@ -38,7 +38,7 @@ export class SilentNodes {
   readonly #renewals: Renewals;
 
   /**
-   * @param ids Node ids of the values at this server.
+   * @param ids Node ids of the values on this server.
    * @param nameOf Gets the place of a node in the configuration, for messages.
    */
   constructor(
@@ -66,7 +66,7 @@ export class SilentNodes {
     }
   }
 
-  /** Reports that the server does not monitor this node. */
+  /** Reports that the server does not monitor this node. Each call of `read` then reads the node. */
   refused(node: number, reason: string): void {
     this.#nodes[node].isGone = true;
     this.reader.lose(node, reason);

@@ -20,7 +20,7 @@ export class Watch {
     this.#heard = performance.now();
   }
 
-  /** Reports that values arrived. */
+  /** Records that values have just arrived. */
   valued(): void {
     this.#valued = performance.now();
   }

@@ -103,7 +103,7 @@ public partial class Transform : Component, IEnumerable
 
     public int GetSiblingIndex() => _parent is null ? Owner.Content?.IndexOf(Owner) ?? 0 : _parent._children.IndexOf(this);
 
-    /// <summary>Removes the transform from its parent or its scene. Called when it is being destroyed.</summary>
+    /// <summary>Removes the transform from its parent or its scene, before it gets another parent or is destroyed.</summary>
     internal void Leave()
     {
         if (_parent is not null) _parent._children.Remove(this);

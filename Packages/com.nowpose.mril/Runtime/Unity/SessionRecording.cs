@@ -43,7 +43,7 @@ namespace Nowpose.Unity
         /// <summary>Path of the current or last file; null before the first file.</summary>
         public string Path { get; private set; }
 
-        /// <summary>Reason why a requested recording does not run, in one line; null if no problem is known.</summary>
+        /// <summary>Reason why a requested recording is not running, in one line; null if no problem is known.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Starts to record the current session and all later sessions. Call it again to retry after a problem.</summary>

@@ -12,7 +12,8 @@ namespace Nowpose.Unity
     /// </summary>
     /// <remarks>
     /// Implements Fig. 9 and Eq. (7) of Schnierle &amp; Röck 2022: the shown time is C2(t_MR), converted to C1. It always belongs to the frame in
-    /// which it is drawn, because it changes in <see cref="MrilSession.Shown"/>, also when a frame is computed again right before rendering.
+    /// which it is drawn, because it is updated in the event <see cref="MrilSession.Shown"/>, which is raised again when a frame is recomputed
+    /// right before rendering.
     /// </remarks>
     [AddComponentMenu("Nowpose/Timestamp Display")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 2)]

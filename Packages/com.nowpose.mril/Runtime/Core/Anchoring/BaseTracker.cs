@@ -139,7 +139,7 @@ namespace Nowpose.Anchoring
             _words.Update(this, _now);
         }
 
-        /// <summary>Reports that the base was placed elsewhere, and removes the lock. A running search continues.</summary>
+        /// <summary>Records that the base was placed elsewhere, and removes the lock. A running search continues.</summary>
         /// <param name="at">
         /// Pose in the room frame from which the next lock is blended in; null if unknown, so that the next lock applies at once.
         /// </param>

@@ -41,7 +41,7 @@ namespace Nowpose.Frames
         // Returns whether the hand-over has ended at a time; true if this time or the start is unknown.
         public bool IsOverAt(double time) => !_isOpen || !(time < _start + Seconds);
 
-        /// <param name="now">Pose in the world at the time, according to the new parent.</param>
+        /// <param name="now">Pose in the world at <paramref name="time"/>, according to the new parent.</param>
         public RigidTransform At(double time, in RigidTransform now)
         {
             if (IsOverAt(time)) return now;

@@ -73,7 +73,7 @@ namespace Nowpose.Frames
         /// <param name="light">Display time.</param>
         public void Decide(ControlTime light) => Decide(isLast: ClockTicks.Seconds(light - _since) > Patience);
 
-        /// <summary>Determines the effect of a change from the available data, because the times of the control system become invalid.</summary>
+        /// <summary>Determines the effect of a change without waiting for more data. Call it before samples are discarded.</summary>
         public void Settle() => Decide(isLast: true);
 
         /// <summary>Handles a restart of the gripper's signal, during which the gripper may have opened and closed unnoticed.</summary>

@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of the connection to a gateway or a rosbridge, with remedies.</summary>
+    /// <summary>Errors of the connection to a gateway or a rosbridge server, with remedies.</summary>
     static class ConnectionMessages
     {
         public static string NotAHost(string host) =>
@@ -49,7 +49,7 @@ namespace Nowpose.Messages
             FormattableString.Invariant($"{service} did not answer within {seconds} s; check the network and rosbridge");
 
         public static string UnusableAnswers(string service, int count, SyncExchangeFault fault) =>
-            $"{service}: {count} unusable answers in a row, the last: {fault}; check that host and port are those of a rosbridge";
+            $"{service}: {count} unusable answers in a row, the last: {fault}; check that host and port are those of a rosbridge server";
 
         public const string JointsClosed = "joint positions: the gateway closed the connection";
 

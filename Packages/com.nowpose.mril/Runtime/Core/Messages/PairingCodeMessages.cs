@@ -48,7 +48,7 @@ namespace Nowpose.Messages
         public static string OffsetNumber(string what, int position) =>
             $"{what}: value {position} is not a number; allowed: at most three digits, and six after the decimal point";
 
-        public const string UnknownKind = "pairing code: is neither a cell's nor a gateway's; update Nowpose if it is older than the gateway";
+        public const string UnknownKind = "pairing code: it is neither a cell code nor a token code; update Nowpose if it is older than the gateway";
 
         public static string CodeTooLong(int length, int max) => $"pairing code: {length} characters; allowed: up to {max}";
 

@@ -9,7 +9,7 @@ namespace Nowpose.Messages
     {
         public const string LookAtMarker = "look at the robot's marker";
         public const string CodeWasTried = "this code has been tried; request another one on the gateway's page or terminal";
-        public const string MarkerFirst = "the gateway's code is read; now look at the robot's marker";
+        public const string MarkerFirst = "the gateway's code has been read; now look at the robot's marker";
 
         /// <param name="known">The accepted code of the same name; null for none.</param>
         public static string Question(CellCode code, CellCode known)

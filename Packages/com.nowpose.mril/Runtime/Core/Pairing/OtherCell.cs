@@ -7,7 +7,7 @@ namespace Nowpose.Pairing
         bool _isUsedInView;
         HeadsetTime _since, _declinedSeen;
 
-        /// <summary>Reports that a marker of a known cell is in view.</summary>
+        /// <summary>Records that a marker of a known cell is in view.</summary>
         public void See(string cell, bool isUsed)
         {
             if (isUsed) _isUsedInView = true;

@@ -42,7 +42,7 @@ namespace Nowpose.Prediction
             IsEndless = isEndless;
         }
 
-        /// <summary>Limits without joint limits, horizon cap and maximum gap. With them, studies get the plain polynomial.</summary>
+        /// <summary>No joint limits, horizon cap or maximum gap. Studies and replays use this value to evaluate predictors without limits.</summary>
         public static PredictionLimits Unlimited { get; } =
             new PredictionLimits(horizonCap: double.PositiveInfinity, maximumGap: double.PositiveInfinity);
 

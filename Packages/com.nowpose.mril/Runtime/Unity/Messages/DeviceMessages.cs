@@ -40,7 +40,7 @@ namespace Nowpose.Unity.Messages
 
         public static string ManagerOff(string manager) => $"the {manager} on the XR Origin is switched off; switch it on";
 
-        public static string NotOffered(string need) => $"the device's XR runtime does not run, or does not offer this function: {need}";
+        public static string NotOffered(string need) => $"the device's XR runtime is not running, or does not offer this function: {need}";
 
         public const string NoArSession = "the scene has no AR Session; add one (XR > AR Session)";
 

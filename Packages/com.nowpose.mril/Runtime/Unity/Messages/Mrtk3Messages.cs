@@ -18,7 +18,7 @@ namespace Nowpose.Unity.Messages
             $"headset menu '{component}' has no cell actions on its object or a parent; assign them";
 
         public static string VoiceNotRunning(string component) =>
-            $"voice commands '{component}': keyword recognition does not run; use the menu instead";
+            $"voice commands '{component}': keyword recognition is not running; use the menu instead";
 
         public static string VoiceNotSupported(string component) =>
             $"voice commands '{component}': keyword recognition is not supported on this platform; use the menu instead";

@@ -81,7 +81,7 @@ namespace Nowpose.Session.Hindcast
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
             Withheld = frame.ErrorWithheld;
             if (_now == null || frame.State == PoseState.Incomplete) return;
-            // The first frames of a session have no render time, because its source is not found yet.
+            // The first frames of a session have no render time, because its source has not been found yet.
             _hasRunBegun |= Withheld != ErrorWithheldReason.OtherSource && Withheld != ErrorWithheldReason.NoRenderTime;
             if (_hasRunBegun && _withheldOfRun == ErrorWithheldReason.None) _withheldOfRun = Withheld;
             if (Withheld != ErrorWithheldReason.None) return;

@@ -159,7 +159,7 @@ namespace Nowpose.Sync.Envelope
             return _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
         }
 
-        // Reduces the excess if the newest bound is tighter than the data prove, because its correction is then too large.
+        // Reduces the excess if the newest bound, corrected by it, is tighter than all earlier bounds: the excess was then too large.
         void ReduceExcess(int count)
         {
             var violation = Math.Min(_excess, _tightness[0] - Tightest(1, count));

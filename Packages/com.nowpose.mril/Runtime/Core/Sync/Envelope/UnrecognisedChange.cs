@@ -48,12 +48,12 @@ namespace Nowpose.Sync.Envelope
             _history = history;
         }
 
-        /// <summary>Reports that the estimate restarts.</summary>
+        /// <summary>Discards the remembered error, because the estimate restarts.</summary>
         public void Reset() => _remembered = 0;
 
         /// <summary>
-        /// Reports that a change of the path was recognised and corrected. The error of an earlier change remains, because that change may have
-        /// left the history.
+        /// Discards the remembered error if it belongs to the change of the path that was recognised and corrected. The error of an earlier
+        /// change remains, because that change may have left the history.
         /// </summary>
         /// <param name="since">Number of exchanges since the recognised change. The remembered time is accurate to a block.</param>
         public void Explain(int since)

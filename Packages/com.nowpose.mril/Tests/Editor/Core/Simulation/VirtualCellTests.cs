@@ -30,7 +30,7 @@ namespace Nowpose.Tests.Core.Simulation
 
         // A cycle of the cell takes about eleven seconds. Scoring starts after three seconds, as in the demo.
         [Test]
-        public void Run_DefaultSettings_ReductionIsAboveTheLimitInTheFirstAndThirdCycle(
+        public void Run_DefaultSettings_ReductionIsAboveTheLimitsInTheFirstCycleAndFromTheThirdOn(
             [Values("wifi", "busy-wifi")] string network, [Values(21, 22, 23)] int seed)
         {
             var run = new VirtualCellRun(new VirtualCellSettings(50, 55, 105, 0, 0, NetworkProfile.Named(network)), seed);

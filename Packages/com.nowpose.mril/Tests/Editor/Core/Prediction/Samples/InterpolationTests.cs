@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(predictor.At(Times[3]).Position, Is.EqualTo(motion(Times[3])).Within(1e-12));
         }
 
-        // Wrong stamps may be in another order than the samples. The curve leaves out samples whose stamp goes back.
+        // Wrong stamps may be in a different order from the samples. The curve leaves out samples whose stamp goes back.
         [Test]
         public void At_StampsOutOfOrder_StaysFinite()
         {
