@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Candidates
         readonly SearchDensity _density;
 
         // Costs of the lags, preceded by an infinite cost, which is never a minimum.
-        readonly double[] _costs = new double[MotionHistory.Capacity + 1];
+        readonly double[] _costs;
         readonly double[] _lagCosts = new double[Kept];
         long _taken;
 
@@ -33,7 +33,13 @@ namespace Nowpose.Prediction.Candidates
         int _step, _stride;
         double _forgettingFactor;
 
-        public LagSearch(MotionHistory history, SearchDensity density) => (_history, _density) = (history, density);
+        public LagSearch(MotionHistory history, SearchDensity density)
+        {
+            (_history, _density) = (history, density);
+            // A step of whole grid steps is at least half of the density's step, so there are at most twice as many lags.
+            var maxLags = (int)(2 * MaxLag / density.LagStep) + 1;
+            _costs = new double[maxLags + 1];
+        }
 
         /// <summary>The best lags, the best first. Only the first <see cref="Count"/> elements are valid.</summary>
         public int[] Lags { get; } = new int[Kept];

@@ -26,6 +26,19 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(RmsError(interval, 3 * Cycle, 6 * Cycle, 0), Is.LessThan(0.03 * RmsOfHold(interval, 3 * Cycle, 6 * Cycle)));
         }
 
+        // The number of compared lags is largest at these intervals. SearchDensity.Sparse is used for objects.
+        [Test]
+        public void Add_LongestHistory_StaysPredicted(
+            [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(true, false)] bool isDense)
+        {
+            var density = isDense ? SearchDensity.Dense : SearchDensity.Sparse;
+            var predictor = TestPredictors.Of(new TemplateForecaster(PredictionLimits.Unlimited, density));
+
+            for (var t = 0.0; t < 130; t += interval) predictor.Add(t, Position(t));
+
+            Assert.That(predictor.At(predictor.NewestTime + Ahead).Kind, Is.EqualTo(PredictionKind.Predicted));
+        }
+
         [Test]
         public void At_LostSamples_HardlyIncreaseTheError()
         {
