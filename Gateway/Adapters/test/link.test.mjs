@@ -6,7 +6,7 @@ import { dirname, join } from 'node:path';
 import { before, describe, it } from 'node:test';
 import { identity } from './opcua/identity.mjs';
 import { configuration } from './opcua/plant.mjs';
-import { freePort } from './opcua/server.mjs';
+import { freePort } from './freePort.mjs';
 import { parts } from './parts.mjs';
 import { adapters, start, until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';

@@ -1,9 +1,9 @@
 // Runs Debian's mosquitto on a port of this machine, configured like the example.
 import { spawn, spawnSync } from 'node:child_process';
-import { createServer, connect } from 'node:net';
-import { once } from 'node:events';
+import { connect } from 'node:net';
 import { join } from 'node:path';
 import { writeFileSync } from 'node:fs';
+import { freePort } from '../freePort.mjs';
 import { until } from '../program.mjs';
 import { temporaryFolder } from '../temporary.mjs';
 
@@ -11,14 +11,6 @@ const program = ['mosquitto', '/usr/sbin/mosquitto'].find(name => spawnSync(name
 
 /** The reason why tests with mosquitto cannot run on this machine; false if they can. */
 export const missing = program === undefined && 'mosquitto is not installed (apt-get install mosquitto)';
-
-export async function freePort() {
-  const server = createServer().listen(0, '127.0.0.1');
-  await once(server, 'listening');
-  const { port } = server.address();
-  await new Promise(resolve => server.close(resolve));
-  return port;
-}
 
 export class Mosquitto {
   static async start(test, lines = ['allow_anonymous true']) {

@@ -5,7 +5,8 @@ import { after, before, describe, it } from 'node:test';
 import { adapters, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { adapterFor, OPEN, serverFor } from './plant.mjs';
-import { ControlClock, freePort, YoubotServer } from './server.mjs';
+import { freePort } from '../freePort.mjs';
+import { ControlClock, YoubotServer } from './server.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 
 const { clockMessages, opcuaMessages } = messages;

@@ -1,12 +1,12 @@
 // Runs a real OPC UA server (node-opcua) that moves a youBot. The true position of the robot is a function of the time of the control
 // system, whose clock has an offset and a skew.
-import { createServer } from 'node:net';
 import { isDeepStrictEqual } from 'node:util';
 import {
   AttributeIds, DataType, DataValue, MessageSecurityMode, MonitoredItem, nodeset, OPCUAServer, SecurityPolicy, setWarningLogger,
   StatusCodes, Subscription, Variant, VariantArrayType,
 } from './library.mjs';
 import { angle, arm, opening } from '../ads/youbot.mjs';
+import { freePort } from '../freePort.mjs';
 import { identity } from './identity.mjs';
 import { OpenStore } from './openStore.mjs';
 
@@ -183,11 +183,3 @@ export class YoubotServer {
     return result;
   }
 }
-
-/** Finds a free port. */
-export const freePort = () => new Promise((resolve, reject) => {
-  const server = createServer().on('error', reject).listen(0, '127.0.0.1', () => {
-    const { port } = server.address();
-    server.close(() => resolve(port));
-  });
-});
