@@ -62,7 +62,7 @@ namespace Nowpose.Anchoring
         /// <summary>Angle by which the device has turned the base since the newest lock, by correcting its map, in radians.</summary>
         public double CorrectedRadians => _correction.Radians;
 
-        /// <summary>Markers that contradict each other, with their deviation; null if there is no conflict.</summary>
+        /// <summary>Markers that contradict each other, with their deviation; null if all agree.</summary>
         public MarkerConflict Conflict => _attempt.Conflict;
 
         [Obsolete("use Conflict")]
@@ -71,7 +71,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
 
-        /// <summary>Reason why a source reports no markers, which is shown during a search; null if there is no problem.</summary>
+        /// <summary>Reason why a source reports no markers, which is shown during a search; null if nothing is wrong.</summary>
         public string SourceProblem { get; set; }
 
         /// <summary>Time at which a source last reported any code; null if none was reported since the start of the search.</summary>
@@ -86,7 +86,7 @@ namespace Nowpose.Anchoring
         /// <summary>Name under which the device stores the position across restarts; null when it is not stored.</summary>
         public string KeptAs => _place.KeptAs;
 
-        /// <summary>Reason why the device does not hold or store the position, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why the device does not hold or store the position, in one line; null if nothing is wrong.</summary>
         public string Problem => _place.Problem;
 
         /// <summary>Distance to the position that the device reports, in metres, if it is too far to be followed; otherwise 0.</summary>

@@ -13,7 +13,7 @@ namespace Nowpose.Anchoring
     /// <summary>A source of markers that can report why it finds no markers.</summary>
     public interface IMarkerProblem
     {
-        /// <summary>The problem in one line; null if there is no problem. Returns the same object as long as the text does not change.</summary>
+        /// <summary>The problem in one line; null if nothing is wrong. Returns the same object as long as the text does not change.</summary>
         string Problem { get; }
     }
 }

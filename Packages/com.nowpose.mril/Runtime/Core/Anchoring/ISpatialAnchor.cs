@@ -17,7 +17,7 @@ namespace Nowpose.Anchoring
         /// <summary>Name under which the anchor is stored across restarts; null when it is not stored.</summary>
         string KeptAs { get; }
 
-        /// <summary>Reason why the anchor is not held or not stored, in one line; null if there is no problem.</summary>
+        /// <summary>Reason why the anchor is not held or not stored, in one line; null if nothing is wrong.</summary>
         string Problem { get; }
 
         /// <summary>Stores the anchor under a name as soon as it is held, and replaces the anchor stored before. Returns at once.</summary>

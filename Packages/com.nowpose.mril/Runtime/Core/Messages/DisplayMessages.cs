@@ -24,7 +24,7 @@ namespace Nowpose.Messages
 
         /// <summary>Returns a message about the current display problem. Allocates nothing.</summary>
         /// <param name="statistics">Null without a session.</param>
-        /// <returns>Null if there is no problem.</returns>
+        /// <returns>Null if nothing is wrong.</returns>
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;

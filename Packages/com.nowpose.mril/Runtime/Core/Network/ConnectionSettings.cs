@@ -11,7 +11,7 @@ namespace Nowpose.Network
         /// <summary>The gateway's clock sync, over a separate TCP connection.</summary>
         ClockSync,
 
-        /// <summary>The service /rosapi/get_time of a rosbridge server, if there is no gateway. Uses the WebSocket of the joint positions.</summary>
+        /// <summary>The service /rosapi/get_time of a rosbridge server, without a gateway. Uses the WebSocket of the joint positions.</summary>
         RosTime,
     }
 

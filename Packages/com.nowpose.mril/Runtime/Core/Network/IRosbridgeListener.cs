@@ -52,7 +52,7 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
-        /// <summary>Gets the displayed joints, up to twenty times a second; null if there are no new positions.</summary>
+        /// <summary>Gets the displayed joints, up to twenty times a second; null without new positions.</summary>
         JointStateMessage Displayed();
 
         /// <summary>Gets the headset's state, once a second; null if there is none to publish.</summary>

@@ -27,7 +27,7 @@ namespace Nowpose.Unity.Calibration
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
         /// <summary>
-        /// Reasons, one line each, why the search rejected the profiles before the result, or all profiles if there is no result.
+        /// Reasons, one line each, why the search rejected the profiles before the result, or all profiles without a result.
         /// </summary>
         public IReadOnlyList<string> Refusals => _refusals;
 

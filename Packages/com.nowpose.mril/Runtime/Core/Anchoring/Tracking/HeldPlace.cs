@@ -29,7 +29,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Name under which the position is stored; null when it is not stored.</summary>
         public string KeptAs => _anchor?.KeptAs;
 
-        /// <summary>Reason why the position is not held or not stored; null if there is no problem.</summary>
+        /// <summary>Reason why the position is not held or not stored; null if nothing is wrong.</summary>
         public string Problem => _anchor?.Problem;
 
         /// <summary>Searches once for the position stored in an earlier run.</summary>

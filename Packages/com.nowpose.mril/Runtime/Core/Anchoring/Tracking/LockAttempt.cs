@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public LockAttempt(AnchoringSettings settings) => _settings = settings;
 
-        /// <summary>Markers that contradict each other in the newest attempt; null if there is no conflict.</summary>
+        /// <summary>Markers that contradict each other in the newest attempt; null if all agree.</summary>
         public MarkerConflict Conflict { get; private set; }
 
         /// <summary>Base from the newest successful attempt, in the room frame.</summary>
@@ -38,7 +38,7 @@ namespace Nowpose.Anchoring.Tracking
             Conflict = null;
         }
 
-        /// <param name="locked">Locked base; the markers that are part of the lock are then used, too. Null if there is no lock.</param>
+        /// <param name="locked">Locked base; the markers that are part of the lock are then used, too. Null before the base is locked.</param>
         /// <returns>Whether the attempt succeeded. In this case, the markers used become parts of the lock.</returns>
         public bool Make(HeadsetTime now, IReadOnlyList<TrackedMarker> markers, in RigidTransform? locked)
         {

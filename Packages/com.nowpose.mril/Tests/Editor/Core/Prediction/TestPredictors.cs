@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Prediction
             Predictors.Create(Degrees[degree] + "-h" + history, limits ?? PredictionLimits.Unlimited);
 
         /// <summary>
-        /// Creates a predictor with one forecaster and the given parts of the pipeline. It holds the newest sample if there is no forecast.
+        /// Creates a predictor with one forecaster and the given parts of the pipeline. It holds the newest sample if the forecaster cannot forecast.
         /// </summary>
         /// <param name="limits">Null for no limits.</param>
         public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
