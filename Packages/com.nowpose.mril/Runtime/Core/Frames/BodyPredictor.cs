@@ -20,8 +20,8 @@ namespace Nowpose.Frames
         /// weights at rest and the outlier threshold, the position errors of 1 110 simulated motions are 1.3 % larger, their rotation errors
         /// 0.8 % smaller, and a sample takes up to a fifth less time.
         /// </summary>
-        const PredictionParts Parts = PredictionParts.All & ~PredictionParts.FirstMoves & ~PredictionParts.Profiles
-            & ~PredictionParts.DenseSearch & ~PredictionParts.Reported & ~PredictionParts.RestWeights & ~PredictionParts.OutlierThreshold;
+        const PredictionParts Parts = PredictionParts.Samples | PredictionParts.Quadratic | PredictionParts.Cubic | PredictionParts.Process
+            | PredictionParts.Repetition | PredictionParts.ChangePoints;
 
         /// <summary>
         /// Degree and history of the polynomials that are mixed with <c>adaptive</c>. Hold and line must be the first two. A polynomial with a

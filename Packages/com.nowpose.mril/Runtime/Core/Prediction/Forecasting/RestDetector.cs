@@ -29,11 +29,6 @@ namespace Nowpose.Prediction.Forecasting
         const double TrackerRate = 3;
 
         /// <summary>
-        /// Maximum interval by which the tracker moves, in s. Otherwise it would take minutes to return from a single step after a pause of seconds.
-        /// </summary>
-        const double MaxInterval = 0.3;
-
-        /// <summary>
         /// Maximum range of the newest samples at which rest begins, and maximum distance from the rest position at which rest continues, as
         /// multiples of the noise. The hysteresis prevents frequent changes.
         /// </summary>
@@ -138,7 +133,9 @@ namespace Nowpose.Prediction.Forecasting
             if (_maxRange == 0) return;
             var logarithm = Math.Log(Math.Max(range, MinRangeRatio * _maxRange));
             if (double.IsNegativeInfinity(_logarithm)) _logarithm = logarithm;
-            _logarithm += TrackerRate * Math.Min(interval, MaxInterval) * (logarithm > _logarithm ? Quantile : Quantile - 1);
+            // After a pause of seconds, a step by the whole pause would take minutes to undo.
+            var seconds = Math.Min(interval, MotionState.MaxInterval);
+            _logarithm += TrackerRate * seconds * (logarithm > _logarithm ? Quantile : Quantile - 1);
         }
 
         void UpdateRest(SampleHistory history, double range, double mean, bool isOneWay)

@@ -60,9 +60,10 @@ namespace Nowpose.Prediction.Samples
                 Release(sample);
                 return DropReason.None;
             }
-            if (IsRepetition(sample)) return DropReason.DuplicateSample;
-            var reason = sample.Order < oldest ? DropReason.LateSample
-                : _recent.TryFind(sample.Order, out _) ? DropReason.DuplicateSample : DropReason.None;
+            // The stamp alone is not sufficient: a clock that goes back by whole sampling intervals repeats earlier stamps with other positions.
+            var isKnown = _recent.TryFind(sample.Order, out var position);
+            if ((isKnown && position == sample.Position) || IsWaiting(sample)) return DropReason.DuplicateSample;
+            var reason = sample.Order < oldest ? DropReason.LateSample : isKnown ? DropReason.DuplicateSample : DropReason.None;
             if (_lateCount > 0 && sample.Order <= _late[_lateCount - 1].Order) ReleaseLate(withEvidence: false);
             if (_recent.Contradict(sample)) _contradicted++;
             _isOnlyEvidence[_lateCount] = reason != DropReason.None;
@@ -85,10 +86,8 @@ namespace Nowpose.Prediction.Samples
         bool HasClockGoneBack => _lateCount == MaxLate || _contradicted == MinLate
             || (_lateCount >= MinLate && _newest - _late[_lateCount - 1].Order > MaxDelay);
 
-        // The stamp alone is not sufficient: a clock that goes back by whole sampling intervals repeats earlier stamps with other positions.
-        bool IsRepetition(in JointSample sample)
+        bool IsWaiting(in JointSample sample)
         {
-            if (_recent.TryFind(sample.Order, out var position) && position == sample.Position) return true;
             for (var i = 0; i < _lateCount; i++)
                 if (JointSample.IsSameTime(_late[i].Order, sample.Order) && _late[i].Position == sample.Position) return true;
             return false;

@@ -72,8 +72,10 @@ namespace Nowpose.Prediction.Samples
         // Without any motion so far, no sample is elsewhere.
         bool IsElsewhere(double position, double reference, double displacement, double largest)
         {
-            var (distance, range) = (Math.Abs(Difference(position, reference) - displacement), Range);
-            return distance > MaxDistanceRatio * largest + Noise && distance > MinRangeRatio * range && range > 0;
+            var distance = Math.Abs(Difference(position, reference) - displacement);
+            if (!(distance > MaxDistanceRatio * largest + Noise)) return false;
+            var range = Range;
+            return distance > MinRangeRatio * range && range > 0;
         }
 
         // Returns -1 if no sample has this time.
