@@ -8,8 +8,10 @@ export const minSide = 56;
 
 /** Size of the blocks in which edges are detected, px. Smaller blocks are not needed. */
 const block = 4;
-/** Maximum gaps between the edges of one code, in blocks. Each value is the size of two cells for one code size; together, the values cover all code
- * sizes. */
+/**
+ * Maximum gaps between the edges of one code, in blocks. Each value is the size of two cells for one code size; together, the values cover all code
+ * sizes.
+ */
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
 /** Maximum width of an area of edges that counts as an edge or a cable of the scene and not as a code, as a multiple of the gap. */
 const narrow = 1.3;

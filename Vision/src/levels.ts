@@ -9,6 +9,16 @@ export interface Grey {
   colours?: Uint8Array | Uint8ClampedArray;
 }
 
+/** Combines the bytes of red, green and blue. Each pixel gets red, green, blue and opacity 255, one after another. */
+export function rgbaOf(channels: Uint8Array[]): Uint8ClampedArray {
+  const rgba = new Uint8ClampedArray(4 * channels[0].length).fill(255);
+  for (let c = 0; c < channels.length; c++) {
+    const channel = channels[c];
+    for (let i = 0; i < channel.length; i++) rgba[4 * i + c] = channel[i];
+  }
+  return rgba;
+}
+
 /** Uses the brightest colour channel of each pixel, because the luma of a red or blue LED is only a small part of its light. */
 export function greyOf({ width, height, data }: { width: number; height: number; data: Uint8Array | Uint8ClampedArray }): Grey {
   const grey = new Uint8Array(width * height);

@@ -4,7 +4,7 @@ import encodeJpeg, { init as initEncoder } from '@jsquash/jpeg/encode.js';
 import decoder from '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm';
 import encoder from '@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm';
 import { PNG } from 'pngjs';
-import { greyOf, type Grey } from './levels';
+import { greyOf, rgbaOf, type Grey } from './levels';
 import { pictureMessages } from './messages';
 import { checkSize, isHeic, isJpeg, isPng } from './pictureSize';
 
@@ -56,7 +56,8 @@ export async function writePicture(path: string, grey: Grey): Promise<void> {
   if (path.endsWith('.png')) return writePng(path, grey);
   if (!isEncoding) await initEncoder(new WebAssembly.Module(encoder));
   isEncoding = true;
-  const picture = new ImageData(new Uint8ClampedArray(grey.colours ?? coloursOf(grey.data)), grey.width, grey.height);
+  const { buffer, byteOffset, length } = grey.colours ?? rgbaOf([grey.data, grey.data, grey.data]);
+  const picture = new ImageData(new Uint8ClampedArray(buffer as ArrayBuffer, byteOffset, length), grey.width, grey.height);
   const options = {
     quality: 88,
     color_space: grey.colours ? yCbCr : greyscale,
@@ -65,12 +66,6 @@ export async function writePicture(path: string, grey: Grey): Promise<void> {
     trellis_multipass: false,
   };
   writeFileSync(path, Buffer.from(await encodeJpeg(picture, options)));
-}
-
-function coloursOf(grey: Uint8Array): Uint8ClampedArray {
-  const colours = new Uint8ClampedArray(4 * grey.length).fill(255);
-  for (let i = 0, j = 0; i < grey.length; i++, j += 4) colours[j] = colours[j + 1] = colours[j + 2] = grey[i];
-  return colours;
 }
 
 function writePng(path: string, { width, height, data, colours }: Grey): void {

@@ -1,4 +1,4 @@
-import { greyOf, type Grey } from '../levels';
+import { greyOf, rgbaOf, type Grey } from '../levels';
 import { cv } from '../opencv';
 import { addCode, type DrawnCode } from './codeLight';
 import { normals, randomOf } from './random';
@@ -48,9 +48,7 @@ export function take(shot: Shot): Grey {
       noiseSeed: shot.noiseSeed + channel,
     }),
   );
-  const colours = new Uint8Array(4 * shot.width * shot.height).fill(255);
-  seen.forEach(({ data }, channel) => data.forEach((byte, i) => (colours[4 * i + channel] = byte)));
-  return greyOf({ ...shot, data: colours });
+  return greyOf({ ...shot, data: rgbaOf(seen.map(({ data }) => data)) });
 }
 
 function takeGrey(shot: Shot): Grey {
