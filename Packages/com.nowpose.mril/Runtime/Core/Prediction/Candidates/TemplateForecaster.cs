@@ -176,8 +176,10 @@ namespace Nowpose.Prediction.Candidates
         // Moves the match of a lag to its new place among the best lags.
         void MoveTo(int place, int lag)
         {
-            var i = Array.IndexOf(_found, lag, place);
-            if (i <= place) return;
+            // The first call of Array.IndexOf would allocate a comparer.
+            var i = place;
+            while (i < _found.Length && _found[i] != lag) i++;
+            if (i == _found.Length) return;
             (_found[place], _found[i]) = (_found[i], _found[place]);
             (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
         }
