@@ -1,6 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
@@ -45,8 +46,11 @@ sealed class VirtualSession
     /// <summary>Creates quadratic predictors like those of the session, so that they can be measured alone.</summary>
     public static JointPredictor[] CreatePredictors() => CreatePredictors(Quadratic);
 
-    public static JointPredictor[] CreatePredictors(PredictionSettings prediction) =>
-        [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits))];
+    public static JointPredictor[] CreatePredictors(PredictionSettings prediction)
+    {
+        var shared = new SharedWeights();
+        return [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits, shared))];
+    }
 
     /// <summary>Creates a session with the default predictor whose history is full.</summary>
     public static VirtualSession Experienced()

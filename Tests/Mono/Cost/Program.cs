@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Linq;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Mono.Cost
 {
@@ -105,7 +106,8 @@ namespace Nowpose.Mono.Cost
             /// <returns>Number of garbage collections during the measured samples.</returns>
             public int Run(double interval)
             {
-                var joints = Enumerable.Range(0, Joints).Select(_ => Predictors.Create(_predictor, new PredictionLimits(), 0.014)).ToArray();
+                var shared = new SharedWeights();
+                var joints = Enumerable.Range(0, Joints).Select(_ => Predictors.Create(_predictor, new PredictionLimits(), 0.014, shared)).ToArray();
                 var displayed = double.NaN;
                 var first = (int)(SecondsSeen / interval);
                 for (var sample = 0; sample < first; sample++) Play(joints, sample * interval, interval, ref displayed, out _, out _);

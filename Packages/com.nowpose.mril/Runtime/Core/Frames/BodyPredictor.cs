@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Frames
 {
@@ -35,14 +36,15 @@ namespace Nowpose.Frames
         readonly double _horizonCap;
         bool _restsBeforeSecondSample;
 
-        /// <param name="predictor">A name that <see cref="Predictors.Create"/> accepts.</param>
+        /// <param name="predictor">A name that <see cref="Predictors.Create(string, PredictionLimits, double)"/> accepts.</param>
         /// <param name="limits">Horizon cap and maximum gap. The position limits apply to the coordinates in m and to the angles in rad.</param>
-        /// <param name="blend">See <see cref="Predictors.Create"/>.</param>
+        /// <param name="blend">See <see cref="Predictors.Create(string, PredictionLimits, double)"/>.</param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0)
         {
-            _position = Create(predictor, limits, blend);
-            _angles = Create(predictor, limits, blend);
+            var shared = new SharedWeights();
+            _position = Create(predictor, limits, blend, shared);
+            _angles = Create(predictor, limits, blend, shared);
             _horizonCap = limits.HorizonCap;
         }
 
@@ -126,12 +128,12 @@ namespace Nowpose.Frames
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);
 
-        static VectorMixture Create(string predictor, PredictionLimits limits, double blend)
+        static VectorMixture Create(string predictor, PredictionLimits limits, double blend, SharedWeights shared)
         {
             if (predictor == Predictors.Default)
                 return new VectorMixture(
-                    new AxisPredictors(() => Predictors.Adaptive(limits, Parts), skipsConstants: true), MixedWithAdaptive, limits, blend);
-            var main = new AxisPredictors(() => Predictors.Create(predictor, limits, blend), skipsConstants: false);
+                    new AxisPredictors(() => Predictors.Adaptive(limits, Parts, shared), skipsConstants: true), MixedWithAdaptive, limits, blend);
+            var main = new AxisPredictors(() => Predictors.Create(predictor, limits, blend, shared), skipsConstants: false);
             return new VectorMixture(main, Array.Empty<(int, int)>(), limits, 0);
         }
     }

@@ -51,7 +51,14 @@ namespace Nowpose.Prediction
         /// <exception cref="InputException">The name is unknown.</exception>
         public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0)
         {
-            if (name == "adaptive") return Adaptive(limits, PredictionParts.All, blend);
+            return Create(name, limits, blend, new SharedWeights());
+        }
+
+        /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
+        /// <param name="shared">Weights that this predictor shares with those of the robot's other joints.</param>
+        internal static JointPredictor Create(string name, PredictionLimits limits, double blend, SharedWeights shared)
+        {
+            if (name == "adaptive") return Adaptive(limits, PredictionParts.All, shared, blend);
             if (name == "gp") return new JointPredictor(new CalibratedProcess(), Kept, PredictionParts.Samples, limits, blend);
             if (!TryReadPolynomial(name, out var degree, out var history))
                 throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
@@ -59,15 +66,18 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
+        /// <param name="shared">Weights that this predictor shares with those of other joints; null for its own.</param>
         /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
-        internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, double blend = 0, params Forecaster[] more)
+        internal static JointPredictor Adaptive(
+            PredictionLimits limits, PredictionParts parts, SharedWeights shared = null, double blend = 0, params Forecaster[] more)
         {
+            shared ??= new SharedWeights();
             bool Has(PredictionParts part) => (parts & part) != 0;
-            var forecasters = new List<MixedForecaster> { new MixedForecaster(new PolynomialForecaster(1, 1)) };
-            if (Has(PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new PolynomialForecaster(2, 4)));
-            if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new PolynomialForecaster(3, 3)));
+            var forecasters = new List<MixedForecaster>();
+            if (Has(PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new LinearForecaster(shared.Quadratic)));
+            if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new LinearForecaster(shared.Cubic)));
             if (Has(PredictionParts.Process))
-                forecasters.Add(new MixedForecaster(new GaussianProcess(), 1 - LinePrior, 1 - ReportedPrior));
+                forecasters.Add(new MixedForecaster(new LinearForecaster(shared.Process, stopsAtReversal: true), 1 - LinePrior, 1 - ReportedPrior));
             if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ReportedPrior));
             foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
             var candidates = new List<CandidateGate>();

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -27,7 +28,8 @@ namespace Nowpose.Session
             _robot = robot;
             var count = robot.MovingJoints.Count;
             _joints = new JointPredictor[count];
-            for (var i = 0; i < count; i++) _joints[i] = settings.Create(BoundsOf(robot.MovingJoints[i], settings));
+            var shared = new SharedWeights();
+            for (var i = 0; i < count; i++) _joints[i] = settings.Create(BoundsOf(robot.MovingJoints[i], settings), shared);
             _positions = new double[count];
             _held = new double[count];
             _kinds = new PredictionKind[count];

@@ -3,6 +3,7 @@ using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
 using Nowpose.Prediction;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Session
 {
@@ -80,8 +81,12 @@ namespace Nowpose.Session
 
         /// <summary>Creates a predictor for one joint with the given limits.</summary>
         /// <param name="limits">Result of <see cref="Bounded"/>.</param>
-        public JointPredictor Create(in JointLimits limits) =>
-            Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend));
+        public JointPredictor Create(in JointLimits limits) => Create(limits, new SharedWeights());
+
+        /// <inheritdoc cref="Create(in JointLimits)"/>
+        /// <param name="shared">Weights that the predictors of one robot's joints share.</param>
+        internal JointPredictor Create(in JointLimits limits, SharedWeights shared) =>
+            Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
 
         /// <summary>Creates a predictor for an object of the cell, which has no limits.</summary>
         internal BodyPredictor CreateBody() =>

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Nowpose.Prediction.Candidates
 {
@@ -100,6 +101,7 @@ namespace Nowpose.Prediction.Candidates
         public double IndexOf(double time) => (time - _start) / Step;
 
         /// <summary>Returns the position at a fractional index by a Catmull-Rom spline; it needs two points on either side.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double At(double index)
         {
             var cell = (long)index;

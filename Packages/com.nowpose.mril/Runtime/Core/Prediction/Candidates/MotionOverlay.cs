@@ -99,7 +99,7 @@ namespace Nowpose.Prediction.Candidates
             }
             Offset = offset / Math.Min(_count, 2);
             MeanSquare = sum / _count;
-            if (stiffness > 0) _step = Math.Min(Math.Max(pull / stiffness, -1), 1);
+            if (stiffness > 0) _step = pull > stiffness ? 1 : pull < -stiffness ? -1 : pull / stiffness;
             return true;
         }
 

@@ -159,6 +159,7 @@ namespace Nowpose.Prediction.Candidates
             var min = double.PositiveInfinity;
             for (var i = 0; i < _search.Count; i++)
             {
+                MoveTo(i, _search.Lags[i]);
                 // Matches keep their refined lags; one of them is refined again per search.
                 if (_found[i] != _search.Lags[i] || i == _turn)
                     (_found[i], _refined[i]) = (_search.Lags[i], _overlay.Find(_search.Lags[i], MinLag));
@@ -170,6 +171,17 @@ namespace Nowpose.Prediction.Candidates
                 min = Math.Min(min, _errors[_matches++]);
             }
             Weigh(min);
+        }
+
+        // Moves the match of a lag to its new place among the best lags.
+        void MoveTo(int place, int lag)
+        {
+            // The first call of Array.IndexOf would allocate a comparer.
+            var i = place;
+            while (i < _found.Length && _found[i] != lag) i++;
+            if (i == _found.Length) return;
+            (_found[place], _found[i]) = (_found[i], _found[place]);
+            (_refined[place], _refined[i]) = (_refined[i], _refined[place]);
         }
 
         bool HasContinuation(double lag) => _history.Covers(_history.IndexOf(_newestTime) - lag)

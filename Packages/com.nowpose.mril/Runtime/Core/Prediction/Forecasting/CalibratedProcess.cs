@@ -18,18 +18,21 @@ namespace Nowpose.Prediction.Forecasting
         const double ErrorTimeConstant = 3;
 
         readonly GaussianProcess _process = new GaussianProcess();
+        readonly LinearForecaster _mean;
         int _errors;
         double _variance;
+
+        public CalibratedProcess() => _mean = new LinearForecaster(_process);
 
         public override int Samples => _process.Samples;
 
         public override bool Solve(MotionState motion)
         {
             if (motion.IsNewest) Learn(motion);
-            return _process.Solve(motion);
+            return _mean.Solve(motion);
         }
 
-        public override double At(double ahead) => _process.At(ahead);
+        public override double At(double ahead) => _mean.At(ahead);
 
         /// <returns>NaN before the first comparison of a forecast with a sample.</returns>
         public override double DeviationAt(double ahead) =>
@@ -45,10 +48,10 @@ namespace Nowpose.Prediction.Forecasting
         void Learn(MotionState motion)
         {
             var age = AgeAtHorizon(motion);
-            if (age == 0 || !_process.Solve(motion, age)) return;
+            if (age == 0 || !_mean.Solve(motion.Samples, age)) return;
             var (newest, then) = (motion.Samples[0], motion.Samples[age]);
             var ahead = newest.Time - then.Time;
-            var error = newest.Position - then.Position - _process.At(ahead);
+            var error = newest.Position - then.Position - _mean.At(ahead);
             var square = error * error / _process.VarianceAt(ahead);
             if (!double.IsFinite(square)) return;
             // The first errors are averaged without weights.

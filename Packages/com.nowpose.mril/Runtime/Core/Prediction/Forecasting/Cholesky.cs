@@ -8,7 +8,10 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Pivots below this are rounding errors of an exactly singular system.</summary>
         const double MinPivot = 1e-12;
 
-        /// <param name="matrix">Row-major n×n matrix. Only its lower triangle is read. Receives the factor L.</param>
+        /// <param name="matrix">
+        /// Row-major n×n matrix. Only its lower triangle is read. Receives the factor L, with the inverse of its diagonal: multiplications take
+        /// less time than divisions.
+        /// </param>
         public static void Factor(double[] matrix, int n)
         {
             for (var i = 0; i < n; i++)
@@ -19,32 +22,34 @@ namespace Nowpose.Prediction.Forecasting
                     var other = j * n;
                     var sum = matrix[row + j];
                     for (var k = 0; k < j; k++) sum -= matrix[row + k] * matrix[other + k];
-                    matrix[row + j] = i == j ? Math.Sqrt(sum > MinPivot ? sum : MinPivot) : sum / matrix[other + j];
+                    matrix[row + j] = i == j ? 1 / Math.Sqrt(sum > MinPivot ? sum : MinPivot) : sum * matrix[other + j];
                 }
             }
         }
 
-        /// <param name="matrix">Matrix with the factor L.</param>
-        /// <param name="vector">The right-hand side. Receives the solution.</param>
-        public static void Solve(double[] matrix, double[] vector, int n)
+        /// <summary>Solves A x = vector, where A is the factored matrix.</summary>
+        /// <param name="matrix">Result of <see cref="Factor"/>.</param>
+        /// <param name="vector">Contains the right-hand side from index <paramref name="start"/> on. Receives the solution.</param>
+        public static void Solve(double[] matrix, double[] vector, int start, int n)
         {
-            SolveLower(matrix, vector, n);
+            SolveLower(matrix, vector, start, n);
             for (var i = n - 1; i >= 0; i--)
             {
-                var value = vector[i];
-                for (int k = i + 1, at = k * n + i; k < n; k++, at += n) value -= matrix[at] * vector[k];
-                vector[i] = value / matrix[i * n + i];
+                var value = vector[start + i];
+                for (int k = i + 1, at = k * n + i; k < n; k++, at += n) value -= matrix[at] * vector[start + k];
+                vector[start + i] = value * matrix[i * n + i];
             }
         }
 
-        /// <summary>Solves L x = vector. The sum of the squares of x equals vectorᵀ A⁻¹ vector, where A is the factored matrix.</summary>
-        public static void SolveLower(double[] matrix, double[] vector, int n)
+        /// <summary>Solves L x = vector. The sum of the squares of x equals vectorᵀ A⁻¹ vector.</summary>
+        /// <inheritdoc cref="Solve"/>
+        public static void SolveLower(double[] matrix, double[] vector, int start, int n)
         {
             for (var i = 0; i < n; i++)
             {
-                var (value, row) = (vector[i], i * n);
-                for (var k = 0; k < i; k++) value -= matrix[row + k] * vector[k];
-                vector[i] = value / matrix[row + i];
+                var (value, row) = (vector[start + i], i * n);
+                for (var k = 0; k < i; k++) value -= matrix[row + k] * vector[start + k];
+                vector[start + i] = value * matrix[row + i];
             }
         }
     }

@@ -84,7 +84,8 @@ namespace Nowpose.Prediction.Forecasting
         public void Add(bool isNewest, double displayed)
         {
             IsNewest = isNewest;
-            ConnectedSamples = Samples.CountWithoutGap(_maximumGap);
+            if (!isNewest) ConnectedSamples = Samples.CountWithoutGap(_maximumGap);
+            else ConnectedSamples = Samples.HasGap(0, _maximumGap) ? 1 : Math.Min(ConnectedSamples + 1, Samples.Count);
             var (intervalBefore, speedBefore) = (Interval, Speed);
             if (Samples.Count >= 2) UpdateSpeed();
             if (!isNewest) return;

@@ -115,8 +115,8 @@ namespace Nowpose.Prediction.Forecasting
             for (var i = 0; i < count; i++)
             {
                 var position = history[i].Position;
-                min = Math.Min(min, position);
-                max = Math.Max(max, position);
+                if (position < min) min = position;
+                if (position > max) max = position;
                 sum += position;
                 if (i == 0) continue;
                 rises &= history[i - 1].Position > position;

@@ -18,10 +18,12 @@ namespace Nowpose.Prediction.Mixing
         public double PriorWhenReported { get; }
     }
 
-    /// <summary>The forecasters of a mixture: hold, whose table is zero, the line, and others. Fills their tables after a sample.</summary>
+    /// <summary>The forecasters of a mixture: hold, whose table is zero, a line, and others. Fills their tables after a sample.</summary>
     sealed class MixedForecasters
     {
         public const int Hold = 0, Line = 1;
+
+        const int First = Line + 1;
 
         /// <summary>Factor of the speed after a change point that did not increase it; without it, the errors on recordings are 0.4 % larger.</summary>
         const double SpeedRatioAfterStop = 0.5;
@@ -30,9 +32,7 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _priorWhenReported;
         readonly bool _usesChangePoints;
 
-        /// <param name="mixed">
-        /// Forecasters in addition to hold. The first must be the line. Its prior weight is one minus the weights of the others.
-        /// </param>
+        /// <param name="mixed">Forecasters in addition to hold and line. The prior weight of the line is one minus the weights of the others.</param>
         /// <param name="usesChangePoints">Whether samples before a change point are left out.</param>
         public MixedForecasters(MixedForecaster[] mixed, bool usesChangePoints)
         {
@@ -42,8 +42,8 @@ namespace Nowpose.Prediction.Mixing
             _priorWhenReported = Weights(one => one.PriorWhenReported);
         }
 
-        /// <summary>Number of forecasts, including hold.</summary>
-        public int Count => Line + _mixed.Length;
+        /// <summary>Number of forecasts, including hold and line.</summary>
+        public int Count => First + _mixed.Length;
 
         /// <summary>Weights without evidence, one per forecast.</summary>
         public double[] Prior { get; }
@@ -67,7 +67,8 @@ namespace Nowpose.Prediction.Mixing
             }
             var samples = _usesChangePoints ? motion.SamplesOfOneMotion : motion.ConnectedSamples;
             var speed = samples == 1 && !motion.ChangePoints.SpeedIncreased ? SpeedRatioAfterStop * motion.Speed : motion.Speed;
-            for (int i = 0, start = Line * ForecastTable.Points; i < _mixed.Length; i++, start += ForecastTable.Points)
+            FillLine(tables, Line * ForecastTable.Points, points, speed);
+            for (int i = 0, start = First * ForecastTable.Points; i < _mixed.Length; i++, start += ForecastTable.Points)
             {
                 var forecaster = _mixed[i].Forecaster;
                 // With two samples all forecasts are the same line. They must not differ by rounding, which would decide between equal errors.
@@ -81,15 +82,14 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < points; i++) tables[start + i] = i * speed * ForecastTable.Step;
         }
 
-        // The weight of the line is one minus the weights of the other forecasters.
         double[] Weights(Func<MixedForecaster, double> weightOf)
         {
             var weights = new double[Count];
             weights[Line] = 1;
-            for (var i = 1; i < _mixed.Length; i++)
+            for (var i = 0; i < _mixed.Length; i++)
             {
-                weights[Line + i] = weightOf(_mixed[i]);
-                weights[Line] -= weights[Line + i];
+                weights[First + i] = weightOf(_mixed[i]);
+                weights[Line] -= weights[First + i];
             }
             return weights;
         }

@@ -45,7 +45,7 @@ namespace Nowpose.Prediction.Mixing
 
         /// <param name="limits">Limits of the drive.</param>
         /// <param name="parts">The parts of the mixer to use.</param>
-        /// <param name="mixed">Forecasters in addition to hold, which is always included; the first must be the line.</param>
+        /// <param name="mixed">Forecasters in addition to hold and line, which are always included.</param>
         /// <param name="candidates">Forecasters that may replace the mixture.</param>
         public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecaster[] mixed, CandidateGate[] candidates)
         {

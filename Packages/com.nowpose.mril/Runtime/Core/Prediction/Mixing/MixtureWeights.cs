@@ -67,7 +67,9 @@ namespace Nowpose.Prediction.Mixing
             for (int i = 0, row = 0; i < errors.Length; i++, row += _count)
             {
                 var error = gain * errors[i];
-                for (var j = 0; j < errors.Length; j++) products[row + j] = forgettingFactor * products[row + j] + error * errors[j];
+                // The matrix is symmetric.
+                for (int j = 0, mirrored = i; j <= i; j++, mirrored += _count)
+                    products[mirrored] = products[row + j] = forgettingFactor * products[row + j] + error * errors[j];
                 _weighted[i] = forgettingFactor * _weighted[i] + error * mixture;
             }
             Evidence = forgettingFactor * Evidence + gain;

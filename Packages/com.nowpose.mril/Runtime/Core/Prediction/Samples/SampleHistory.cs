@@ -1,31 +1,47 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace Nowpose.Prediction.Samples
 {
     /// <summary>Keeps the newest samples of one joint, sorted by time; index 0 is the newest.</summary>
     sealed class SampleHistory
     {
-        readonly JointSample[] _newestFirst;
+        readonly int _capacity;
 
-        public SampleHistory(int capacity) => _newestFirst = new JointSample[capacity];
+        // A ring: the sample of an age is at (_newest + age) & _mask.
+        readonly JointSample[] _ring;
+        readonly int _mask;
+        int _newest;
+
+        public SampleHistory(int capacity)
+        {
+            _capacity = capacity;
+            var length = 1;
+            while (length < capacity) length *= 2;
+            (_ring, _mask) = (new JointSample[length], length - 1);
+        }
 
         public int Count { get; private set; }
 
-        public ref readonly JointSample this[int age] => ref _newestFirst[age];
+        public ref readonly JointSample this[int age]
+        {
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get => ref At(age);
+        }
 
-        public double NewestTime => Count > 0 ? _newestFirst[0].Time : double.NegativeInfinity;
+        public double NewestTime => Count > 0 ? At(0).Time : double.NegativeInfinity;
 
-        public double NewestPosition => Count > 0 ? _newestFirst[0].Position : 0;
+        public double NewestPosition => Count > 0 ? At(0).Position : 0;
 
         /// <summary>Order of the oldest sample in a full history, in s; negative infinity while older samples still fit.</summary>
-        public double Oldest => Count < _newestFirst.Length ? double.NegativeInfinity : _newestFirst[Count - 1].Order;
+        public double Oldest => Count < _capacity ? double.NegativeInfinity : At(Count - 1).Order;
 
         /// <returns>False if the history is full and the sample is older than its samples, or if another sample has the same time.</returns>
         public bool Add(in JointSample sample)
         {
             var age = 0;
-            while (age < Count && _newestFirst[age].Order > sample.Order) age++;
-            if (IsAsOld(age - 1, sample) || IsAsOld(age, sample) || age == _newestFirst.Length) return false;
+            while (age < Count && At(age).Order > sample.Order) age++;
+            if (IsAsOld(age - 1, sample) || IsAsOld(age, sample) || age == _capacity) return false;
             Insert(age, sample);
             return true;
         }
@@ -40,18 +56,22 @@ namespace Nowpose.Prediction.Samples
 
         /// <summary>Returns whether no sample precedes the sample of this age, or only with more than the maximum gap.</summary>
         public bool HasGap(int age, double maximumGap) =>
-            age + 1 >= Count || _newestFirst[age].Order - _newestFirst[age + 1].Order > maximumGap;
+            age + 1 >= Count || At(age).Order - At(age + 1).Order > maximumGap;
 
         public void Clear() => Count = 0;
 
         bool IsAsOld(int age, in JointSample sample) =>
-            age >= 0 && age < Count && JointSample.IsSameTime(_newestFirst[age].Order, sample.Order);
+            age >= 0 && age < Count && JointSample.IsSameTime(At(age).Order, sample.Order);
 
         void Insert(int age, in JointSample sample)
         {
-            if (Count < _newestFirst.Length) Count++;
-            for (var i = Count - 1; i > age; i--) _newestFirst[i] = _newestFirst[i - 1];
-            _newestFirst[age] = sample;
+            if (Count < _capacity) Count++;
+            _newest = (_newest - 1) & _mask;
+            for (var i = 0; i < age; i++) At(i) = At(i + 1);
+            At(age) = sample;
         }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        ref JointSample At(int age) => ref _ring[(_newest + age) & _mask];
     }
 }

@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Prediction
         static double Coasting(params Forecaster[] more)
         {
             const double interval = 0.1, ahead = 0.2;
-            var predictor = Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition, 0, more);
+            var predictor = Predictors.Adaptive(PredictionLimits.Unlimited, PredictionParts.All & ~PredictionParts.Repetition, more: more);
             var sum = 0.0;
             for (var i = 0; i < 1200; i++)
             {

@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Returns a mixer of hold and a straight line.
         static Mixer Mixer(params CandidateGate[] candidates) => new Mixer(
-            PredictionLimits.Unlimited, PredictionParts.All, new[] { new MixedForecaster(new PolynomialForecaster(1, 1)) }, candidates);
+            PredictionLimits.Unlimited, PredictionParts.All, Array.Empty<MixedForecaster>(), candidates);
 
         void Feed(int from, int to)
         {

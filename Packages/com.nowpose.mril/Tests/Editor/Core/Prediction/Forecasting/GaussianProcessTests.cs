@@ -30,7 +30,8 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                 var random = new Random(seed);
                 var positions = times.Select(t => Math.Sin(4 * t + seed) + 0.01 * random.NextDouble()).ToArray();
                 var process = new GaussianProcess();
-                Assert.That(process.Solve(Motion(times.Select(t => epoch + t).ToArray(), positions)));
+                var forecaster = new LinearForecaster(process);
+                Assert.That(forecaster.Solve(Motion(times.Select(t => epoch + t).ToArray(), positions)));
 
                 // Rasmussen & Williams 2006, Eqs. 2.25 and 2.26. The variance of the motion is estimated from the samples.
                 var newest = times.Last();
@@ -43,7 +44,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                     var mean = star * k.Solve(y);
                     var deviation = Math.Sqrt(variance * Math.Max(Kernel(ahead, ahead) - star * k.Solve(star), 0));
 
-                    Assert.That(process.At(ahead), Is.EqualTo(mean).Within(1e-5 * (1 + Math.Abs(mean))), "seed " + seed + ", " + ahead + " s");
+                    Assert.That(forecaster.At(ahead), Is.EqualTo(mean).Within(1e-5 * (1 + Math.Abs(mean))), "seed " + seed + ", " + ahead + " s");
                     Assert.That(Math.Sqrt(variance * process.VarianceAt(ahead)), Is.EqualTo(deviation).Within(1e-3 * deviation + 1e-4), "seed " + seed + ", " + ahead + " s");
                 }
             }
@@ -54,34 +55,34 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(0.1)]
         public void At_ConstantVelocity_IsExact(double interval)
         {
-            var process = new GaussianProcess();
+            var forecaster = new LinearForecaster(new GaussianProcess());
             var times = Enumerable.Range(0, 5).Select(i => i * interval).ToArray();
-            process.Solve(Motion(times, times.Select(t => 3 - t).ToArray()));
+            forecaster.Solve(Motion(times, times.Select(t => 3 - t).ToArray()));
 
-            foreach (var ahead in Aheads.Where(a => a <= 0.25)) Assert.That(process.At(ahead), Is.EqualTo(-ahead).Within(1e-4));
+            foreach (var ahead in Aheads.Where(a => a <= 0.25)) Assert.That(forecaster.At(ahead), Is.EqualTo(-ahead).Within(1e-4));
         }
 
         [Test]
         public void Fill_MotionReverses_StopsAtTheReversal()
         {
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            var process = new GaussianProcess();
-            process.Solve(Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
+            var forecaster = new LinearForecaster(new GaussianProcess(), stopsAtReversal: true);
+            forecaster.Solve(Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
             var table = new double[ForecastTable.Points];
-            process.Fill(table, 0, table.Length);
+            forecaster.Fill(table, 0, table.Length);
 
-            Assert.That(process.At(0.4), Is.LessThan(0));
-            Assert.That(table[1], Is.EqualTo(process.At(ForecastTable.Step)).Within(1e-9));
+            Assert.That(forecaster.At(0.4), Is.LessThan(0));
+            Assert.That(table[1], Is.EqualTo(forecaster.At(ForecastTable.Step)).Within(1e-9));
             Assert.That(table[8], Is.EqualTo(table[4]).And.GreaterThan(0));
         }
 
         [Test]
         public void Solve_FewOrFarApartSamples_ReturnsFalse()
         {
-            var process = new GaussianProcess();
+            var forecaster = new LinearForecaster(new GaussianProcess());
 
-            Assert.That(process.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3 }, new double[4])), Is.False);
-            Assert.That(process.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3, 100 }, new double[5])), Is.False);
+            Assert.That(forecaster.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3 }, new double[4])), Is.False);
+            Assert.That(forecaster.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3, 100 }, new double[5])), Is.False);
         }
 
         [Test]
@@ -89,7 +90,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            process.Solve(Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()));
+            process.Update(Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Samples);
 
             Assert.That(Aheads.Select(process.VarianceAt), Is.Ordered);
             Assert.That(process.VarianceAt(0), Is.LessThan(4e-6));

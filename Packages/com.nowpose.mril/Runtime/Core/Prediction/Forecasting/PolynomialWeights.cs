@@ -1,0 +1,74 @@
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>Weights of the polynomial of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
+    /// <remarks>
+    /// The weight of sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over the polynomials φ that are orthogonal on the sample times
+    /// (Forsythe 1957). Unlike <see cref="PolynomialForecaster"/>, it needs all h + 1 samples, and samples less than a millisecond apart reduce its
+    /// precision.
+    /// </remarks>
+    sealed class PolynomialWeights : PositionWeights
+    {
+        /// <summary>Minimum ratio of two successive squared norms, relative to the first: times that coincide determine no polynomial.</summary>
+        const double MinNormRatio = 1e-14;
+
+        readonly int _degree;
+
+        // For each degree: the values of the polynomial at the sample times, divided by its squared norm after a solve; and the squared norm.
+        readonly double[][] _values;
+        readonly double[] _norms;
+
+        // Coefficients of the recurrence: the next polynomial is (x − centre) · newest − ratio · previous.
+        readonly double[] _centres, _ratios;
+
+        /// <param name="degree">n, 1 or more.</param>
+        /// <param name="history">h, the number of samples used in addition to the newest one; n or more.</param>
+        public PolynomialWeights(int degree, int history) : base(history + 1)
+        {
+            _degree = degree;
+            _values = new double[degree + 1][];
+            for (var k = 0; k <= degree; k++) _values[k] = new double[Samples];
+            (_norms, _centres, _ratios) = (new double[degree + 1], new double[degree + 1], new double[degree + 1]);
+        }
+
+        public override void At(double ahead, double[] weights, int start)
+        {
+            var (newest, previous) = (1.0, 0.0);
+            for (var j = 0; j < Samples; j++) weights[start + j] = _values[0][j];
+            for (var k = 1; k <= _degree; k++)
+            {
+                (newest, previous) = ((ahead - _centres[k]) * newest - _ratios[k] * previous, newest);
+                var values = _values[k];
+                for (var j = 0; j < values.Length; j++) weights[start + j] += newest * values[j];
+            }
+        }
+
+        protected override bool Solve()
+        {
+            for (var j = 0; j < Samples; j++) _values[0][j] = 1;
+            _norms[0] = Samples;
+            for (var k = 1; k <= _degree; k++)
+            {
+                AddPolynomial(k);
+                if (!(_norms[k] > MinNormRatio * _norms[1] * _norms[k - 1])) return false;
+            }
+            for (var k = 0; k <= _degree; k++)
+                for (var j = 0; j < Samples; j++) _values[k][j] /= _norms[k];
+            return true;
+        }
+
+        void AddPolynomial(int k)
+        {
+            var (next, newest, previous) = (_values[k], _values[k - 1], _values[k > 1 ? k - 2 : 0]);
+            double centre = 0, norm = 0;
+            for (var j = 0; j < next.Length; j++) centre += Times[j] * newest[j] * newest[j];
+            centre /= _norms[k - 1];
+            var ratio = k > 1 ? _norms[k - 1] / _norms[k - 2] : 0;
+            for (var j = 0; j < next.Length; j++)
+            {
+                next[j] = (Times[j] - centre) * newest[j] - ratio * previous[j];
+                norm += next[j] * next[j];
+            }
+            (_centres[k], _ratios[k], _norms[k]) = (centre, ratio, norm);
+        }
+    }
+}

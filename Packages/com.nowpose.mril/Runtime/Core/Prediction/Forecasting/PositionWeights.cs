@@ -1,0 +1,74 @@
+using System;
+using Nowpose.Prediction.Samples;
+
+namespace Nowpose.Prediction.Forecasting
+{
+    /// <summary>
+    /// Weights of a forecast that is linear in the positions of the newest samples. They depend only on the times of these samples, so joints that
+    /// are sampled together can share them, and they are computed once per message.
+    /// </summary>
+    /// <remarks>Allocates nothing after construction. Not thread-safe.</remarks>
+    abstract class PositionWeights
+    {
+        /// <summary>Maximum difference of times that count as equal, in s: more than their rounding errors, and too short for a visible motion.</summary>
+        const double SameSeconds = 1e-9;
+
+        readonly double[] _table;
+        bool _isSolved, _isTableFilled;
+
+        /// <param name="samples">Number of newest samples that the forecast uses.</param>
+        protected PositionWeights(int samples)
+        {
+            Times = new double[samples];
+            _table = new double[ForecastTable.Points * samples];
+            // NaN equals no time, so the first update always solves.
+            Times[0] = double.NaN;
+        }
+
+        /// <summary>Number of newest samples that the forecast uses.</summary>
+        public int Samples => Times.Length;
+
+        /// <summary>The weights at the points of a <see cref="ForecastTable"/>: those of the newest sample and of the others, point by point.</summary>
+        public double[] Table
+        {
+            get
+            {
+                if (_isTableFilled) return _table;
+                for (var point = 0; point < ForecastTable.Points; point++) At(point * ForecastTable.Step, _table, point * Samples);
+                _isTableFilled = true;
+                return _table;
+            }
+        }
+
+        /// <summary>Times of the samples relative to the newest, in s.</summary>
+        protected double[] Times { get; }
+
+        /// <summary>Solves for the times of the newest samples, unless they are the same as before.</summary>
+        /// <param name="age">Number of newer samples, which are ignored.</param>
+        /// <returns>Whether these times determine the weights.</returns>
+        public bool Update(SampleHistory samples, int age = 0)
+        {
+            if (HasTimes(samples, age)) return _isSolved;
+            for (var i = 0; i < Times.Length; i++) Times[i] = samples[age + i].Time - samples[age].Time;
+            _isTableFilled = false;
+            return _isSolved = Solve();
+        }
+
+        /// <summary>Computes the weights of the samples, the newest first.</summary>
+        /// <param name="ahead">Seconds after the newest sample, 0 or more.</param>
+        /// <param name="weights">Receives the weights from index <paramref name="start"/> on.</param>
+        public abstract void At(double ahead, double[] weights, int start);
+
+        bool HasTimes(SampleHistory samples, int age)
+        {
+            var newest = samples[age].Time;
+            for (var i = 0; i < Times.Length; i++)
+                if (!(Math.Abs(samples[age + i].Time - newest - Times[i]) <= SameSeconds)) return false;
+            return true;
+        }
+
+        /// <summary>Computes what depends only on the times.</summary>
+        /// <returns>Whether the times determine the weights.</returns>
+        protected abstract bool Solve();
+    }
+}
