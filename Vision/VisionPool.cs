@@ -8,7 +8,7 @@ namespace Nowpose.Vision;
 /// <summary>Analyses many pictures in parallel worker processes.</summary>
 /// <remarks>
 /// If a picture makes a worker exit, for example because of insufficient memory, the picture is reported as faulty, and another worker
-/// continues.
+/// continues. The workers of a pool are kept for the next pool of this process.
 /// </remarks>
 public sealed class VisionPool : IDisposable
 {
@@ -32,13 +32,13 @@ public sealed class VisionPool : IDisposable
     {
     }
 
-    /// <param name="script">Script of the workers; null for the script of this program.</param>
+    /// <param name="script">Script of the workers, which are not kept for the next pool; null for the script of this program.</param>
     internal VisionPool(int workers, string script)
     {
         _script = script;
         _workers = new VisionWorker[workers > 0 ? workers : Math.Clamp(Environment.ProcessorCount, 1, MaxWorkers)];
         // Starts the first worker now, so that a missing Node.js is reported immediately. The others start with their first picture.
-        _workers[0] = new VisionWorker(script);
+        _workers[0] = StartedOrKept();
     }
 
     /// <summary>Analyses all pictures, or returns early if it is cancelled. Ignores errors after the cancellation.</summary>
@@ -92,9 +92,11 @@ public sealed class VisionPool : IDisposable
         foreach (var (place, picture) in queue) seen(place, Ask(worker, picture, ref ended));
     }
 
+    VisionWorker StartedOrKept() => (_script == null ? KeptWorkers.Take() : null) ?? new VisionWorker(_script);
+
     SeenPicture Ask(int worker, PictureRequest picture, ref int ended)
     {
-        var asked = _workers[worker] ??= new VisionWorker(_script);
+        var asked = _workers[worker] ??= StartedOrKept();
         try
         {
             var seen = SeenOf(asked.Ask(picture.Json()));
@@ -131,6 +133,8 @@ public sealed class VisionPool : IDisposable
 
     public void Dispose()
     {
-        foreach (var worker in _workers) worker?.Dispose();
+        foreach (var worker in _workers)
+            if (_script == null) KeptWorkers.Keep(worker);
+            else worker?.Dispose();
     }
 }

@@ -15,6 +15,7 @@ sealed class VisionWorker : IDisposable
     readonly string _script;
     readonly Process _process;
     readonly StringBuilder _errors = new();
+    bool _isAnswered;
 
     /// <param name="script">Script to run; null for the script of this program.</param>
     /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>
@@ -35,15 +36,24 @@ sealed class VisionWorker : IDisposable
         }
     }
 
+    /// <summary>Whether the process is running and has answered each request.</summary>
+    public bool IsIdle => _isAnswered && !_process.HasExited;
+
     /// <param name="request">Request as one line of JSON.</param>
     /// <exception cref="WorkerEndedException">The worker process has exited.</exception>
     public JsonElement Ask(string request)
     {
+        _isAnswered = false;
         try
         {
             _process.StandardInput.Write(request + "\n");
             _process.StandardInput.Flush();
-            if (_process.StandardOutput.ReadLine() is string answer) return JsonDocument.Parse(answer).RootElement;
+            if (_process.StandardOutput.ReadLine() is string answer)
+            {
+                var parsed = JsonDocument.Parse(answer).RootElement;
+                _isAnswered = true;
+                return parsed;
+            }
         }
         catch (IOException)
         {

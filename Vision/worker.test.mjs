@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { createInterface } from 'node:readline';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const worker = join(dirname(fileURLToPath(import.meta.url)), 'dist', 'worker.mjs');
@@ -36,14 +36,38 @@ function shot(codes) {
 const control = { corners: square(400, 360, 90, 0.2), lit: lit('Control'), light: 0.6, dot: 0.7, panel: 0.03 };
 const headset = { corners: square(800, 360, 150, 3.3), lit: lit('Headset'), light: 0.4, dot: 0, panel: null };
 
-/** Returns the answers of one worker process to all requests. */
-async function ask(...requests) {
-  const process = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
-  let text = '';
-  process.stdout.on('data', part => { text += part; });
-  process.stdin.end([{ pattern }, ...requests].map(request => JSON.stringify(request) + '\n').join(''));
-  await new Promise(resolve => process.on('close', resolve));
-  return text.trim().split('\n').slice(1).map(line => JSON.parse(line));
+/** Starts a worker, and returns a function that sends requests to it and returns the answers. */
+function started() {
+  const child = spawn('node', [worker], { stdio: ['pipe', 'pipe', 'inherit'] });
+  const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+  const answersTo = async requests => {
+    child.stdin.write(requests.map(request => JSON.stringify(request) + '\n').join(''));
+    const answers = [];
+    for (const request of requests) {
+      const { value, done } = await lines.next();
+      assert.ok(!done, `the worker ended at ${JSON.stringify(request)}`);
+      answers.push(JSON.parse(value));
+    }
+    return answers;
+  };
+  const ready = answersTo([{ pattern }]);
+  after(() => child.kill());
+  return async requests => {
+    await ready;
+    return answersTo(requests);
+  };
+}
+
+// All tests use the same two workers, because a worker is slow at its first pictures.
+const workers = [started(), started()];
+
+/** Returns the answers of one worker to all requests, in their order. */
+const ask = (...requests) => workers[0](requests);
+
+/** Returns the answers to many independent requests. Each worker gets one half of them. */
+async function askAll(requests) {
+  const half = Math.ceil(requests.length / workers.length);
+  return (await Promise.all(workers.map((answersTo, i) => answersTo(requests.slice(i * half, (i + 1) * half))))).flat();
 }
 
 test('finds both codes in any orientation and reads their cells', async () => {
@@ -77,7 +101,7 @@ test('finds a weak code beside bright codes at each position where it is found w
   }));
   const both = weak.map(each => ({ ...each, codes: [{ ...control, light: 0.8 }, headset, ...each.codes] }));
 
-  const answers = await ask(...[...weak, ...both].map(each => ({ shot: each })));
+  const answers = await askAll([...weak, ...both].map(each => ({ shot: each })));
 
   const alone = answers.slice(0, weak.length).map(({ codes }) => codes.length);
   assert.ok(alone.filter(count => count === 1).length >= 14, `${alone}`);
@@ -102,13 +126,13 @@ test('finds a second code of which a part is covered or outside the picture', as
     ...shot([control, headset, { ...code, corners: square(x, y, side, 0.02) }]), covers: box ? [{ box, light: 0.1 }] : [],
   })));
 
-  const answers = await ask(...shots.map(each => ({ shot: each })));
+  const answers = await askAll(shots.map(each => ({ shot: each })));
 
   assert.deepEqual(answers.map(({ codes }) => codes.filter(code => !code.isWeak).length), shots.map(() => 3));
 });
 
 test('finds no second code in structured scenes', async () => {
-  const answers = await ask(...Array.from({ length: 20 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
+  const answers = await askAll(Array.from({ length: 20 }, (_, scene) => ({ shot: { ...shot([control, headset]), scene: 100 + scene, sceneLight: 0.8 } })));
 
   for (const { codes } of answers) assert.ok(codes.filter(code => !code.isWeak).length <= 2);
 });
@@ -124,7 +148,7 @@ test('mistakes only few perforated plates for part of a second code', async () =
     900 + (u * width * Math.cos(turn) - v * height * Math.sin(turn)) / 2, 170 + (u * width * Math.sin(turn) + v * height * Math.cos(turn)) / 2,
   ]);
   const both = [{ ...control, corners: square(300, 520, 90, 0.2) }, { ...headset, corners: square(600, 520, 150, 3.3) }];
-  const answers = await ask(...Array.from({ length: 24 }, (_, i) => ({
+  const answers = await askAll(Array.from({ length: 24 }, (_, i) => ({
     shot: { ...shot([...both, plate(3 + i % 4, stretched(90 + 12 * (i % 6), 110 + 9 * (i % 5) + 3 * i, 0.3 * (i % 7) - 0.9))]), scene: 60 + i, sceneLight: 0.3 },
   })));
 
@@ -158,7 +182,7 @@ test('recognises a mirrored picture and reports no codes in it', async () => {
 
 test('finds and reads a weak hologram in front of scenes with equally bright edges', async () => {
   const weak = { ...headset, light: 0.25 };
-  const answers = await ask(...Array.from({ length: 12 }, (_, scene) => ({ shot: { ...shot([weak]), scene, sceneLight: 0.9 } })));
+  const answers = await askAll(Array.from({ length: 12 }, (_, scene) => ({ shot: { ...shot([weak]), scene, sceneLight: 0.9 } })));
 
   const read = answers.filter(({ codes }) => {
     const { levels } = codes.find(code => code.kind === 'Headset') ?? {};
@@ -171,7 +195,7 @@ test('finds and reads LEDs in a narrow housing in front of a brighter board', as
   const leds = { ...control, corners: square(400, 360, 76, 0.2), light: 0.3 };
   const board = { corners: square(400, 360, 220, 0.2), lit: Array(64).fill(1), light: 0.8, dot: 0, panel: null };
 
-  const answers = await ask(...Array.from({ length: 6 }, (_, scene) => ({ shot: { ...shot([board, leds]), scene, blur: 1.6 } })));
+  const answers = await askAll(Array.from({ length: 6 }, (_, scene) => ({ shot: { ...shot([board, leds]), scene, blur: 1.6 } })));
 
   const read = answers.filter(({ codes }) => {
     const { levels } = codes.find(code => code.kind === 'Control') ?? {};

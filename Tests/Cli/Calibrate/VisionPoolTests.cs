@@ -95,4 +95,53 @@ public sealed class VisionPoolTests
 
         Assert.That(() => Look(Interrupted(), cancellation.Token), Throws.Nothing);
     }
+
+    [Test]
+    public void Keep_IdleWorker_IsTakenByTheNextPool()
+    {
+        RemoveKept();
+        var worker = new VisionWorker(_script);
+
+        KeptWorkers.Keep(worker);
+
+        using var taken = KeptWorkers.Take();
+        Assert.That(taken, Is.SameAs(worker));
+        Assert.That(KeptWorkers.Take(), Is.Null, "it is kept only once");
+        Assert.That(taken.Ask(PictureRequest.File("a.png").Json()).GetProperty("width").GetInt32(), Is.EqualTo(4));
+    }
+
+    [Test]
+    public void Keep_WorkerThatExited_IsNotTaken()
+    {
+        RemoveKept();
+        var worker = new VisionWorker(_script);
+        Assert.That(() => worker.Ask(PictureRequest.File("deadly.png").Json()), Throws.InstanceOf<WorkerEndedException>());
+
+        KeptWorkers.Keep(worker);
+
+        Assert.That(KeptWorkers.Take(), Is.Null);
+    }
+
+    [Test]
+    public void Keep_MoreWorkersThanAreKept_EndsTheOthers()
+    {
+        RemoveKept();
+        var workers = Enumerable.Range(0, KeptWorkers.Max + 1).Select(_ => new VisionWorker(_script)).ToArray();
+
+        foreach (var worker in workers) KeptWorkers.Keep(worker);
+
+        Assert.That(RemoveKept(), Is.EqualTo(workers[..KeptWorkers.Max].Reverse()));
+    }
+
+    // Other fixtures of this process also keep workers, but not at the same time.
+    static List<VisionWorker> RemoveKept()
+    {
+        var kept = new List<VisionWorker>();
+        while (KeptWorkers.Take() is { } worker)
+        {
+            kept.Add(worker);
+            worker.Dispose();
+        }
+        return kept;
+    }
 }

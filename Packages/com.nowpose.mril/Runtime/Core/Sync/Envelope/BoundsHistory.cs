@@ -20,7 +20,7 @@ namespace Nowpose.Sync.Envelope
         public int Count { get; private set; }
 
         /// <param name="age">Index from 0, the newest, to <see cref="Count"/> − 1, the oldest.</param>
-        public ref readonly OffsetBounds this[int age] => ref _ring[(_newest - age + _ring.Length) % _ring.Length];
+        public ref readonly OffsetBounds this[int age] => ref _ring[Place(age)];
 
         public void Add(in OffsetBounds bounds)
         {
@@ -33,10 +33,13 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Moves the bounds of one exchange; the amounts are in ticks.</summary>
         public void Shift(int age, long lower, long upper)
         {
-            ref var bounds = ref _ring[(_newest - age + _ring.Length) % _ring.Length];
+            ref var bounds = ref _ring[Place(age)];
             bounds = bounds.Shifted(lower, upper);
         }
 
         public void Clear() => Count = 0;
+
+        // A division would take longer than the rest of most loops over the history.
+        int Place(int age) => age <= _newest ? _newest - age : _newest - age + _ring.Length;
     }
 }

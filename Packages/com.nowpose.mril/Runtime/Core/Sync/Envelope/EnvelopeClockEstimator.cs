@@ -162,8 +162,8 @@ namespace Nowpose.Sync.Envelope
                 var upper = ClockTicks.Seconds(new TimeSpan(bounds.Upper - referenceOffset));
                 if (i == from)
                 {
-                    _below.Begin(sent, lower);
-                    _above.Begin(received, upper);
+                    _below.Begin(sent, lower, _curve);
+                    _above.Begin(received, upper, _curve);
                     continue;
                 }
                 _below.Improve(sent, lower, _curve);

@@ -42,7 +42,7 @@ namespace Nowpose.Sync.Envelope
         readonly int _sign;
         readonly double[] _x, _y, _behind, _recency, _weights;
         readonly WeightedQuantile _quantile;
-        double _scale;
+        double _scale, _tightest;
 
         /// <param name="sign">1 for bounds below the offset, −1 for bounds above it.</param>
         /// <param name="maxBlocks">Maximum number of blocks.</param>
@@ -76,20 +76,24 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>Starts a block with its first bound.</summary>
-        public void Begin(double x, double y)
+        /// <param name="curve">Curve for the comparison of the bounds of the block; its height has no effect.</param>
+        public void Begin(double x, double y, OffsetCurve curve)
         {
             _x[Count] = x;
             _y[Count] = y;
+            _tightest = _sign * (y - curve.At(x));
             Count++;
         }
 
         /// <summary>Adds a bound to the current block, which keeps only its tightest bound.</summary>
+        /// <inheritdoc cref="Begin"/>
         public void Improve(double x, double y, OffsetCurve curve)
         {
-            var last = Count - 1;
-            if (_sign * (y - curve.At(x)) <= _sign * (_y[last] - curve.At(_x[last]))) return;
-            _x[last] = x;
-            _y[last] = y;
+            var tightness = _sign * (y - curve.At(x));
+            if (tightness <= _tightest) return;
+            _tightest = tightness;
+            _x[Count - 1] = x;
+            _y[Count - 1] = y;
         }
 
         /// <summary>Computes the weights of the blocks from the distances of their bounds to a curve, whose height has no effect.</summary>

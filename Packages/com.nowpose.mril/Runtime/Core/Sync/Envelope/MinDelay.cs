@@ -113,7 +113,9 @@ namespace Nowpose.Sync.Envelope
         public double Tightest(int from, int to)
         {
             var max = double.NegativeInfinity;
-            for (var i = from; i < to; i++) max = Math.Max(max, _tightness[i]);
+            // A comparison takes a fraction of the time of Math.Max, and the processor predicts it.
+            for (var i = from; i < to; i++)
+                if (_tightness[i] > max) max = _tightness[i];
             return max;
         }
 
@@ -129,7 +131,13 @@ namespace Nowpose.Sync.Envelope
         public void Measure(OffsetCurve curve)
         {
             _count = Math.Min(_history.Count, _tightness.Length);
-            for (var i = 0; i < _count; i++) _tightness[i] = Tightness(i, curve);
+            if (_count == 0) return;
+            var (newestAt, newest) = BoundOf(_history[0]);
+            for (var i = 0; i < _count; i++)
+            {
+                var (at, bound) = BoundOf(_history[i]);
+                _tightness[i] = _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
+            }
         }
 
         /// <summary>Searches the measured bounds for a change.</summary>
@@ -151,13 +159,8 @@ namespace Nowpose.Sync.Envelope
         // Returns the lateness of the tightest bound of a window; negative if it is tighter than the earlier bounds.
         double Lateness(int window, int earlier) => Tightest(window, earlier) - Tightest(0, window);
 
-        double Tightness(int age, OffsetCurve curve)
-        {
-            ref readonly var bounds = ref _history[age];
-            var (at, bound) = _sign > 0 ? (bounds.Sent, bounds.Lower) : (bounds.Received, bounds.Upper);
-            var (newestAt, newest) = _sign > 0 ? (_history[0].Sent, _history[0].Lower) : (_history[0].Received, _history[0].Upper);
-            return _sign * (ClockTicks.Seconds(new TimeSpan(bound - newest)) - curve.At(ClockTicks.Seconds(at - newestAt)));
-        }
+        (HeadsetTime At, long Bound) BoundOf(in OffsetBounds bounds) =>
+            _sign > 0 ? (bounds.Sent, bounds.Lower) : (bounds.Received, bounds.Upper);
 
         // Reduces the excess if the newest bound, corrected by it, is tighter than all earlier bounds: the excess was then too large.
         void ReduceExcess(int count)
