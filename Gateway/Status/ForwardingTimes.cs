@@ -11,7 +11,7 @@ public sealed class ForwardingTimes(TimeProvider time = null)
 {
     static readonly TimeSpan Window = TimeSpan.FromSeconds(30);
 
-    /// <summary>Upper bounds of the histogram classes since the start, s. The last class has no upper bound.</summary>
+    /// <summary>Upper bounds of the histogram's buckets, s. The last bucket has no upper bound.</summary>
     internal static readonly double[] Limits = [0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1];
 
     readonly TimeProvider _time = time ?? TimeProvider.System;

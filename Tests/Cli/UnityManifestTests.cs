@@ -114,7 +114,7 @@ public class UnityManifestTests
     [TestCase("\r\n", "\t", true)]
     [TestCase("\r\n", "    ", false)]
     [TestCase("\n", "\t", true)]
-    public async Task Unity_LineEndsIndentAndByteOrderMark_AreKept(string newLine, string indent, bool hasMark)
+    public async Task Unity_LineEndingsIndentAndByteOrderMark_AreKept(string newLine, string indent, bool hasMark)
     {
         byte[] mark = hasMark ? [0xEF, 0xBB, 0xBF] : [];
         var text = Empty.ReplaceLineEndings("\n").TrimEnd()

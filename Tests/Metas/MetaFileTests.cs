@@ -79,7 +79,7 @@ public sealed class MetaFileTests
     }
 
     [Test]
-    public void AssetGuid_WindowsLineEnds_ReturnsTheGuid()
+    public void AssetGuid_WindowsLineEndings_ReturnsTheGuid()
     {
         Assert.That(new MetaFile("fileFormatVersion: 2\r\nguid: " + Guid + "\r\n").AssetGuid, Is.EqualTo(Guid));
     }

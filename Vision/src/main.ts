@@ -10,7 +10,7 @@ import { readPicture, writePicture } from './pictureFile';
 import { take, type Shot } from './render/camera';
 import { type Box, type Place, Tracker } from './track';
 
-/** Contains exactly one of: pattern, path of a file, grey bytes in Base64, picture to render. The first request contains the pattern. */
+/** Contains exactly one of: pattern, path of a file, greyscale pixels in Base64, picture to render. The first request contains the pattern. */
 interface Request {
   pattern?: Pattern;
   file?: string;

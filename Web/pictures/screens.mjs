@@ -20,7 +20,7 @@ export const PICTURES = {
   operations: { file: `${manual}images/operations.png`, shownBy: `${manual}operations.md` },
 };
 
-/** Sets a fake gateway to the state of the picture: an active fault, a lost headset and a fault that has ended. */
+/** Puts a fake gateway into the state that the picture shows: an active fault, a lost headset and a fault that has ended. */
 export function setState(gateway) {
   // Corresponds to a tool error of 2 mm at a distance of 0.48 m from the rotation axis.
   gateway.turned = 0.004;

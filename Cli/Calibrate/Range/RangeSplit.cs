@@ -33,7 +33,7 @@ readonly struct RangeSplit
     /// <summary>Number of pairs below the split, one or more.</summary>
     public int Count { get; }
 
-    /// <summary>Number of pairs below the split if a bad pair counts as one pair. At least <see cref="Count"/>.</summary>
+    /// <summary>Number of pairs below the split if bad pairs have the same weight as good ones. At least <see cref="Count"/>.</summary>
     public int MaxCount { get; }
 
     /// <summary>Whether there are enough pairs beyond the split, and enough of them are bad, to establish a limit.</summary>

@@ -4,7 +4,7 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Measures a jog in a video. Tracks one patch of the robot and one of the hologram from picture to picture.</summary>
+/// <summary>Measures a jog in a video. Tracks one patch of the robot and one of the hologram from frame to frame.</summary>
 static class FilmedJog
 {
     /// <summary>Minimum match score. Below it, the patch is lost.</summary>

@@ -19,7 +19,7 @@ public sealed partial class MetaFile
 
     public bool IsFolder => FolderLine().IsMatch(_text);
 
-    /// <summary>Creates the text as Unity writes it, with LF line ends and a space after <c>userData:</c>.</summary>
+    /// <summary>Creates the text as Unity writes it, with LF line endings and a space after <c>userData:</c>.</summary>
     public static string Format(AssetEntry asset, string assetGuid)
     {
         var importer = Importer.For(asset);

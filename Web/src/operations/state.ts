@@ -138,7 +138,7 @@ export interface Recording {
   deleted?: boolean;
 }
 
-/** Answer of the gateway, or the reason why it did not answer. */
+/** Answer from the gateway, or the reason why it did not answer. */
 export type Answer<T> = { value: T } | { trouble: string; status: number };
 
 const PATIENCE_MS = 4000;

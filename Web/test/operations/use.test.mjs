@@ -273,7 +273,7 @@ describe('accessibility in any window', () => {
     };
 
     const [calm, moving] = [await frames('reduce'), await frames('no-preference')];
-    // Counts the clears within two seconds, two per picture. Without reduced motion, a busy machine draws as many pictures as possible.
+    // Counts how often the canvas is cleared within two seconds: twice per frame. Without reduced motion, even a busy machine draws more frames.
     assert.ok(calm >= 1 && calm <= 8 && moving > calm, `${calm} against ${moving} clears`);
   });
 

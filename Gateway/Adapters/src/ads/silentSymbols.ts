@@ -19,7 +19,7 @@ interface SymbolState {
   heardAt: number;
   value: number | null;
   isLost: boolean;
-  /** Time of the first of the latest consecutive reads that returned a value without a notification; null if the last read did not. */
+  /** Start of the current series of reads whose value came without a notification; null if the last read is not part of one. */
   missedSince: number | null;
 }
 

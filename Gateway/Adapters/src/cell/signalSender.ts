@@ -17,7 +17,7 @@ interface Change {
 /** Sends each change of a signal as soon as the clock of its stamp is known, and repeats all signals after a new connection. */
 export class SignalSender {
   readonly #newest = new Map<string, Change>();
-  /** Signals with a change that is not sent yet. */
+  /** Signals with a change that has not been sent yet. */
   readonly #pending = new Set<string>();
   #repeatedUntil = 0;
   #repeated = 0;

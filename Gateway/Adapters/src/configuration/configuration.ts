@@ -55,7 +55,7 @@ export interface Configuration {
   secrets: string[];
   /** Whether the gateway has started the adapter. The gateway then passes its address in the environment. */
   isSupervised: boolean;
-  /** Gets the text "FILE, line L: path.to.entry", for errors that are detected only after the connection to the plant. */
+  /** Gets the text "FILE, line L: path.to.entry", for errors that are detected only after connecting to the plant. */
   where(path: Path): string;
   /** Gets the line of an entry, counted from 1. */
   lineOf(path: Path): number;

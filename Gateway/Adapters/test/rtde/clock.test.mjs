@@ -1,4 +1,4 @@
-// Tests in virtual time the estimate of the controller's clock, which uses the controller's packages and the answers between them.
+// Tests the estimate of the controller's clock in virtual time. It uses the controller's packages and the replies received between them.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';

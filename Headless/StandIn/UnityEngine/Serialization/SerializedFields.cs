@@ -15,7 +15,7 @@ static class SerializedFields
     /// <summary>Returns the fields in the order of the source, the fields of base classes first.</summary>
     internal static IReadOnlyList<FieldInfo> Of(Type type) => Known.GetOrAdd(type, Read);
 
-    /// <summary>Returns the field with a current or former name in files; null if there is none.</summary>
+    /// <summary>Returns the field that is serialized under this name, or formerly was; null if there is none.</summary>
     internal static FieldInfo Find(Type type, string name)
     {
         foreach (var field in Of(type))

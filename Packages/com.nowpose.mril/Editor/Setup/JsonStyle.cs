@@ -5,7 +5,7 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Formats new values in the style of a JSON text: with the same line ends, indents and blanks.</summary>
+    /// <summary>Formats new values in the style of a JSON text: with the same line endings, indents and blanks.</summary>
     sealed class JsonStyle
     {
         readonly string _text, _newLine, _colon;
@@ -49,7 +49,7 @@ namespace Nowpose.Editor.Setup
         public string Item(string name, JToken value, string indent) =>
             (name == null ? "" : JsonConvert.ToString(name) + _colon) + Value(value, indent);
 
-        /// <summary>Returns the content of a pair of brackets, with line ends and indents before and after it.</summary>
+        /// <summary>Returns the content of a pair of brackets, with line endings and indents before and after it.</summary>
         public string Padded(string indent, string inside) =>
             _newLine == null ? Blank + inside + Blank : _newLine + indent + Indent + inside + _newLine + indent;
 

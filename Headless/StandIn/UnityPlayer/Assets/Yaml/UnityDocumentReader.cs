@@ -20,7 +20,7 @@ static class UnityDocumentReader
     static readonly Regex DocumentStarts = new Regex("^---", RegexOptions.Multiline | RegexOptions.CultureInvariant);
 
     /// <summary>Reads a file.</summary>
-    /// <param name="text">Content of the file, with line ends LF or CR LF.</param>
+    /// <param name="text">Content of the file, with LF or CRLF line endings.</param>
     /// <param name="file">Name of the file in error messages.</param>
     /// <exception cref="AssetException">Unity cannot read the file: it has an invalid header, invalid YAML, or a duplicate fileID.</exception>
     public static IReadOnlyList<UnityDocument> Read(string text, string file)

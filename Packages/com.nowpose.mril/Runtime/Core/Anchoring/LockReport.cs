@@ -47,7 +47,7 @@ namespace Nowpose.Anchoring
         /// <summary>Root mean square distance of the markers' poses from their means, in metres; 0 for a lock by hand.</summary>
         public double SpreadMetres { get; }
 
-        /// <summary>Root mean square angle of the markers' poses to their means, in radians.</summary>
+        /// <summary>Root mean square of the angles between the markers' poses and their means, in radians.</summary>
         public double SpreadRadians { get; }
 
         /// <summary>Distance by which the base moved from its previous position, in metres; 0 for the first lock.</summary>

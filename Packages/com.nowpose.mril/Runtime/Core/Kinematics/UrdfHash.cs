@@ -7,7 +7,7 @@ namespace Nowpose.Kinematics
 {
     /// <summary>SHA-256 of a URDF text, independent of how the text was transferred.</summary>
     /// <remarks>
-    /// It ignores line ends, a byte order mark and white space around the document, which editors, version control and
+    /// It ignores line endings, a byte order mark and white space around the document, which editors, version control and
     /// publishers change. Everything else counts, including comments. <c>default</c> is the hash of no text.
     /// </remarks>
     readonly struct UrdfHash : IEquatable<UrdfHash>

@@ -62,7 +62,7 @@ namespace Nowpose.Pairing
             }
         }
 
-        /// <summary>Whether a connection is possible without an action of the wearer or the gateway.</summary>
+        /// <summary>Whether a connection is possible without any action by the wearer or the gateway.</summary>
         public bool IsSettled => _asked == null && _exchange.Cell == null && !_isTokenRefused && Cells.Used?.IsReady == true;
 
         /// <summary>Reads the text of a code in view, which may come from any source.</summary>

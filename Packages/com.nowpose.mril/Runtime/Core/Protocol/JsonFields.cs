@@ -8,7 +8,7 @@ namespace Nowpose.Protocol
     /// </summary>
     static class JsonFields
     {
-        /// <summary>Reads a name: a text that is not empty and not longer than the protocol allows.</summary>
+        /// <summary>Reads a name: a non-empty string that is not longer than the protocol allows.</summary>
         public static bool Name(ref this JsonUtf8Reader json, out string name) => json.Text(out name) && json.IsName(name);
 
         /// <summary>Reads a name. Creates no string if the cache contains the name.</summary>

@@ -180,7 +180,7 @@ namespace Nowpose.Session
         /// <summary>Completes when the ended connections have released their sockets, threads and other resources; waiting is optional.</summary>
         public Task Ended => _connections.Ended;
 
-        /// <summary>Status of the clock sync connection, or of the exchanges with ROS time. Thread-safe.</summary>
+        /// <summary>Status of the clock sync connection, or of the exchanges over rosbridge if ROS time is the control clock. Thread-safe.</summary>
         public LinkStatus SyncLink => _connections.SyncLink;
 
         /// <summary>Status of the connection for joint positions. Thread-safe.</summary>

@@ -23,11 +23,11 @@ namespace Nowpose.Session
             Changed(
                 frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeInconsistent, frame.IsDisplayTimeImplausible);
 
-        /// <summary>Returns the changes of a frame, from the frame's properties.</summary>
+        /// <summary>Returns what has changed in a frame.</summary>
         /// <param name="at">Start of the frame, not earlier than the start of the previous frame.</param>
         /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
-        /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which does not flicker.</param>
-        /// <param name="isDisplayTimeImplausible">Value of <see cref="DisplayFrame.IsDisplayTimeImplausible"/>, which does not flicker.</param>
+        /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which has hysteresis.</param>
+        /// <param name="isDisplayTimeImplausible">Value of <see cref="DisplayFrame.IsDisplayTimeImplausible"/>, which has hysteresis.</param>
         public SessionChange Changed(
             HeadsetTime at, PoseState pose, bool isTimeTrusted, RangeState range, bool isDisplayTimeInconsistent = false,
             bool isDisplayTimeImplausible = false)

@@ -48,7 +48,7 @@ namespace Nowpose.Signals
             return _signals[index].Add(stamp, value.Value);
         }
 
-        /// <summary>Makes all changes visible that the display time has reached.</summary>
+        /// <summary>Makes visible all changes whose time the display time has reached.</summary>
         public void Evaluate(ControlTime at)
         {
             foreach (var signal in _signals)

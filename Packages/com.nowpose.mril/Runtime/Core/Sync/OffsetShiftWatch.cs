@@ -16,7 +16,7 @@ namespace Nowpose.Sync
     {
         /// <summary>
         /// Age in exchanges after which an exchange contributes to the bounds, and minimum number of older exchanges. Newer exchanges do not
-        /// contribute, because a step whose first exchanges are late would otherwise move the bounds in small parts.
+        /// contribute, because a step whose first exchanges are late would otherwise move the bounds in small steps.
         /// </summary>
         const int MinAge = 2 * OffsetShift.MinExchanges, MinPast = 30;
 

@@ -117,7 +117,8 @@ namespace Nowpose.Unity.Rendering
             _renderer.forceRenderingOff = _isOwnOff || !IsDrawn;
         }
 
-        // The user may have assigned other materials since the last frame, also while the part had the substitutes. The part then keeps them.
+        // The user may have assigned other materials since the last frame, even while the part had the substitutes. The part then keeps the
+        // user's materials.
         void Examine()
         {
             var materials = _materials.In(_renderer);

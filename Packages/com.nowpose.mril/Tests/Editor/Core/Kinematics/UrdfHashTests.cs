@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("<robot name=\"r\">\r<link name=\"a\"/>\r</robot>")]
         [TestCase("\uFEFF<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\n")]
         [TestCase(" \t\r\n<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\r\n\r\n")]
-        public void Of_LineEndsOrOuterWhitespaceChanged_IsEqual(string changed)
+        public void Of_LineEndingsOrOuterWhitespaceChanged_IsEqual(string changed)
         {
             Assert.That(UrdfHash.Of(changed), Is.EqualTo(UrdfHash.Of(Text)));
             Assert.That(UrdfHash.Of(changed) == UrdfHash.Of(Text));

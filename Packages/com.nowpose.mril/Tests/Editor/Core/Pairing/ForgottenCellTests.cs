@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void AskToForget_OtherQuestionIsOpen_IsAskedFirst()
+        public void AskToForget_WhileAnotherQuestionIsOpen_IsAskedBeforeIt()
         {
             _pairing.Pair(Cell, Token);
             _pairing.Frame(Cell, Other);

@@ -111,7 +111,7 @@ namespace Nowpose.Tests.Core.Recording
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var disk = new FullDisk(room);
             var recorder = new SessionRecorder(simulated.Session, new RecordingSettings("disk", () => disk));
-            // The lines of two seconds do not fit on the disk.
+            // Two seconds of lines do not fit on the disk.
             simulated.Run(2, (_, __) => { });
             Assert.That(recorder.Ended.Wait(TimeSpan.FromMinutes(1)), "the recording ends by itself");
             simulated.Run(6, (_, __) => { });

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_TextInOtherCaseWithBlanksAndWindowsLineEnds_IsReadAsText()
+        public void Read_TextInOtherCaseWithBlanksAndWindowsLineEndings_IsReadAsText()
         {
             var text = "\r\n  SOLID one two\r\n\r\n" + Facet(Lower).ToUpperInvariant().Replace("\n", "\r\n") + "ENDSOLID one two\r\n";
 

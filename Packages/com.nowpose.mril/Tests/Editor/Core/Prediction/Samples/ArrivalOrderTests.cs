@@ -166,7 +166,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_ExtremeLateSample_KeepsTheHistory()
+        public void Add_ExtremelyLateSample_KeepsTheHistory()
         {
             var joint = FedJoint();
             var inOrder = FedJoint();

@@ -181,7 +181,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Close_NothingInReach_HoldsNothingWithoutAFault()
+        public void Close_NothingInReach_HoldsNothingAndReportsNoFault()
         {
             var (cell, grip) = NewCell("box");
             cell.Send("world", "box", 20, At(1 + Reach + 0.001, 0), isStationary: true);
