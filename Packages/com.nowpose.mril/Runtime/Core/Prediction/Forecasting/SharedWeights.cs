@@ -3,13 +3,13 @@ namespace Nowpose.Prediction.Forecasting
     /// <summary>Weights that the predictors of one robot's joints, or of one object's coordinates, share. Not thread-safe.</summary>
     sealed class SharedWeights
     {
-        /// <summary>Of the quadratic through five samples.</summary>
+        /// <summary>Gets the weights of the quadratic through five samples.</summary>
         public PositionWeights Quadratic { get; } = new PolynomialWeights(2, 4);
 
-        /// <summary>Of the cubic through four samples.</summary>
+        /// <summary>Gets the weights of the cubic through four samples.</summary>
         public PositionWeights Cubic { get; } = new PolynomialWeights(3, 3);
 
-        /// <summary>Of the Gaussian process.</summary>
+        /// <summary>Gets the weights of the Gaussian process.</summary>
         public PositionWeights Process { get; } = new GaussianProcess();
     }
 }
