@@ -46,10 +46,14 @@ static class PaperOutput
         }
     }
 
-    /// <summary>Writes each exchange with the clock estimate after it. Offsets are relative to the offset of the first exchange.</summary>
+    /// <summary>
+    /// Writes each exchange with the clock estimate after it, and its timestamps as <c>sync</c> reads them. Offsets are relative to the offset of the
+    /// first exchange.
+    /// </summary>
     public static void WriteExchanges(TextWriter writer, IEnumerable<PaperRun> repeats)
     {
-        writer.Write("repeat,time_s,offset_ms,true_offset_ms,fitted_offset_ms,skew_ppm,theta2_ms,fit_error_ms,round_trip_ms\n");
+        writer.Write("repeat,time_s,offset_ms,true_offset_ms,fitted_offset_ms,skew_ppm,theta2_ms,fit_error_ms,round_trip_ms,"
+            + "t1_ns,t2_ns,t3_ns,t4_ns\n");
         foreach (var repeat in repeats)
             foreach (var step in repeat.Steps)
                 writer.Write(string.Create(CultureInfo.InvariantCulture, $"{repeat.Repeat},")
@@ -59,7 +63,11 @@ static class PaperOutput
     static string Text(SyncStep s, double trueOffsetMs) => string.Create(
         CultureInfo.InvariantCulture,
         $"{s.Seconds:0.######},{s.OffsetMs:0.####},{trueOffsetMs:0.####},{s.FitMs:0.####},{s.SkewPpm:0.###},{s.InterceptMs:0.####},")
-        + string.Create(CultureInfo.InvariantCulture, $"{s.FitErrorMs:0.####},{s.RoundTripMs:0.####}");
+        + string.Create(CultureInfo.InvariantCulture, $"{s.FitErrorMs:0.####},{s.RoundTripMs:0.####},")
+        + string.Create(CultureInfo.InvariantCulture, $"{Nanoseconds(s.Exchange.T1.SinceEpoch)},{Nanoseconds(s.Exchange.T2.SinceEpoch)},")
+        + string.Create(CultureInfo.InvariantCulture, $"{Nanoseconds(s.Exchange.T3.SinceEpoch)},{Nanoseconds(s.Exchange.T4.SinceEpoch)}");
+
+    static long Nanoseconds(TimeSpan sinceEpoch) => sinceEpoch.Ticks * TimeSpan.NanosecondsPerTick;
 
     static string Text(ToolPosition p) => string.Create(CultureInfo.InvariantCulture, $"{p.X:0.#######},{p.Y:0.#######},{p.Z:0.#######}");
 

@@ -1,3 +1,5 @@
+using Nowpose.Sync;
+
 namespace Nowpose.Cli.Figures.Clocks;
 
 /// <summary>The quantities of Fig. 8 after one sync exchange. Offsets are relative to Φ* of the first exchange.</summary>
@@ -9,8 +11,11 @@ namespace Nowpose.Cli.Figures.Clocks;
 /// <param name="RoundTripMs">RTT as defined in the paper: from sending the request to receiving the reply.</param>
 readonly record struct SyncStep(double Seconds, double OffsetMs, double? FitMs, double? SkewPpm, double? InterceptMs, double RoundTripMs)
 {
+    /// <summary>The exchange with its four timestamps.</summary>
+    public SyncExchange Exchange { get; init; }
+
     /// <summary>Headset time at the end of the exchange.</summary>
-    public HeadsetTime At { get; init; }
+    public HeadsetTime At => Exchange.T4;
 
     /// <summary>ε of Eq. (6): Φ* minus the estimate, ms; null before the first estimate.</summary>
     public double? FitErrorMs => OffsetMs - FitMs;

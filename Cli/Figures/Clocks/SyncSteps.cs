@@ -28,6 +28,6 @@ static class SyncSteps
         return new SyncStep(
             seconds, (exchange.Offset - first.Offset).TotalMilliseconds, fit, 1e6 * skew, fit - 1e3 * skew * seconds,
             (exchange.T4 - exchange.T1).TotalMilliseconds)
-        { At = exchange.T4 };
+        { Exchange = exchange };
     }
 }

@@ -18,11 +18,13 @@ sealed class WrittenNumbers
 
     readonly List<Dictionary<string, double>> _frames, _settled, _exchanges;
     readonly List<List<Dictionary<string, double>>> _swings;
+    readonly WrittenClock _clock;
 
     public WrittenNumbers(PaperRun run)
     {
         _frames = Read(writer => PaperOutput.WriteFrames(writer, [run]));
         _exchanges = Read(writer => PaperOutput.WriteExchanges(writer, [run]));
+        _clock = new WrittenClock(_exchanges);
         _settled = [.. _frames.Where(frame => frame["elapsed_s"] >= Settled)];
         // A swing counts if its frames cover the time from 0.2 s before its start to 0.4 s after the move back.
         _swings = [.. _settled.GroupBy(frame => frame["swing"])
@@ -34,9 +36,13 @@ sealed class WrittenNumbers
 
     IEnumerable<Dictionary<string, double>> Early => Swung.Where(frame => frame["swing_s"] is >= 0 and < Shown);
 
+    /// <summary>ε_i of the exchanges from 10 s on, ms: with an own fit, and with the written γ₂ and Θ₂.</summary>
+    public IEnumerable<(double Own, double Written)> FitErrors => _clock.OwnFitErrorsMs.Zip(_clock.FitErrorsMs, _exchanges)
+        .Where(each => each.Third["time_s"] >= Settled).Select(each => (each.First, each.Second));
+
     public IEnumerable<double> InOrderOfTheClaims()
     {
-        yield return _exchanges.Where(each => each["time_s"] >= Settled).Average(each => Math.Abs(each["fit_error_ms"]) < 1 ? 1.0 : 0);
+        yield return FitErrors.Average(errors => Math.Abs(errors.Written) < 1 ? 1.0 : 0);
         yield return Quantile(_settled.Select(frame => Math.Abs(frame["offset_error_us"]) / 1000), 0.95);
         yield return SkewRatio();
         yield return RoundTripRatio();
@@ -64,7 +70,8 @@ sealed class WrittenNumbers
 
     double RoundTripRatio()
     {
-        var errors = _exchanges.OrderBy(each => each["round_trip_ms"]).Select(each => Math.Abs(each["offset_ms"] - each["true_offset_ms"])).ToList();
+        var errors = _clock.RoundTripsMs.Zip(_clock.OffsetsMs, _exchanges).OrderBy(each => each.First)
+            .Select(each => Math.Abs(each.Second - each.Third["true_offset_ms"])).ToList();
         var quarter = errors.Count / 4;
         return Quantile(errors.Take(quarter), 0.95) / Quantile(errors.TakeLast(quarter), 0.95);
     }
@@ -107,11 +114,18 @@ sealed class WrittenNumbers
         write(text);
         var lines = text.ToString().TrimEnd().Split('\n');
         var names = lines[0].Split(',');
-        // Reads times relative to the first display time, because a double has too few digits for a time since the epoch.
-        var light = Array.IndexOf(names, "true_light_s");
-        var first = light < 0 ? 0 : decimal.Parse(lines[1].Split(',')[light], CultureInfo.InvariantCulture);
-        double Value(string name, string cell) => cell.Length == 0 ? double.NaN : name.EndsWith("light_s", StringComparison.Ordinal)
-            ? (double)(decimal.Parse(cell, CultureInfo.InvariantCulture) - first) : double.Parse(cell, CultureInfo.InvariantCulture);
+        // Reads times relative to the first time of the same clock, because a double has too few digits for a time since the epoch.
+        var firsts = names.Zip(lines[1].Split(',')).ToDictionary(each => each.First, each => each.Second);
+        double Since(string cell, string first) =>
+            (double)(decimal.Parse(cell, CultureInfo.InvariantCulture) - decimal.Parse(firsts[first], CultureInfo.InvariantCulture));
+        double Value(string name, string cell) => name switch
+        {
+            _ when cell.Length == 0 => double.NaN,
+            "true_light_s" or "assumed_light_s" => Since(cell, "true_light_s"),
+            "t1_ns" or "t4_ns" => Since(cell, "t1_ns"),
+            "t2_ns" or "t3_ns" => Since(cell, "t2_ns"),
+            _ => double.Parse(cell, CultureInfo.InvariantCulture),
+        };
         return [.. lines.Skip(1).Select(line => names.Zip(line.Split(',')).ToDictionary(each => each.First, each => Value(each.First, each.Second)))];
     }
 
