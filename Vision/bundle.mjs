@@ -1,4 +1,4 @@
-// Builds dist/worker.mjs, a single file with OpenCV and the codecs, and the licences of the bundled packages.
+// Builds dist/worker.mjs with OpenCV and the codecs, dist/opencv.wasm, and the licences of the bundled packages.
 // Run by `npm run build` and by prepare.mjs.
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -14,11 +14,27 @@ const licences = {
 };
 
 // Renames the complete file, so that a concurrent build never reads an incomplete one.
-function write(name, text) {
+function write(name, content) {
   const unfinished = join(vision, 'dist', `${name}.${process.pid}.tmp`);
-  writeFileSync(unfinished, text);
+  writeFileSync(unfinished, content);
   renameSync(unfinished, join(vision, 'dist', name));
 }
+
+let openCvBinary;
+
+/**
+ * Takes the WebAssembly binary out of OpenCV's script, which contains it as text of 10 MB. A worker starts with a fifth less processor time if it
+ * reads the binary from a file. Not with fetch, which cannot read files.
+ */
+const separateBinary = {
+  name: 'separate-binary',
+  setup: ({ onLoad }) => onLoad({ filter: /opencv-js[\\/]dist[\\/]opencv\.js$/ }, ({ path }) => {
+    const script = readFileSync(path, 'utf8');
+    const [text, base64] = /"data:application\/octet-stream;base64,([A-Za-z0-9+/=]+)"/.exec(script);
+    openCvBinary = Buffer.from(base64, 'base64');
+    return { contents: script.replace(text, '"opencv.wasm"; wasmBinary = require("node:fs").readFileSync(__dirname + "/opencv.wasm")'), loader: 'js' };
+  }),
+};
 
 const { outputFiles } = await build({
   absWorkingDir: vision,
@@ -30,6 +46,7 @@ const { outputFiles } = await build({
   target: 'node18',
   charset: 'utf8',
   loader: { '.wasm': 'binary' },
+  plugins: [separateBinary],
   // OpenCV's script loads Node's modules with require, as in CommonJS.
   banner: {
     js: `// Contains OpenCV, MozJPEG and pngjs; see worker-licences.txt.
@@ -43,4 +60,5 @@ const require = createRequire(import.meta.url), __filename = nowposePath(import.
 mkdirSync(join(vision, 'dist'), { recursive: true });
 write('worker-licences.txt', Object.entries(licences)
   .map(([name, path]) => `${name}\n\n${readFileSync(join(vision, 'node_modules', path), 'utf8')}`).join('\n\n'));
+write('opencv.wasm', openCvBinary);
 write('worker.mjs', outputFiles[0].text);

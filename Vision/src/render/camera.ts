@@ -27,7 +27,8 @@ export interface Shot {
   noiseSeed: number;
 }
 
-const noiseTable = normals(1 << 17, 1);
+/** Computed with the first picture, because most workers render none. */
+let noiseTable: Float32Array | undefined;
 const steps = 4095;
 /** Converts linear light to sRGB. This is the inverse of `lightOfByte`. */
 const byteOfLight = Float32Array.from({ length: steps + 1 }, (_, i) => {
@@ -112,12 +113,13 @@ function smear(light: Mat, [dx, dy]: [number, number]): void {
 function developed(light: Float32Array, { noise, noiseSeed, width }: Shot): Uint8Array {
   const bytes = new Uint8ClampedArray(light.length);
   const random = randomOf(noiseSeed);
-  const last = noiseTable.length - 1;
+  const table = (noiseTable ??= normals(1 << 17, 1));
+  const last = table.length - 1;
   for (let at = 0; at < light.length; at += width) {
-    let n = (random() * noiseTable.length) | 0;
+    let n = (random() * table.length) | 0;
     for (let i = at; i < at + width; i++) {
       const v = light[i];
-      bytes[i] = byteOfLight[v >= 1 ? steps : v <= 0 ? 0 : (v * steps) | 0] + noise * noiseTable[n++ & last];
+      bytes[i] = byteOfLight[v >= 1 ? steps : v <= 0 ? 0 : (v * steps) | 0] + noise * table[n++ & last];
     }
   }
   return new Uint8Array(bytes.buffer);
