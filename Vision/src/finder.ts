@@ -7,7 +7,7 @@ import { Matcher } from './match';
 import { cv } from './opencv';
 import { clearestPart, type Placed } from './parts';
 import type { Kind, Pattern } from './pattern';
-import type { Fit } from './refine';
+import { minShareOfGuess, minShareOfStart, type Fit } from './refine';
 
 /** A code in a picture. */
 export interface Found extends CellLight {
@@ -39,8 +39,6 @@ const minShareOfWeak = 0.7;
 const minShareOfOnlyKind = 0.9;
 /** Minimum light of a code in a single colour; 1 is white. Below it, noise is too large a part of the light. */
 const minLightOfColour = 0.04;
-/** Minimum agreement of a candidate before the first refinement. */
-const minShareOfGuess = 0.1;
 /** Maximum distance between the corners of candidates that count as the same, in cells. The search around a candidate covers it. */
 const maxDistanceOfSame = 0.5;
 
@@ -79,7 +77,7 @@ export class Finder {
     const placed: Placed[] = [];
     const isKnown = (quad: Quad, { factor }: Layer) => fits.some(fit => isCertain(fit) && isWithin(scaled(quad, 1 / factor), fit.quad));
     for (const { isClear, layer, starts } of candidates.sort((a, b) => b.starts[0].share - a.starts[0].share)) {
-      if (isKnown(starts[0].quad, layer)) continue;
+      if (starts[0].share < minShareOfStart || isKnown(starts[0].quad, layer)) continue;
       for (const guess of layer.refiner.guesses(starts)) {
         if (guess.light < minLight / 2 || guess.share <= minShareOfGuess || isKnown(guess.quad, layer)) continue;
         const fit = layer.refiner.refine(guess);
@@ -168,9 +166,17 @@ function distinct(quads: Quad[], side: number): Quad[] {
   const kept: Quad[] = [];
   for (const quad of quads) {
     const near = (maxDistanceOfSame * sizeOf(quad)) / side;
-    const isNear = (other: Quad, turns: number) => quad.every((p, i) => distance(p, other[(i + turns) & 3]) <= near);
-    const isSame = (other: Quad) => isNear(other, 0) || isNear(other, 1) || isNear(other, 2) || isNear(other, 3);
-    if (!kept.some(isSame)) kept.push(quad);
+    if (!kept.some(other => isSame(quad, other, near))) kept.push(quad);
   }
   return kept;
+}
+
+/** Returns whether the corners of two quads nearly coincide, in any order of the corners. Plain loops, because it is called for each pair of candidates. */
+function isSame(quad: Quad, other: Quad, near: number): boolean {
+  for (let turns = 0; turns < 4; turns++) {
+    let i = 0;
+    while (i < 4 && distance(quad[i], other[(i + turns) & 3]) <= near) i++;
+    if (i === 4) return true;
+  }
+  return false;
 }
