@@ -171,7 +171,7 @@ function distinct(quads: Quad[], side: number): Quad[] {
   return kept;
 }
 
-/** Returns whether the corners of two quads nearly coincide, in any order of the corners. Plain loops, because it is called for each pair of candidates. */
+/** Returns whether the corners of two quads nearly coincide, in any order. Plain loops, because it is called for each pair of candidates. */
 function isSame(quad: Quad, other: Quad, near: number): boolean {
   for (let turns = 0; turns < 4; turns++) {
     let i = 0;

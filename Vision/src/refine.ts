@@ -55,8 +55,8 @@ const inPlace = 0.3;
 const maxDistance = 2.4;
 
 /**
- * Minimum share of agreeing steps of a guess that is refined. In 192 rendered pictures with two or three codes each, the best guess of each found code
- * had 0.3 or more, and a third of all guesses had less than 0.25.
+ * Minimum share of agreeing steps of a guess that is refined. In 192 rendered pictures with two or three codes each, the best guess of each found
+ * code had 0.3 or more, and a third of all guesses had less than 0.25.
  */
 export const minShareOfGuess = 0.25;
 /** Minimum agreement of the outer edge of a start position. In the same pictures, the best start position of each found code had 0.42 or more. */
