@@ -49,10 +49,8 @@ namespace Nowpose.Prediction
         /// quick succession. 0 means no blending: the joint jumps.
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
-        public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0)
-        {
-            return Create(name, limits, blend, new SharedWeights());
-        }
+        public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0) =>
+            Create(name, limits, blend, new SharedWeights());
 
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
         /// <param name="shared">Weights that this predictor shares with those of the robot's other joints.</param>

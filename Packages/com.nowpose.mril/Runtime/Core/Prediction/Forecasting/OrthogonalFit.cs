@@ -42,21 +42,34 @@ namespace Nowpose.Prediction.Forecasting
             for (var k = 0; k < powers.Length; k++) coefficients[k] += coefficient * powers[k];
         }
 
-        // Computes the next polynomial, (t − centre) · newest − ratio · previous. Returns its squared norm.
+        // Replaces the previous polynomial by the next one. Returns its squared norm.
         double Next(double[] times, int count, double norm, double ratio)
         {
-            var (values, next, centre, square) = (_values, _valuesBefore, 0.0, 0.0);
-            for (var i = 0; i < count; i++) centre += times[i] * values[i] * values[i];
+            var square = Next(times, count, _values, _valuesBefore, norm, ratio, _valuesBefore, out var centre);
+            var (powers, nextPowers) = (_powers, _powersBefore);
+            for (var k = 0; k < powers.Length; k++) nextPowers[k] = (k > 0 ? powers[k - 1] : 0) - centre * powers[k] - ratio * nextPowers[k];
+            (_values, _valuesBefore, _powers, _powersBefore) = (_valuesBefore, _values, nextPowers, powers);
+            return square;
+        }
+
+        /// <summary>Computes the next orthogonal polynomial, (t − centre) · newest − ratio · previous, at the sample times.</summary>
+        /// <param name="norm">Squared norm of the newest polynomial.</param>
+        /// <param name="ratio">This norm relative to that of the previous polynomial; 0 for the polynomial of degree 1.</param>
+        /// <param name="next">Receives the values; may be the array of the previous polynomial.</param>
+        /// <returns>The squared norm of the next polynomial.</returns>
+        public static double Next(
+            double[] times, int count, double[] newest, double[] previous, double norm, double ratio, double[] next, out double centre)
+        {
+            var square = 0.0;
+            centre = 0;
+            for (var i = 0; i < count; i++) centre += times[i] * newest[i] * newest[i];
             centre /= norm;
             for (var i = 0; i < count; i++)
             {
-                var value = (times[i] - centre) * values[i] - ratio * next[i];
+                var value = (times[i] - centre) * newest[i] - ratio * previous[i];
                 next[i] = value;
                 square += value * value;
             }
-            var (powers, nextPowers) = (_powers, _powersBefore);
-            for (var k = 0; k < powers.Length; k++) nextPowers[k] = (k > 0 ? powers[k - 1] : 0) - centre * powers[k] - ratio * nextPowers[k];
-            (_values, _valuesBefore, _powers, _powersBefore) = (next, values, nextPowers, powers);
             return square;
         }
     }

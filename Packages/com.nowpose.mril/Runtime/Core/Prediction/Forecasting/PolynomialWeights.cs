@@ -1,9 +1,11 @@
+using System;
+
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Weights of the polynomial of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
     /// <remarks>
     /// The weight of sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over the polynomials φ that are orthogonal on the sample times
-    /// (Forsythe 1957). Unlike <see cref="PolynomialForecaster"/>, it needs all h + 1 samples, and samples less than a millisecond apart reduce its
+    /// (<see cref="OrthogonalFit"/>). Unlike <see cref="PolynomialForecaster"/>, it needs all h + 1 samples, and samples less than a millisecond apart reduce its
     /// precision.
     /// </remarks>
     sealed class PolynomialWeights : PositionWeights
@@ -48,27 +50,14 @@ namespace Nowpose.Prediction.Forecasting
             _norms[0] = Samples;
             for (var k = 1; k <= _degree; k++)
             {
-                AddPolynomial(k);
+                _ratios[k] = k > 1 ? _norms[k - 1] / _norms[k - 2] : 0;
+                _norms[k] = OrthogonalFit.Next(
+                    Times, Samples, _values[k - 1], _values[Math.Max(0, k - 2)], _norms[k - 1], _ratios[k], _values[k], out _centres[k]);
                 if (!(_norms[k] > MinNormRatio * _norms[1] * _norms[k - 1])) return false;
             }
             for (var k = 0; k <= _degree; k++)
                 for (var j = 0; j < Samples; j++) _values[k][j] /= _norms[k];
             return true;
-        }
-
-        void AddPolynomial(int k)
-        {
-            var (next, newest, previous) = (_values[k], _values[k - 1], _values[k > 1 ? k - 2 : 0]);
-            double centre = 0, norm = 0;
-            for (var j = 0; j < next.Length; j++) centre += Times[j] * newest[j] * newest[j];
-            centre /= _norms[k - 1];
-            var ratio = k > 1 ? _norms[k - 1] / _norms[k - 2] : 0;
-            for (var j = 0; j < next.Length; j++)
-            {
-                next[j] = (Times[j] - centre) * newest[j] - ratio * previous[j];
-                norm += next[j] * next[j];
-            }
-            (_centres[k], _ratios[k], _norms[k]) = (centre, ratio, norm);
         }
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Samples;
 
 namespace Nowpose.Tests.Core.Prediction
 {
@@ -21,6 +22,19 @@ namespace Nowpose.Tests.Core.Prediction
         /// <param name="limits">Null for no limits.</param>
         public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
             new JointPredictor(forecaster, 24, parts, limits ?? PredictionLimits.Unlimited, 0);
+
+        /// <summary>Returns the state of a motion after its samples, which are in the order of their times.</summary>
+        public static MotionState Motion(double[] times, double[] positions)
+        {
+            var history = new SampleHistory(times.Length);
+            var motion = new MotionState(history, PredictionLimits.Unlimited);
+            for (var i = 0; i < times.Length; i++)
+            {
+                history.Add(new JointSample(times[i], positions[i]));
+                motion.Add(isNewest: true, displayed: double.NaN);
+            }
+            return motion;
+        }
 
         public static DropReason Add(this JointPredictor predictor, double time, double position) =>
             predictor.Add(new JointSample(time, position));

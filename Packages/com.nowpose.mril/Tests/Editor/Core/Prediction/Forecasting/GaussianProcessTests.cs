@@ -1,9 +1,7 @@
 using System;
 using System.Linq;
 using MathNet.Numerics.LinearAlgebra;
-using Nowpose.Prediction;
 using Nowpose.Prediction.Forecasting;
-using Nowpose.Prediction.Samples;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Prediction.Forecasting
@@ -31,7 +29,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
                 var positions = times.Select(t => Math.Sin(4 * t + seed) + 0.01 * random.NextDouble()).ToArray();
                 var process = new GaussianProcess();
                 var forecaster = new LinearForecaster(process);
-                Assert.That(forecaster.Solve(Motion(times.Select(t => epoch + t).ToArray(), positions)));
+                Assert.That(forecaster.Solve(TestPredictors.Motion(times.Select(t => epoch + t).ToArray(), positions)));
 
                 // Rasmussen & Williams 2006, Eqs. 2.25 and 2.26. The variance of the motion is estimated from the samples.
                 var newest = times.Last();
@@ -57,7 +55,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var forecaster = new LinearForecaster(new GaussianProcess());
             var times = Enumerable.Range(0, 5).Select(i => i * interval).ToArray();
-            forecaster.Solve(Motion(times, times.Select(t => 3 - t).ToArray()));
+            forecaster.Solve(TestPredictors.Motion(times, times.Select(t => 3 - t).ToArray()));
 
             foreach (var ahead in Aheads.Where(a => a <= 0.25)) Assert.That(forecaster.At(ahead), Is.EqualTo(-ahead).Within(1e-4));
         }
@@ -67,7 +65,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
             var forecaster = new LinearForecaster(new GaussianProcess(), stopsAtReversal: true);
-            forecaster.Solve(Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
+            forecaster.Solve(TestPredictors.Motion(times, times.Select(t => 1 - Math.Pow(0.25 - t, 2)).ToArray()));
             var table = new double[ForecastTable.Points];
             forecaster.Fill(table, 0, table.Length);
 
@@ -81,8 +79,8 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var forecaster = new LinearForecaster(new GaussianProcess());
 
-            Assert.That(forecaster.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3 }, new double[4])), Is.False);
-            Assert.That(forecaster.Solve(Motion(new[] { 0, 0.1, 0.2, 0.3, 100 }, new double[5])), Is.False);
+            Assert.That(forecaster.Solve(TestPredictors.Motion(new[] { 0, 0.1, 0.2, 0.3 }, new double[4])), Is.False);
+            Assert.That(forecaster.Solve(TestPredictors.Motion(new[] { 0, 0.1, 0.2, 0.3, 100 }, new double[5])), Is.False);
         }
 
         [Test]
@@ -90,7 +88,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            process.Update(Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Samples);
+            process.Update(TestPredictors.Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Samples);
 
             Assert.That(Aheads.Select(process.VarianceAt), Is.Ordered);
             Assert.That(process.VarianceAt(0), Is.LessThan(4e-6));
@@ -105,18 +103,6 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             var sum = 0.0;
             for (var i = 0; i <= 3; i++) sum += Factorial(3 + i) / (Factorial(i) * Factorial(3 - i)) * Math.Pow(2 * r, 3 - i);
             return Math.Exp(-r) * Factorial(3) / Factorial(6) * sum + Level + Trend * a * b;
-        }
-
-        static MotionState Motion(double[] times, double[] positions)
-        {
-            var history = new SampleHistory(times.Length);
-            var motion = new MotionState(history, PredictionLimits.Unlimited);
-            for (var i = 0; i < times.Length; i++)
-            {
-                history.Add(new JointSample(times[i], positions[i]));
-                motion.Add(isNewest: true, displayed: double.NaN);
-            }
-            return motion;
         }
     }
 }

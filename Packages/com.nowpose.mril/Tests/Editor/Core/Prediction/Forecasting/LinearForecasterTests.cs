@@ -79,15 +79,14 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         // Samples at random intervals of 10 to 90 ms.
         static MotionState Motion(int seed, int count, Func<double, double> position = null)
         {
-            var (random, time, history) = (new Random(seed), 5.0, new SampleHistory(count));
-            var motion = new MotionState(history, PredictionLimits.Unlimited);
+            var (random, time) = (new Random(seed), 5.0);
+            var (times, positions) = (new double[count], new double[count]);
             for (var i = 0; i < count; i++)
             {
-                time += 0.01 + 0.08 * random.NextDouble();
-                history.Add(new JointSample(time, position?.Invoke(time) ?? random.NextDouble()));
-                motion.Add(isNewest: true, displayed: double.NaN);
+                times[i] = time += 0.01 + 0.08 * random.NextDouble();
+                positions[i] = position?.Invoke(time) ?? random.NextDouble();
             }
-            return motion;
+            return TestPredictors.Motion(times, positions);
         }
     }
 }
