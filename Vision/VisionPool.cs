@@ -15,7 +15,7 @@ public sealed class VisionPool : IDisposable
     const int MaxWorkers = 4;
     const int Waiting = 4;
 
-    /// <summary>Number of pictures that justify another worker. Starting a worker takes as long as reading about this number of pictures.</summary>
+    /// <summary>Number of pictures that justify another worker: starting it and compiling its code takes as long as reading a few pictures.</summary>
     const int PicturesPerWorker = 12;
 
     /// <summary>

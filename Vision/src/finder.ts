@@ -7,7 +7,7 @@ import { Matcher } from './match';
 import { cv } from './opencv';
 import { clearestPart, type Placed } from './parts';
 import type { Kind, Pattern } from './pattern';
-import { minShareOfGuess, minShareOfStart, type Fit } from './refine';
+import { minShareOfStart, type Fit } from './refine';
 
 /** A code in a picture. */
 export interface Found extends CellLight {
@@ -79,7 +79,7 @@ export class Finder {
     for (const { isClear, layer, starts } of candidates.sort((a, b) => b.starts[0].share - a.starts[0].share)) {
       if (starts[0].share < minShareOfStart || isKnown(starts[0].quad, layer)) continue;
       for (const guess of layer.refiner.guesses(starts)) {
-        if (guess.light < minLight / 2 || guess.share <= minShareOfGuess || isKnown(guess.quad, layer)) continue;
+        if (guess.light < minLight / 2 || isKnown(guess.quad, layer)) continue;
         const fit = layer.refiner.refine(guess);
         if (isClear) placed.push({ fit, layer });
         if (isCode(fit, layer)) fits.push(inPicture(fit, layer));

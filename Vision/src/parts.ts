@@ -1,7 +1,7 @@
 import { distance, extendedBy, isPlausible, isWithin, scaled, type Quad } from './geometry';
 import { inPicture, layerFor, type Layer } from './layers';
 import { Band } from './pattern';
-import { minShareOfGuess, type Fit } from './refine';
+import type { Fit } from './refine';
 
 /** A fit with its layer. Its coordinates are in px of the layer. */
 export interface Placed {
@@ -60,7 +60,6 @@ function partsAt(candidate: Quad, layers: Layer[], isKnown: (quad: Quad, layer: 
     if (!isPlausible(quad, 1) || isKnown(quad, layer)) return [];
     return layer.refiner
       .guesses(layer.refiner.startsAt(quad, side).filter(({ share }) => share >= minShareOfEdge))
-      .filter(({ share }) => share > minShareOfGuess)
       .map(guess => ({ fit: layer.refiner.refine(guess), layer }));
   });
 }

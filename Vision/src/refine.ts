@@ -58,7 +58,7 @@ const maxDistance = 2.4;
  * Minimum share of agreeing steps of a guess that is refined. In 192 rendered pictures with two or three codes each, the best guess of each found
  * code had 0.3 or more, and a third of all guesses had less than 0.25.
  */
-export const minShareOfGuess = 0.25;
+const minShareOfGuess = 0.25;
 /** Minimum agreement of the outer edge of a start position. In the same pictures, the best start position of each found code had 0.42 or more. */
 export const minShareOfStart = 0.35;
 
@@ -88,7 +88,7 @@ export class Refiner {
       .slice(0, followed);
   }
 
-  /** Moves start positions to the best fit of their outer edge. Returns them in decreasing order of agreement. */
+  /** Moves start positions to the best fit of their outer edge. Returns those that are worth refining in decreasing order of agreement. */
   guesses(starts: Start[]): Fit[] {
     return starts
       .map(start => {
@@ -97,6 +97,7 @@ export class Refiner {
         return outerSteps.reduce((best, step) => climb(best, step * cell, 2, at), start);
       })
       .map(({ quad, hidden }) => this.#alternatives(quad, middle, hidden)[0])
+      .filter(({ share }) => share > minShareOfGuess)
       .sort(byScore);
   }
 
