@@ -182,6 +182,7 @@ public class PaperRunTests
         foreach (var (claim, number) in claims.Zip(expected))
             Assert.That(claim.Measured, Is.EqualTo(number).Within(1).Percent, $"seed {seed}: {claim.Claim}");
     }
+
     // The own fit detects an error of the estimator, which is not visible with the written estimates. RANSAC selects its lines at random, so the two
     // fits differ by up to 0.05 ms, and one exchange of a hundred can be on the other side of 1 ms.
     [Test]

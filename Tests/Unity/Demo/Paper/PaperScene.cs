@@ -14,7 +14,7 @@ static class PaperScene
 {
     public const double VisuMs = 40;
 
-    const int PicturesPerLoad = 2;
+    const int PicturesPerLoad = 5;
 
     static readonly YoubotSwing Swing = new(isCold: true);
 
