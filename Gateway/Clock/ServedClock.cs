@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
@@ -39,6 +40,17 @@ public sealed class ServedClock : IControlClock
     public bool IsSynchronised => _plant.Control is { } control ? ClockSettings.Default.Trusts(control.Model) : _own.IsSynchronised;
     public TimeSpan Resolution => Known == null ? _own.Resolution : new TimeSpan(1);
     public double Skew => -Known?.Skew ?? _own.Skew;
+
+    /// <summary>Gets the clock's time when <see cref="Stopwatch.GetTimestamp"/> returned <paramref name="count"/>, at the current offset.</summary>
+    /// <remarks>
+    /// The counter is read before the clock. An interruption between the two makes the result late, not early, so a message stamped by
+    /// this clock never seems to arrive before it was sent.
+    /// </remarks>
+    public ControlTime AtReceived(long count)
+    {
+        var elapsed = Stopwatch.GetElapsedTime(count);
+        return Now - elapsed;
+    }
 
     // Null while the gateway's own clock is served: no plant clock is selected, or its estimate does not exist yet.
     ClockModel? Known => _plant.Control?.Model is { IsKnown: true } model ? model : null;

@@ -56,7 +56,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 
     void AddSample(RecordedFile file, HubMessage message, JointStateMessage state)
     {
-        var arrival = ControlArrivalOf(message);
+        var arrival = clock.AtReceived(message.ReceivedAt);
         if (file.TryClaim(RecordKind.Sample) is not { } record) return;
         record.Arrival = new SampleArrival(state, _counter.At(message.ReceivedAt));
         record.ControlArrival = arrival;
@@ -76,7 +76,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 
     void AddPoses(RecordedFile file, HubMessage message, TransformsMessage poses)
     {
-        var (at, arrival) = (_counter.At(message.ReceivedAt), ControlArrivalOf(message));
+        var (at, arrival) = (_counter.At(message.ReceivedAt), clock.AtReceived(message.ReceivedAt));
         for (var i = 0; i < poses.Count; i++)
         {
             if (file.TryClaim(RecordKind.Pose) is not { } record) return;
@@ -89,7 +89,7 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
 
     void AddSignals(RecordedFile file, HubMessage message, SignalsMessage signals)
     {
-        var (at, arrival) = (_counter.At(message.ReceivedAt), ControlArrivalOf(message));
+        var (at, arrival) = (_counter.At(message.ReceivedAt), clock.AtReceived(message.ReceivedAt));
         for (var i = 0; i < signals.Count; i++)
         {
             if (file.TryClaim(RecordKind.Signal) is not { } record) return;
@@ -99,8 +99,6 @@ sealed class RecordedTraffic(ServedClock clock, PlantClocks plant, DropCounters 
             file.Publish(record);
         }
     }
-
-    ControlTime ControlArrivalOf(HubMessage message) => clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt);
 
     // Null for the robot without a namespace, because its joints are named as in the file's header.
     static string PrefixOf(HubMessage message) => message.Robot.Length == 0 ? null : message.Robot + "/";

@@ -150,7 +150,7 @@ sealed class GatewayStatus : IDisposable
         Interlocked.Increment(ref _messages[topic]);
         if (message.Content is JointStateMessage state)
         {
-            var age = _clock.Now - Stopwatch.GetElapsedTime(message.ReceivedAt) - state.Stamp;
+            var age = _clock.AtReceived(message.ReceivedAt) - state.Stamp;
             _sources.Add(message.Joints, message.ReceivedAt, age);
             _joints.Add(message.Source, message.Joints, age);
         }

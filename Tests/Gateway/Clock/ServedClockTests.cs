@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NUnit.Framework;
 using Nowpose.Gateway.Clock;
 using Nowpose.Sync;
@@ -50,6 +51,16 @@ public class ServedClockTests
         TestContext.Out.WriteLine($"followed after {recovery.TotalSeconds:0.0} s");
         Assert.That(recovery, Is.LessThan(TimeSpan.FromSeconds(5)));
         Assert.That(wasUnsynchronised, Is.True);
+    }
+
+    [Test]
+    public void AtReceived_InterruptedAfterTheClockIsRead_IsNotEarly()
+    {
+        var own = new InterruptedClock();
+        var served = new ServedClock(own, new PlantClocks(null, new StopwatchHeadsetClock()));
+        var received = Stopwatch.GetTimestamp();
+
+        Assert.That(served.AtReceived(received), Is.GreaterThanOrEqualTo(own.Inner.AtCount(received)));
     }
 
     [Test]
@@ -198,5 +209,21 @@ public class ServedClockTests
         }
 
         ControlTime At(HeadsetTime time) => _start + new TimeSpan((long)((time - _started).Ticks * (1 + skew)));
+    }
+
+    sealed class InterruptedClock : IControlClock
+    {
+        public StopwatchControlClock Inner { get; } = new(default);
+
+        public ControlTime Now
+        {
+            get
+            {
+                var now = Inner.Now;
+                var until = Stopwatch.GetTimestamp() + Stopwatch.Frequency / 1000;
+                while (Stopwatch.GetTimestamp() < until) ;
+                return now;
+            }
+        }
     }
 }
