@@ -44,6 +44,8 @@ static class PathsVerb
             PathRun[] Play(PathChange change, double sizeMs) =>
                 [.. seeds.AsParallel().WithCancellation(stop).Select(seed => PathRun.Play(link, change, sizeMs, estimator, seed))];
             var undisturbed = Play(PathChange.None, 0);
+            var own = new PathCell(link, PathChange.None, 0, undisturbed, undisturbed);
+            Console.WriteLine($"| {link.Name} | {PathChange.None.Name} | {string.Join(" | ", sizesMs.Select(_ => own))} |");
             foreach (var change in PathChange.All)
             {
                 var cells = sizesMs.Select(size => new PathCell(link, change, size, Play(change, size), undisturbed)).ToList();

@@ -124,7 +124,8 @@ namespace Nowpose.Sync.Envelope
             var unsampled = ClockTicks.Seconds(_unsampledPart.Of(_history, exchange.Resolution));
             _fit.Solve(
                 ClockTicks.Seconds(scatter + exchange.Resolution), unsampled, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
-                proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewUncertainty + SkewWander * running));
+                proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewUncertainty + SkewWander * running),
+                (ClockTicks.Seconds(_unrecognised.ProbableAt - newest.Received), _unrecognised.ProbableChange));
             _curve = _fit.Curve;
             Line = LineAt(newest.Received, middle, running, unsampled);
             PathChangeError = ClockTicks.Span(_unrecognised.Error(_up, _down));

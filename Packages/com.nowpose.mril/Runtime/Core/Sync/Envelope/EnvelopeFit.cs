@@ -52,7 +52,9 @@ namespace Nowpose.Sync.Envelope
         /// <param name="start">Initial curve of the iteration.</param>
         /// <param name="slopePrior">Expected slope, dimensionless.</param>
         /// <param name="slopePriorError">Standard deviation of the expected slope, dimensionless.</param>
-        public void Solve(double scatter, double unsampled, OffsetCurve start, double slopePrior, double slopePriorError)
+        /// <param name="step">Time of a possible step of the heights relative to the reference time, s, and its standard deviation, s; 0 for none.</param>
+        public void Solve(
+            double scatter, double unsampled, OffsetCurve start, double slopePrior, double slopePriorError, (double X, double Deviation) step)
         {
             Curve = start;
             var slopeWeight = 1 / (slopePriorError * slopePriorError);
@@ -62,8 +64,8 @@ namespace Nowpose.Sync.Envelope
                 _below.Weigh(Curve, scatter, unsampled);
                 _above.Weigh(Curve, scatter, unsampled);
                 _xx = _xz = _zz = _xy = _zy = 0;
-                _heightBelow = Gather(_below);
-                _heightAbove = Gather(_above);
+                _heightBelow = Gather(_below, step.X, step.Deviation * step.Deviation / 2);
+                _heightAbove = Gather(_above, step.X, step.Deviation * step.Deviation / 2);
                 var (xx, zz, xy) = (_xx + slopeWeight, _zz + bendWeight, _xy + slopeWeight * slopePrior);
                 var determinant = xx * zz - _xz * _xz;
                 Curve = new OffsetCurve((xy * zz - _zy * _xz) / determinant, (xx * _zy - _xz * xy) / determinant);
@@ -71,32 +73,47 @@ namespace Nowpose.Sync.Envelope
             EstimateErrors(slopePrior, slopeWeight, bendWeight);
         }
 
-        // Computes sums relative to the weighted means of the side, which eliminates the unknown heights.
-        Height Gather(EnvelopeSide side)
+        // Computes sums relative to the weighted means of the blocks before and after the step, which eliminates the unknown heights. The
+        // heights of both groups may be wrong by half of the variance of the step. The difference of their means is one more measurement.
+        Height Gather(EnvelopeSide side, double stepX, double groupVariance)
+        {
+            var (after, before) = (MeanOf(side, stepX, true), MeanOf(side, stepX, false));
+            for (var i = 0; i < side.Count; i++)
+            {
+                var mean = side.X(i) >= stepX ? after : before;
+                Sum(side.Weight(i), side.X(i) - mean.X, side.X(i) * side.X(i) - mean.Z, side.Y(i) - mean.Y);
+            }
+            if (before.IsEmpty) return after;
+            if (after.IsEmpty) return before;
+            var earlier = 1 / (before.Variance + groupVariance);
+            var later = 1 / (after.Variance + groupVariance);
+            var share = later / (earlier + later);
+            Sum(earlier * share, after.X - before.X, after.Z - before.Z, after.Y - before.Y);
+            return Height.Mean(before, after, share);
+        }
+
+        static Height MeanOf(EnvelopeSide side, double stepX, bool isAfter)
         {
             double weights = 0, x = 0, z = 0, y = 0;
             for (var i = 0; i < side.Count; i++)
             {
+                if (side.X(i) >= stepX != isAfter) continue;
                 var weight = side.Weight(i);
                 weights += weight;
                 x += weight * side.X(i);
                 z += weight * side.X(i) * side.X(i);
                 y += weight * side.Y(i);
             }
-            var height = new Height(weights, x / weights, z / weights, y / weights);
-            for (var i = 0; i < side.Count; i++)
-            {
-                var weight = side.Weight(i);
-                var dx = side.X(i) - height.X;
-                var dz = side.X(i) * side.X(i) - height.Z;
-                var dy = side.Y(i) - height.Y;
-                _xx += weight * dx * dx;
-                _xz += weight * dx * dz;
-                _zz += weight * dz * dz;
-                _xy += weight * dx * dy;
-                _zy += weight * dz * dy;
-            }
-            return height;
+            return weights == 0 ? default : new Height(1 / weights, x / weights, z / weights, y / weights);
+        }
+
+        void Sum(double weight, double dx, double dz, double dy)
+        {
+            _xx += weight * dx * dx;
+            _xz += weight * dx * dz;
+            _zz += weight * dz * dz;
+            _xy += weight * dx * dy;
+            _zy += weight * dz * dy;
         }
 
         void EstimateErrors(double slopePrior, double slopeWeight, double bendWeight)
@@ -105,7 +122,7 @@ namespace Nowpose.Sync.Envelope
             var determinant = xx * zz - _xz * _xz;
             var x = (_heightBelow.X + _heightAbove.X) / 2;
             var z = (_heightBelow.Z + _heightAbove.Z) / 2;
-            var variance = (1 / _heightBelow.Weights + 1 / _heightAbove.Weights) / 4
+            var variance = (_heightBelow.Variance + _heightAbove.Variance) / 4
                 + (x * x * zz - 2 * x * z * _xz + z * z * xx) / determinant;
             OffsetError = ErrorFactor * Math.Sqrt(variance);
             // A single exchange contains no information about the slope.
@@ -115,18 +132,20 @@ namespace Nowpose.Sync.Envelope
             SlopeError = ErrorFactor * Math.Sqrt(1 / known) + priorShift;
         }
 
-        /// <summary>Weighted means of one side.</summary>
+        /// <summary>Weighted means of one side, or of its blocks before or after a step.</summary>
         readonly struct Height
         {
-            public Height(double weights, double x, double z, double y)
+            public Height(double variance, double x, double z, double y)
             {
-                Weights = weights;
+                Variance = variance;
                 X = x;
                 Z = z;
                 Y = y;
             }
 
-            public double Weights { get; }
+            /// <summary>Variance due to the scatter of the bounds, s²; does not include the variance of a step.</summary>
+            public double Variance { get; }
+
             public double X { get; }
 
             /// <summary>Weighted mean of the squares of x.</summary>
@@ -134,7 +153,18 @@ namespace Nowpose.Sync.Envelope
 
             public double Y { get; }
 
+            public bool IsEmpty => Variance == 0;
+
+            /// <param name="share">Weight of the second value.</param>
+            public static Height Mean(in Height first, in Height second, double share) => new Height(
+                Square(1 - share) * first.Variance + Square(share) * second.Variance, Mix(first.X, second.X, share),
+                Mix(first.Z, second.Z, share), Mix(first.Y, second.Y, share));
+
             public double At(OffsetCurve curve) => Y - curve.Slope * X - curve.Bend * Z;
+
+            static double Mix(double first, double second, double share) => first + share * (second - first);
+
+            static double Square(double value) => value * value;
         }
     }
 }
