@@ -176,7 +176,7 @@ public sealed partial class MessageCatalogueTests
     private static partial Regex Remedy();
 
     [GeneratedRegex(@"\b(?:allowed|must|needs?|needed|required|expected|at least|at most|maximum|limit is|no more than|exactly|of the form)\b"
-        + @"|\b(?:decimal separator is|names are|Its topics|available (?:to|under)|begins with)\b|\bfrom \S+ to \S+")]
+        + @"|\b(?:names are|Its topics|available (?:to|under)|begins with)\b|\bfrom \S+ to \S+")]
     private static partial Regex Allowed();
 
     // Two blanks within a line, a blank before a punctuation mark, a brace of a format, or an empty text.

@@ -286,12 +286,12 @@ public class PlayedSignalTests : PlayedParts
 
         parts.Update();
         Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
-        Assert.That(parts.Faults, Is.EqualTo("object part: its poses have stopped; object lid: its poses have stopped"));
+        Assert.That(parts.Faults, Is.EqualTo("object part: no new poses arrive; object lid: no new poses arrive"));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);
         parts.Update();
-        Assert.That(parts.Faults, Is.EqualTo("object lid: its poses have stopped; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Assert.That(parts.Faults, Is.EqualTo("object lid: no new poses arrive; signal closed: " + signal.Fault), "a hidden object is not shown");
         Run(1, t => SendPose("world", "lid", t, Along(1)));
         signal.gameObject.SetActive(false);
         parts.Update();

@@ -57,7 +57,7 @@ public class StampWatchTests
         Run(5, () => System);
 
         Assert.That(_watch.IsContradicted, Is.True);
-        Assert.That(_watch.Warning, Does.Contain("fit the system clock").And.Contain("--own-clock system"));
+        Assert.That(_watch.Warning, Does.Contain("match the system clock").And.Contain("--own-clock system"));
         Assert.That(_log, Has.Count.LessThanOrEqualTo(2), "the correction and the contradiction are logged once each");
     }
 

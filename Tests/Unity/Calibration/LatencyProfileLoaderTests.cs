@@ -72,7 +72,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(_loader.From, Is.EqualTo(Saved));
         Assert.That(_session.Statistics.Profile, Is.SameAs(_loader.Profile));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] latency profile: L_visu 51.0 ms ± 1.1 ms by visible light, 2026-11-20; "
-            + "up to 15.0 ms render time, GPU time by headset; from " + Saved));
+            + "up to 15.0 ms render time, GPU time from headset; from " + Saved));
     }
 
     [Test]

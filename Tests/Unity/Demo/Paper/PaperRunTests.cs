@@ -123,7 +123,7 @@ public class PaperRunTests
 
         var claims = PaperScene.Claims(run);
 
-        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Is.EqualTo("not measured: the clock was known only from 12.0 s on"));
+        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Is.EqualTo("not measured: the clock offset was known only from 12.0 s on"));
     }
 
     // This happens, for example, if the machine paused for a moment during the first repeat.

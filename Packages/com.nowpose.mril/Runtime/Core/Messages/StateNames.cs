@@ -3,7 +3,7 @@ namespace Nowpose.Messages
     /// <summary>Short texts for the states of joints and of measured values.</summary>
     static class StateNames
     {
-        public const string OtherSourceLimit = "limit of another source";
+        public const string OtherSourceLimit = "limit is for another source";
         public const string RenderTimeNotMeasured = "render time not measured";
         public const string ValuesUnusable = "values cannot be used";
     }
