@@ -73,7 +73,7 @@ public class RosbridgeConnectionTests
 
         Assert.That(_played.Client.Status.Detail, Does.Contain("received nothing for 6 s"));
         var sent = new byte[4096];
-        Assert.That(stream.Read(sent), Is.GreaterThan(0), "it had asked");
+        Assert.That(stream.Read(sent), Is.GreaterThan(0), "the client had sent its request");
         await Send(await _played.Server.AcceptAsync(), Good);
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "a message over the new connection");
     }
@@ -119,7 +119,7 @@ public class RosbridgeConnectionTests
 
         (await _played.Server.AcceptStreamAsync()).Close();
 
-        Assert.That(since.Elapsed, Is.GreaterThan(TimeSpan.FromSeconds(1)), "0.2, 0.4, 0.8 s are over");
+        Assert.That(since.Elapsed, Is.GreaterThan(TimeSpan.FromSeconds(1)), "the three delays of 0.2, 0.4 and 0.8 s have passed");
     }
 
     [Test]

@@ -84,7 +84,7 @@ public class TickAllocationTests
         }
 
         Assert.That(allocated, Is.EqualTo(0), "seed 3");
-        Assert.That(plans, Is.GreaterThan(100), "each is taken within a frame");
+        Assert.That(plans, Is.GreaterThan(100), "each plan is applied within a frame");
         Assert.That(planned, Is.GreaterThan(1000), "frames of the 1500");
     }
 

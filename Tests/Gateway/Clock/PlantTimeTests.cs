@@ -119,7 +119,7 @@ public class PlantTimeTests
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
         await Soon.BecomesAsync(() => gateway.Clock.State == ClockState.Synchronised, "the clock is measured again");
 
-        Assert.That(isServed, Is.True, "the clock is served during a holdover of seconds");
+        Assert.That(isServed, Is.True, "the clock is served during a holdover of some seconds");
         Assert.That(served, Is.InRange(before - bound, after + bound));
         Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "a larger bound would accept any served time");
         Assert.That(gateway.PlantClocks.All, Has.Count.EqualTo(1));

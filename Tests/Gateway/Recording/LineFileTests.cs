@@ -37,7 +37,7 @@ public class LineFileTests
         Assert.That(file.Flush, Throws.InstanceOf<IOException>());
 
         Assert.That(file.Records, Is.EqualTo(whole));
-        Assert.That(disk.Text, Is.EqualTo(string.Concat(Enumerable.Repeat("123456789\n", whole))), "no torn line");
+        Assert.That(disk.Text, Is.EqualTo(string.Concat(Enumerable.Repeat("123456789\n", whole))), "all lines are complete");
         Assert.That(file.Dispose, Throws.Nothing, "it does not try again");
         Assert.That(disk.IsDisposed, Is.True);
     }

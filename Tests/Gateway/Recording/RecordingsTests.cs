@@ -131,7 +131,7 @@ public class RecordingsTests
         var state = await StateAsync(gateway);
         var recording = state.GetProperty("recording");
         Assert.That(recording.GetProperty("problem").GetString(), Does.Contain("was deleted"));
-        Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "nothing of it can be read");
+        Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "no line can be read from a deleted file");
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.EndWith("Start the recording again to write a new file.").And.Not.Contain("Correct"));
         gateway.Recorder.SwitchOn();

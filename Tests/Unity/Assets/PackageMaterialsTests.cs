@@ -40,7 +40,7 @@ public sealed class PackageMaterialsTests
         var text = RepositoryFiles.Read(path);
 
         Assert.That(Regex.Matches(text, @"fileID: 10303\b|fileID: 46, guid: 0000000000000000f"), Is.Empty);
-        Assert.That(Regex.Matches(text, @"guid: 0000000000000000f000000000000000"), Is.Empty, "nothing of Unity's extra resources");
+        Assert.That(Regex.Matches(text, @"guid: 0000000000000000f000000000000000"), Is.Empty, "the file uses none of Unity's extra resources");
     }
 
     [TestCaseSource(nameof(Hierarchies))]

@@ -227,7 +227,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(isKept, Is.False);
         Assert.That(_loader.Problem, Does.StartWith(Saved + ": the latency profile cannot be saved: "));
         Assert.That(_loader.From, Is.EqualTo("an unsaved calibration"));
-        Assert.That(_cell.Messages, Has.None.EndsWith("; from " + Saved), "nothing is there");
+        Assert.That(_cell.Messages, Has.None.EndsWith("; from " + Saved), "no file has been saved");
         Assert.That(VisuMs, Is.EqualTo(47));
     }
 

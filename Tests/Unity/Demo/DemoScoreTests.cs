@@ -71,7 +71,7 @@ public class DemoScoreTests
 
         Assert.That(result.ToolErrorMm.HoldMax, Is.EqualTo(10).Within(1e-9));
         Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(1).Within(1e-4));
-        Assert.That(result.Clock.OffsetErrorUsMax, Is.EqualTo(700), "over all instants after it converged");
+        Assert.That(result.Clock.OffsetErrorUsMax, Is.EqualTo(700), "the maximum is over all times after convergence");
     }
 
     [Test]
@@ -102,7 +102,7 @@ public class DemoScoreTests
         Assert.That(result.Clock.WithinStatedShare, Is.EqualTo(0.3).Within(2e-3));
         Assert.That(result.LatencyMs.AppP50, Is.EqualTo(50));
         Assert.That(result.LatencyMs.AppP95, Is.EqualTo(95));
-        Assert.That(result.LatencyMs.Visu, Is.EqualTo(40), "the true one");
+        Assert.That(result.LatencyMs.Visu, Is.EqualTo(40), "the true L_visu is reported");
     }
 
     [Test]

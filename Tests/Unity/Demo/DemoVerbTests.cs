@@ -71,8 +71,8 @@ public class DemoVerbTests
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         var range = Result().GetProperty("range");
         Assert.That(Names(range), Is.EqualTo("limit_render_ms left_s found_s frames_outside alarms"));
-        Assert.That(range.GetProperty("left_s").GetDouble(), Is.GreaterThan(2.7), "the load comes at 2.67 s");
-        Assert.That(range.GetProperty("found_s").GetDouble(), Is.GreaterThan(6.4), "and goes at 6 s");
+        Assert.That(range.GetProperty("left_s").GetDouble(), Is.GreaterThan(2.7), "the load starts at 2.67 s");
+        Assert.That(range.GetProperty("found_s").GetDouble(), Is.GreaterThan(6.4), "the load ends at 6 s");
         Assert.That(range.GetProperty("alarms").GetInt32(), Is.EqualTo(1));
         Assert.That(run.Output, Does.Contain("alarm: left at").And.Contain("found again at"));
     }

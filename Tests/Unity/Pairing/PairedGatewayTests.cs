@@ -84,7 +84,7 @@ public class PairedGatewayTests
         RestartPlaying();
         await SoonAsync(() => IsConnected, "connected again");
         Assert.That(_pairing.Question, Is.Null);
-        Assert.That(_gateway.Log.Count(line => line.Contains("received a token")), Is.EqualTo(1), "with the token that it had");
+        Assert.That(_gateway.Log.Count(line => line.Contains("received a token")), Is.EqualTo(1), "the headset connects with its stored token");
     }
 
     [Test]

@@ -127,7 +127,7 @@ public class RenderTimeSourceTests
         Play(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.CameraCpu));
-        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "from before the camera to after it");
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "the time spans from before to after the camera's rendering");
         Assert.That(Logged(), Is.EqualTo(new[] { "camera CPU, unverified" }));
     }
 
@@ -170,11 +170,11 @@ public class RenderTimeSourceTests
         Run(2);
 
         Assert.That(before, Is.EqualTo(RangeState.Outside));
-        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few silent frames are none of its end");
+        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few frames without values do not end the use of a source");
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
         Assert.That(Logged().First(), Is.EqualTo("GPU time from headset"));
         Assert.That(Logged().Last(), Is.EqualTo("time to GPU completion"));
-        Assert.That(Logged(), Has.None.Contains("CPU"), "a better one was on its way");
+        Assert.That(Logged(), Has.None.Contains("CPU"), "a source that is about to be replaced is not logged");
         Assert.That(Logged().Count(), Is.LessThanOrEqualTo(3));
     }
 

@@ -80,7 +80,7 @@ public class SessionConnectionTests
         _cell.Player.Pause(true);
 
         Assert.That(session.Session, Is.Null);
-        Assert.That(ended.Ended.IsCompleted, Is.False, "it does not wait for what is stuck");
+        Assert.That(ended.Ended.IsCompleted, Is.False, "disabling the session does not wait for a blocked connection");
         clock.GoOn();
         await ended.Ended.Bounded();
     }

@@ -91,6 +91,6 @@ public class BodyFollowTests
         _follower.gameObject.SetActive(true);
         _cell.Frame(null);
 
-        Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4), "it does not fly across the hall");
+        Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4), "the object is in front of the head at once");
     }
 }

@@ -81,7 +81,7 @@ public class StatusPanelTests
         _played.Panel.Cells = null;
         _played.Run(1);
 
-        Assert.That(before == null, "the old ones are still there");
+        Assert.That(before == null, "the earlier instances are destroyed");
         Assert.That(_played.Row("Pose").Value, Is.Not.Empty);
         Assert.That(_played.Sheet.localScale.x, Is.EqualTo(scale).Within(1e-6));
     }
@@ -150,7 +150,7 @@ public class StatusPanelTests
 
         var allocated = _played.Cell.AllocatedIn(() => _played.Run(4000 / 60.0));
 
-        Assert.That(_played.Texts.Sum(t => t.TextChanges) - changes, Is.GreaterThan(300), "the values do change");
+        Assert.That(_played.Texts.Sum(t => t.TextChanges) - changes, Is.GreaterThan(300), "the values change");
         Assert.That(allocated, Is.EqualTo(0));
     }
 
@@ -214,7 +214,7 @@ public class StatusPanelTests
         _played.Run(0.1);
 
         Assert.That(disabled, Is.All.Empty);
-        Assert.That(_played.Row("L_app").Value, Is.EqualTo("80.0 ms"), "and brings them back at once");
+        Assert.That(_played.Row("L_app").Value, Is.EqualTo("80.0 ms"), "the text is shown again immediately");
     }
 
     [Test]

@@ -284,7 +284,7 @@ namespace Nowpose.Tests.Unity.Status
                         }
                     }
 
-            Assert.That(values.Max(v => LetterWidths.Of(v)), Is.LessThanOrEqualTo(9.3f), "the column is 9.6 font sizes wide");
+            Assert.That(values.Max(v => LetterWidths.Of(v)), Is.LessThanOrEqualTo(9.3f), "each value fits into the column of 9.6 font sizes");
             Assert.That(notes.Max(n => LetterWidths.Of(n)), Is.LessThanOrEqualTo(PanelCells.NoteWidth));
         }
     }

@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 1, _ =>
             {
                 Assert.That(grip.Held, Is.Null);
-                Assert.That(Distance(Find(cell, "box").World, Tool(Shoulder(Open))), Is.LessThan(1e-6), "although its source repeats the old pose");
+                Assert.That(Distance(Find(cell, "box").World, Tool(Shoulder(Open))), Is.LessThan(1e-6), "the object stays although its source repeats the old pose");
                 Assert.That(cell.Session.Frames.StateOf(Find(cell, "box")), Is.EqualTo(PoseState.Current));
             });
         }
