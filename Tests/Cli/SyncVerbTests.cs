@@ -55,7 +55,7 @@ public class SyncVerbTests
 
         Assert.That(run.Lines[0], Is.EqualTo("t_ns,offset_ns,error_bound_ns,state"));
         Assert.That(run.Lines[1], Is.EqualTo("1,,,unsynchronised"));
-        Assert.That(run.Lines[2], Does.StartWith("4000007,-").And.EndWith(",converging"), "equality included");
+        Assert.That(run.Lines[2], Does.StartWith("4000007,-").And.EndWith(",converging"), "an instant equal to t4 includes the exchange");
         Assert.That(run.Lines[3], Does.EndWith(",synchronised"));
         Assert.That(run.Lines[4], Does.EndWith(",holdover"));
     }

@@ -108,7 +108,7 @@ public class SocketFuzzTests
             CancellationToken.None).Bounded();
 
         await Soon.BecomesAsync(() => { Show(session, clock); return session.RobotDescription == RobotFiles.LoadText("youbot"); },
-            $"the honest description, seed {Seed}");
+            $"the valid description, seed {Seed}");
         Assert.That(session.Statistics(clock.Now).Samples, Is.GreaterThan(0), "some samples were accepted");
     }
 

@@ -78,7 +78,7 @@ public sealed class PairingExchangeTests
 
         var newer = await gateway.ShownAsync(isRenewed: true);
 
-        Assert.That((await gateway.ShownAsync()).Token, Is.EqualTo(newer.Token), "it stays until it is used");
+        Assert.That((await gateway.ShownAsync()).Token, Is.EqualTo(newer.Token), "the code is shown until it is used");
         Assert.That((await gateway.ExchangeAsync(former.Token)).Token, Is.Null);
         Assert.That((await gateway.ExchangeAsync(newer.Token)).Token, Is.Not.Null);
     }

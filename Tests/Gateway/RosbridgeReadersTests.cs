@@ -33,7 +33,7 @@ public class RosbridgeReadersTests
 
         Assert.That(received, Is.Ordered);
         Assert.That(received.Count, Is.EqualTo(sent - gateway.Drops[DropReason.SlowReader]));
-        Assert.That(received[^1], Is.EqualTo(sent), "never the newest");
+        Assert.That(received[^1], Is.EqualTo(sent), "the newest sample is never dropped");
     }
 
     [Test]
@@ -125,7 +125,7 @@ public class RosbridgeReadersTests
         }
 
         await raw.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes("""{"op":"dance"}"""));
-        await Soon.BecomesAsync(() => gateway.Drops[DropReason.UnknownOp] == 1, "read");
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.UnknownOp] == 1, "the request is processed");
         Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(1));
     }
 

@@ -128,7 +128,7 @@ public class RosbridgeConnectionTests
         _played.Listener.FailDiagnostics = true;
         await _played.Server.AcceptStreamAsync();
 
-        await Soon.BecomesAsync(() => _played.Client.Status.Detail.Contains("no diagnostics today"), "the reason");
+        await Soon.BecomesAsync(() => _played.Client.Status.Detail.Contains("no diagnostics today"), "the status contains the reason");
         _played.Listener.FailDiagnostics = false;
         await Send(await _played.Server.AcceptAsync(), Good);
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "a message over the new connection");
@@ -161,7 +161,7 @@ public class RosbridgeConnectionTests
         Assert.That(RosbridgeReader.TryRead(await NextAsync(socket, "publish", RosTopics.Displayed), out var message, out _), Is.True);
         Assert.That(message.Displayed.FrameId, Is.EqualTo("left door"));
         Assert.That(message.Displayed.Positions, Is.EqualTo(new[] { 0.5 }));
-        Assert.That(message.JointState, Is.Null, "it is not a sample of the robot");
+        Assert.That(message.JointState, Is.Null, "a displayed pose is not a sample of the robot");
     }
 
     [Test]

@@ -37,7 +37,7 @@ public class CellReaderAllocationTests
         var before = GC.GetAllocatedBytesForCurrentThread();
         for (var i = 0; i < Rounds; i++) ReadAll(reader, texts);
 
-        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.LessThan(Rounds), "less than a byte per round");
+        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.LessThan(Rounds), "reading allocates less than a byte per round");
     }
 
     static void ReadAll(RosbridgeReader reader, byte[][] texts)

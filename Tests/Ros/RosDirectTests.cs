@@ -211,7 +211,7 @@ public class RosDirectTests
 
         _session.Connect();
 
-        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("use_sim_time") && _session.SyncLink.Detail.Contains("/clock"), "said");
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("use_sim_time") && _session.SyncLink.Detail.Contains("/clock"), "the link states the reason");
     }
 
     [Test]
@@ -220,7 +220,7 @@ public class RosDirectTests
         Start(RosFlavour.Ros2);
         _rosbridge.IsMute = true;
 
-        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not answer within 2 s"), "said");
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not answer within 2 s"), "the link states the reason");
 
         _rosbridge.IsMute = false;
         await SynchronisedAsync();

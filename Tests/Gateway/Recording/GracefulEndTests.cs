@@ -34,7 +34,7 @@ public class GracefulEndTests
         var reading = ReadAsync(client, seen);
         using var enough = new CancellationTokenSource();
         var writing = WriteAsync(client, enough.Token);
-        await Soon.BecomesAsync(() => { lock (seen) return seen.Count > 200; }, "messages come back");
+        await Soon.BecomesAsync(() => { lock (seen) return seen.Count > 200; }, "the client receives messages");
 
         var ended = await gateway.SignalAsync(signal).Bounded();
 

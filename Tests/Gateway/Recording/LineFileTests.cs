@@ -38,7 +38,7 @@ public class LineFileTests
 
         Assert.That(file.Records, Is.EqualTo(whole));
         Assert.That(disk.Text, Is.EqualTo(string.Concat(Enumerable.Repeat("123456789\n", whole))), "all lines are complete");
-        Assert.That(file.Dispose, Throws.Nothing, "it does not try again");
+        Assert.That(file.Dispose, Throws.Nothing, "Dispose does not write again");
         Assert.That(disk.IsDisposed, Is.True);
     }
 

@@ -123,7 +123,7 @@ public class RecordingsTests
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
-        await Soon.BecomesAsync(() => File.Exists(gateway.Recorder.Path), "it is made");
+        await Soon.BecomesAsync(() => File.Exists(gateway.Recorder.Path), "the recording exists");
 
         File.Delete(gateway.Recorder.Path);
 
@@ -152,7 +152,7 @@ public class RecordingsTests
         await Soon.BecomesAsync(
             () => StateAsync(gateway).Result.GetProperty("events").EnumerateArray().Any(
                 one => one.GetProperty("which").GetString() == name && one.GetProperty("what").GetString() == "was deleted"),
-            "it is an event");
+            "the deletion is an event");
         Assert.That((await StateAsync(gateway)).GetProperty("recording").GetProperty("deleted").GetBoolean());
         Assert.That((await StateAsync(gateway)).GetProperty("recording").TryGetProperty("problem", out _), Is.False);
     }

@@ -104,7 +104,7 @@ public class WrongTokenTests
         for (var i = 1; i <= 10 * PairingLimits.WrongCodesPerMinute; i++)
         {
             held.Add(AskAsync(gateway, $"guess {i}", guesses.Token));
-            await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Token] == i, "judged");
+            await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Token] == i, "the wrong token is counted");
         }
 
         Assert.That((await AskAsync(gateway, valid)).Status, Is.EqualTo(HttpStatusCode.OK));

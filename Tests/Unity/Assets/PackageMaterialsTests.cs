@@ -72,7 +72,7 @@ public sealed class PackageMaterialsTests
                 || (appearance.TryGetComponent<TrackedObject>(out var tracked) && tracked.Shows == RigPose.Held);
 
             Assert.That(appearance.Shown("_substitute"), Is.SameAs(Load(isGhost ? "Ghost" : "Hologram")), appearance.name);
-            Assert.That(appearance.NeedsSubstitute, Is.False, "the package's own parts can show it themselves");
+            Assert.That(appearance.NeedsSubstitute, Is.False, "the package's own materials can show the state");
         }
     }
 

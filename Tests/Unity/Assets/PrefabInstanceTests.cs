@@ -207,7 +207,7 @@ public sealed class PrefabInstanceTests
         var scene = UnityEngine.SceneManagement.SceneManager.GetActiveScene();
         Assert.That((scene.name, scene.path), Is.EqualTo(("Two", "Assets/Two.unity")));
         Assert.That(scene.GetRootGameObjects().Select(g => g.name), Is.EqualTo(new[] { "First", "Between", "Second" }));
-        Assert.That(scene.GetRootGameObjects()[1].activeInHierarchy, Is.False, "as prepared");
+        Assert.That(scene.GetRootGameObjects()[1].activeInHierarchy, Is.False, "the object is inactive, as in the file");
         Assert.That(scene.GetRootGameObjects()[2].activeInHierarchy, Is.True);
     }
 

@@ -146,7 +146,7 @@ public sealed class LatencyProfileLoaderTests
         _cell.Player.World.Gpu.DisplayHz = 90;
         _cell.Run(2, _session);
 
-        Assert.That(before, Is.EqualTo(51), "not compared while it was not known");
+        Assert.That(before, Is.EqualTo(51), "the rate is not compared while it is unknown");
         Assert.That(VisuMs, Is.EqualTo(40));
         Assert.That(_loader.Problem, Does.EndWith(
             "latency profile was measured at 60 Hz, but this display shows 90 Hz; calibrate at this refresh rate"));

@@ -21,7 +21,7 @@ public class DemoLoadTests
         Assert.That(range.FoundS, Is.InRange(15, 16), "the load ends at 15 s");
         Assert.That(
             score.Range.VisualisationMs(isOutside: true), Is.GreaterThan(score.Range.VisualisationMs(isOutside: false) + 15), "frames miss a refresh");
-        Assert.That(score.Result().Hindcast.Reduction, Is.Null, "the headset does not see when these frames appear");
+        Assert.That(score.Result().Hindcast.Reduction, Is.Null, "the headset cannot measure when these frames appear");
         Assert.That(score.Result().Hindcast.ReductionText, Does.StartWith("withheld"));
         Assert.That(score.Range.RmsOutsideMm, Is.GreaterThan(1.5 * score.Range.RmsInTimeMm.Value), "the error is larger than for the same frames shown in time");
         Assert.That(WhileLoaded(score, run), Is.GreaterThan(1.5 * WhileLoaded(seed)), "than the same motion without a load");

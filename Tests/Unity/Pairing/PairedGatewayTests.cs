@@ -60,7 +60,7 @@ public class PairedGatewayTests
     async Task PairAsync()
     {
         _shown.Texts.Add(_gateway.CellCode().Text);
-        await SoonAsync(() => _pairing.Question != null, "asked");
+        await SoonAsync(() => _pairing.Question != null, "a question appears");
         _pairing.Accept();
         _shown.Texts.Add((await _gateway.ShownAsync()).Text);
         await SoonAsync(() => IsConnected, "connected");
@@ -109,7 +109,7 @@ public class PairedGatewayTests
         var used = await _gateway.ShownAsync();
         await _gateway.ExchangeAsync(used.Token, "another headset");
         _shown.Texts.Add(_gateway.CellCode().Text);
-        await SoonAsync(() => _pairing.Question != null, "asked");
+        await SoonAsync(() => _pairing.Question != null, "a question appears");
         _pairing.Accept();
 
         _shown.Texts.Add(used.Text);

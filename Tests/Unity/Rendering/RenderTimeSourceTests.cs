@@ -69,7 +69,7 @@ public class RenderTimeSourceTests
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
         Assert.That(Logged(), Is.EqualTo(new[] { "GPU time from headset" }), "once");
-        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "they are not needed");
+        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "no readback is requested");
     }
 
     [TestCase(null)]

@@ -56,7 +56,7 @@ public sealed class DisplayCalibrationTests
                 _cell.Frame(_session);
                 return _sweep.Verdict != null;
             },
-            "the sweep is judged");
+            "the sweep is evaluated");
 
         var rows = SweepTable.Read(_sweep.Path, out _);
         Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.SupersetOf(new[] { 0, 150_000, 300_000 }));

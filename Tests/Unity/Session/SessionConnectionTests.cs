@@ -56,7 +56,7 @@ public class SessionConnectionTests
         session.Connect();
         var tries = 0;
         var status = default(LinkStatus);
-        await SoonAsync(session, () => (tries += Changed(session.Session.SampleLink, ref status) ? 1 : 0) >= 4, "four tries");
+        await SoonAsync(session, () => (tries += Changed(session.Session.SampleLink, ref status) ? 1 : 0) >= 4, "four connection attempts");
         await SoonAsync(session, () => session.Session.SyncLink.State == LinkState.Waiting, "waiting");
         _cell.Frame(null);
 

@@ -128,7 +128,7 @@ namespace Nowpose.Tests.Core.Frames
             tree.Evaluate(At(0));
 
             Assert.That((FrameOf(tree, "a").World.X, FrameOf(tree, "b").World.X), Is.EqualTo((-1.0, 1.0)));
-            Assert.That(FrameOf(tree, "c").State, Is.EqualTo(FrameState.Orphan), "no robot without a namespace is there");
+            Assert.That(FrameOf(tree, "c").State, Is.EqualTo(FrameState.Orphan), "no robot without a namespace exists");
         }
 
         [Test]

@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction
             var accelerations = Each(t => 20 * Math.Pow(t, 3) - 24 * t * t + 2);
 
             Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities, accelerations), motion), Is.LessThan(1e-12));
-            Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities), motion), Is.GreaterThan(1e-3), "cubics are not");
+            Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities), motion), Is.GreaterThan(1e-3), "cubics are not exact");
         }
 
         [Test]

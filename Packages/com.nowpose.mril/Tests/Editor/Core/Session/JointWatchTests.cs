@@ -205,7 +205,7 @@ namespace Nowpose.Tests.Core.Session
 
             Report(simulated, "grip", JointDataState.Stale);
 
-            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "a gripper may send samples only when it moves");
+            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "a joint of the gripper without samples does not make the pose stale");
             Assert.That(StatisticsOf(simulated).JointStatuses.Single().State, Is.EqualTo(JointDataState.Stale));
             Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("grip"));
         }
