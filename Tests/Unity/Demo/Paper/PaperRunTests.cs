@@ -183,8 +183,8 @@ public class PaperRunTests
             Assert.That(claim.Measured, Is.EqualTo(number).Within(1).Percent, $"seed {seed}: {claim.Claim}");
     }
 
-    // The own fit detects an error of the estimator, which is not visible with the written estimates. RANSAC selects its lines at random, so the two
-    // fits differ by up to 0.05 ms, and one exchange of a hundred can be on the other side of 1 ms.
+    // The separate fit detects an error of the estimator that would not be visible with the written estimates. RANSAC selects its lines at random, so
+    // the two fits differ by up to 0.05 ms, and one exchange of a hundred can be on the other side of 1 ms.
     [Test]
     public void Paper_FittingErrors_AgreeWithAFitToTheWrittenTimestamps([Values(1, 4)] int seed)
     {
