@@ -14,7 +14,7 @@ static class HeadMotionMessages
     public static string TooFewTurns(int turns) => $"the headset changed direction {turns} times; turn it at least twice in each direction";
 
     public static string NotWorldLocked(double ratio) =>
-        FormattableString.Invariant($"the hologram moves {ratio:0.0} px while the control code moves 1 px; both must stay at the same ")
+        FormattableString.Invariant($"the hologram moves {ratio:0.0} px while the control code moves 1 px; both must stay in the same ")
         + "place in the room: disable Body Follow, and place the headset's code at the distance of the control code";
 
     public const string NoProfile =

@@ -97,7 +97,7 @@ public class PlayedObjectTests : PlayedParts
         AssertAt(lid.transform, fixture.transform, Along(0.05));
         Assert.That(fixture.GetComponent<PoseAppearance>().Look.IsHatched, Is.False);
 
-        // Simulates a new run of the application, with the base at another place.
+        // Simulates a new run of the application, with the base in another place.
         var place = anchor.transform.InverseTransformPoint(fixture.transform.position);
         _cell.Dispose();
         Begin();

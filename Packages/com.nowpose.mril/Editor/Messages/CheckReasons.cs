@@ -57,7 +57,7 @@ namespace Nowpose.Editor.Messages
         public const string InternetClient = "Needed to connect to a gateway on another network or by its public address.";
         public const string PrivateNetwork = "Needed to connect to a gateway on the same private network, which is the usual case.";
         public const string WebCam = "Needed to find the robot's base by a marker with the headset's camera.";
-        public const string SpatialPerception = "Needed to keep the robot's base at its place in the room.";
+        public const string SpatialPerception = "Needed to keep the robot's base in its place in the room.";
         public const string VoiceCapability = "Needed for the voice commands.";
         public const string InputSystem = "OpenXR provides the poses of head and controllers through the Input System.";
         public const string OpenXr = "Unity's interface to the headset.";
