@@ -49,7 +49,7 @@ public class StatusPanelTests
         Assert.That(
             _played.Text("Message 0").Replace('\n', ' '), Does.Match(@"^! joints shoulder_pan_joint, .*wrist_3_joint: no data since \d\d:\d\d:\d\d$"));
         Assert.That(
-            _played.Cell.Messages, Has.Some.Match(@"joint positions are stale; the pose is held: joints shoulder_pan_joint, .*: no data since 0 s"));
+            _played.Cell.Messages, Has.Some.Match(@"joint positions are stale; the pose is held: joints shoulder_pan_joint, .*: no data for 0 s"));
     }
 
     [Test]

@@ -5,6 +5,6 @@ namespace Nowpose.Messages
     {
         public const string OtherSourceLimit = "limit is for another source";
         public const string RenderTimeNotMeasured = "render time not measured";
-        public const string ValuesUnusable = "values cannot be used";
+        public const string ValuesUnusable = "no usable values";
     }
 }
