@@ -179,7 +179,7 @@ public sealed partial class MessageCatalogueTests
         + @"|\b(?:names are|Its topics|available (?:to|under)|begins with)\b|\bfrom \S+ to \S+")]
     private static partial Regex Allowed();
 
-    // Two blanks within a line, a blank before a punctuation mark, a brace of a format, or an empty text.
+    // Two spaces within a line, a space before a punctuation mark, a brace of a format, or an empty text.
     [GeneratedRegex(@"\S  +\S| [,;:.](?!\w)|[{}]|^\s*$|;\s*;")]
     private static partial Regex Gap();
 }

@@ -84,7 +84,7 @@ sealed partial class SourceTexts
         }
     }
 
-    // Skips comments, directives, blanks and character literals.
+    // Skips comments, directives, white space and character literals.
     bool Skip()
     {
         var skipped = Blank().Match(_source, _at);
