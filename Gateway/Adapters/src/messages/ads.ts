@@ -18,7 +18,8 @@ export const adsMessages = {
   notSecure:
     "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and impersonate the PLC",
   notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; switch it to RUN mode so that the adapter can read`,
-  stopped: (netId: string, state: string) => `TwinCAT at ${netId} has changed to ${state} mode; switch it to RUN mode so that the adapter can read again`,
+  stopped: (netId: string, state: string) =>
+    `TwinCAT at ${netId} has changed to ${state} mode; switch it to RUN mode so that the adapter can read again`,
   noRouter: (host: string, port: number, code: string) =>
     `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router is running there and that its firewall allows TCP port ${port}`,
   noRuntime: (port: number, netId: string) =>

@@ -25,14 +25,17 @@ export const rtdeMessages = {
   oldProtocol: (place: string) => `${place} supports RTDE protocol version 1 only; version 2 is required, so update the controller's software`,
   noRecipe: (place: string) => `${place} does not answer the request for the output recipe; if this happens again, restart the controller`,
   notStarted: (place: string) => `${place} does not start sending data; if this happens again, restart the controller`,
-  damaged: (place: string) => `the data stream from ${place} is corrupt; the adapter connects again. If this happens again, check the robot's network`,
+  damaged: (place: string) =>
+    `the data stream from ${place} is corrupt; the adapter connects again. If this happens again, check the robot's network`,
   endedBeforeAnswer: (problem: string) => `${problem} before it answered; if other programs read this robot over RTDE, stop one of them`,
-  endedWhileReading: (problem: string) => `${problem}; check whether the controller was switched off or restarted. The adapter continues when the controller answers`,
+  endedWhileReading: (problem: string) =>
+    `${problem}; check whether the controller was switched off or restarted. The adapter continues when the controller answers`,
   silent: (place: string, seconds: number) =>
     `nothing has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
   halfPackage: (place: string, seconds: number) =>
     `only part of a package has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
-  invalidData: (place: string, problem: string) => `${place} sends ${problem}; the adapter connects again. If this happens again, update the controller's software`,
+  invalidData: (place: string, problem: string) =>
+    `${place} sends ${problem}; the adapter connects again. If this happens again, update the controller's software`,
   restarted: (before: number, after: number) =>
     `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${after.toFixed(1)} s; the adapter connects again`,
   message: (text: string) => `message of the controller: ${text}`,
