@@ -80,7 +80,7 @@ namespace Nowpose.Messages
         public const string NotAWebSocket = "the server does not accept the WebSocket request; check that it is a gateway";
 
         public static string OtherVersion(string name, string version, string self, string ownVersion) =>
-            $"{name} has version {version}, {self} has {ownVersion}; install the same version";
+            $"{name} has version {version}, but {self} has {ownVersion}; install the same version of both";
 
         public const string Lost = "the connection was lost";
 
