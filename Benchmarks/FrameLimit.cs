@@ -7,7 +7,7 @@ static class FrameLimit
 {
     const double Nanoseconds = 1e6;
 
-    /// <returns>A line that names the exceeded limit; null if the limit is kept or was not measured.</returns>
+    /// <returns>A line that names the exceeded limit; null if the limit is met or if nothing was measured.</returns>
     public static string Exceeded(IEnumerable<Summary> summaries)
     {
         foreach (var report in summaries.SelectMany(summary => summary.Reports))

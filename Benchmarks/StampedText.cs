@@ -7,7 +7,7 @@ namespace Nowpose.Benchmarks;
 /// <summary>The bytes of a JSON message of seven joints. Its time stamp is changed in place, so that the message is formatted only once.</summary>
 sealed class StampedText
 {
-    // Maximum lengths of the two parts of a time stamp. Shorter ones are padded with blanks, which JSON allows.
+    // Maximum lengths of the two parts of a time stamp. Shorter ones are padded with spaces, which JSON allows.
     const int SecondsLength = 10, NanosecondsLength = 9;
     static readonly ControlTime Longest = ControlTime.FromSeconds(4_000_000_000) + TimeSpan.FromMilliseconds(500);
 

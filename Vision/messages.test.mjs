@@ -18,5 +18,5 @@ describe('the message catalogue of the picture search', () => {
     it(`has a well-formed text ${name}`, () => assert.deepEqual(faultsIn(text, false), [], text));
 
   it('states the size of a picture and the maximum', () =>
-    assert.match(messages.pictureMessages.tooLarge(20000, 15000, 120), /20000x15000.*120 megapixels: make the picture smaller$/));
+    assert.match(messages.pictureMessages.tooLarge(20000, 15000, 120), /20000x15000.*120 megapixels: reduce the resolution$/));
 });

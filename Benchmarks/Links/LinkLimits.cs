@@ -24,7 +24,7 @@ static class LinkLimits
     };
 
     /// <param name="runs">All runs of one profile.</param>
-    /// <returns>One line for each limit that was not kept.</returns>
+    /// <returns>One line for each limit that was not met.</returns>
     public static IEnumerable<string> Missed(IReadOnlyList<LinkResult> runs)
     {
         var profile = runs[0].Profile;

@@ -6,7 +6,7 @@ sealed record LoadResult(
     double ForwardP50Ms, double ForwardP99Ms, double ForwardMaxMs, double SyncErrorP50Us, double SyncErrorP95Us, double TruthBoundUs,
     double MemoryMeanMib, double MemoryMaxMib, double MemoryDeviation, double GatewayCores, double ToolCores)
 {
-    /// <summary>Name of the limit that the gateway exceeds; null if it keeps all limits.</summary>
+    /// <summary>Name of the limit that the gateway exceeds; null if it meets all limits.</summary>
     public string Break =>
         ForwardP99Ms >= LoadLimits.ForwardingP99.TotalMilliseconds ? "forwarding P99"
         : Lost > 0 ? "lost samples"

@@ -51,7 +51,7 @@ sealed class PathCell
 
     double MaxSkewPpm => Math.Max(MinSkewLimitPpm, SkewFactor * _ownSkewPpm);
 
-    /// <summary>One line for each limit that is not kept; empty if all limits are kept.</summary>
+    /// <summary>One line for each limit that is not met; empty if all limits are met.</summary>
     public IEnumerable<string> Missed
     {
         get
@@ -66,7 +66,7 @@ sealed class PathCell
 
     /// <summary>
     /// Gets the error and its physical limit, the deviation of the skew, the minimum share within the stated error, and the mean stated error, in
-    /// bold type if a limit is not kept.
+    /// bold type if a limit is not met.
     /// </summary>
     public override string ToString()
     {

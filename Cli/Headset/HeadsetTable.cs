@@ -39,7 +39,7 @@ static class HeadsetTable
     }
 
     static string JointOf(HeadsetResult.JointResult joint) =>
-        joint.State + (joint.SinceS == null ? "" : " since " + Text(joint.SinceS, "0", " s")) + (joint.Reason.Length == 0 ? "" : ": " + joint.Reason);
+        joint.State + (joint.SinceS == null ? "" : " for " + Text(joint.SinceS, "0", " s")) + (joint.Reason.Length == 0 ? "" : ": " + joint.Reason);
 
     static void AddStretch(Action<string, string> row, int number, HeadsetResult.StretchResult stretch)
     {

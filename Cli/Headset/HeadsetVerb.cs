@@ -27,7 +27,7 @@ static class HeadsetVerb
     };
     static readonly Option<bool> InsecureLan = new("--insecure-lan")
     {
-        Description = "Allow unencrypted connections to another machine; use only in a trusted network",
+        Description = "Allow unencrypted connections to another machine; use only on a trusted network",
     };
     static readonly Option<string> Name = new("--name") { Description = "Name of this headset", DefaultValueFactory = _ => "headless" };
     static readonly Option<string> Robot = new("--robot") { Description = RobotFiles.Names + " or a .urdf file [default: as the gateway describes it]" };

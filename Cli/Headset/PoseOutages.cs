@@ -16,11 +16,11 @@ sealed class PoseOutages(Action<string> say)
 
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.25);
 
-    /// <summary>Maximum number of reasons of one outage in the result.</summary>
+    /// <summary>Maximum number of reasons for one outage in the result.</summary>
     internal const int MaxReasons = 5;
 
     readonly List<HeadsetResult.OutageResult> _outages = [];
-    // Reasons of the current outage. The first one is often the cause of the others.
+    // Reasons for the current outage. The first one is often the cause of the others.
     readonly List<string> _reasons = [];
     readonly SortedSet<string> _joints = new(StringComparer.Ordinal);
     (string Pose, string Reason)? _reported;

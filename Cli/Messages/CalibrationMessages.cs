@@ -8,8 +8,8 @@ static class CalibrationMessages
         + "repeat both with the same settings";
 
     public static string OtherProfile(string path, string label, string calibrated, string actual) =>
-        $"--profile: {path}: was measured with {label} '{calibrated}', but this measurement has '{actual}'; the values kept from the profile "
-        + "may be wrong: repeat the load sweep";
+        $"--profile: {path} was measured with {label} '{calibrated}', but this measurement has '{actual}'; the values that are kept from the "
+        + "profile may be wrong: repeat the load sweep";
 
     public const string NoSpeed = "--speed-mm-s is missing; allowed: 1 to 10000 mm/s";
 

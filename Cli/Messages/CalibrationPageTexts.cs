@@ -13,7 +13,7 @@ static class CalibrationPageTexts
     public const string OffsetOverSpeed = "Offset of the codes as a function of the speed";
 
     public const string OffsetOverSpeedNote =
-        "The slope is the latency for head motion: at a latency L, the picture is behind by the distance that the head moves in L. Without "
+        "The slope is the latency for head motion: with a latency L, the picture lags by the distance that the head moves during L. Without "
         + "any correction, the latency is L_visu minus the prediction time of the head's pose; with a full correction, the line is horizontal.";
 
     public const string ControlCodeSpeedAxis = "speed of the control code";

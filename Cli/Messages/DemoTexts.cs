@@ -21,7 +21,7 @@ static class DemoTexts
 
     public static string FrameRate(int framesPerSecond) => $"{framesPerSecond} fps, less under load";
 
-    public const string MeasuredReduction = "Reduction as the headset measured it";
+    public const string MeasuredReduction = "Reduction, measured by the headset";
     public const string ApplicationLatency = "Application latency, median and P95";
     public const string ClockError = "Clock offset error, median and P95";
     public const string MaxClockError = "Clock offset error, maximum";
@@ -35,7 +35,7 @@ static class DemoTexts
     public static string Title(string robot, string predictor, string network) =>
         $"{robot}, {predictor}, {network}: error of the tool centre point";
 
-    public const string AsMeasured = "as the headset measured it";
+    public const string AsMeasured = "measured by the headset";
     public const string EstimatedClockErrorRow = "estimated clock offset error";
 
     public static string EstimatedClockErrorMedian(string error, string share) =>

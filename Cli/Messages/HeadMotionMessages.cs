@@ -5,16 +5,16 @@ static class HeadMotionMessages
 {
     public static string TooFewPictures(int pictures, int min) =>
         $"{pictures} pictures are close enough in time to their neighbours to measure a speed; at least {min} are needed: film for ten "
-        + "seconds or more, with 25 pictures a second or more";
+        + "seconds or more, at 25 pictures per second or more";
 
     public static string TooSlow(double pxPerS, double min) =>
         FormattableString.Invariant($"the control code moves at {pxPerS:0} px/s in the pictures; at least {min} px/s are needed: turn ")
         + "headset and camera together to the left and right";
 
-    public static string TooFewTurns(int turns) => $"the headset changes its direction {turns} times; turn it at least twice in each direction";
+    public static string TooFewTurns(int turns) => $"the headset changed direction {turns} times; turn it at least twice in each direction";
 
     public static string NotWorldLocked(double ratio) =>
-        FormattableString.Invariant($"the hologram moves {ratio:0.0} px while the control code moves 1 px; both must stay at the same ")
+        FormattableString.Invariant($"the hologram moves {ratio:0.0} px while the control code moves 1 px; both must stay in the same ")
         + "place in the room: disable Body Follow, and place the headset's code at the distance of the control code";
 
     public const string NoProfile =

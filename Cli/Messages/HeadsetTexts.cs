@@ -10,5 +10,5 @@ static class HeadsetTexts
 
     public static string NotCurrent(string time) => $"frames that were not current: {time}";
     public static string CurrentShare(string share, string from, string to) => $"current for {share} of the frames from {from} to {to}";
-    public static string Reduction(string prefix) => $"{prefix}reduction, as the headset measured it";
+    public static string Reduction(string prefix) => $"{prefix}reduction, measured by the headset";
 }

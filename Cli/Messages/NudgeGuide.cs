@@ -7,7 +7,7 @@ static class NudgeGuide
         How to find L_visu by eye, without camera or LEDs, to about 5 ms:
 
         1. Show the gripper on the robot. When the clock is synchronised, note the L_visu on the panel (--visu-ms, for example 40).
-        2. Move the robot to and fro at a constant speed along one axis of its base (--speed-mm-s, 250 or more).
+        2. Move the robot back and forth at a constant speed along one axis of its base (--speed-mm-s, 250 or more).
         3. While it moves forwards, shift the hologram along that axis (component Latency Nudge, or any slider that moves
            the base) until hologram and tool coincide. Note the offset in mm, positive forwards (--forward-mm).
         4. Do the same while it moves backwards; positive is again forwards (--backward-mm). Repeat both a few times.

@@ -10,7 +10,7 @@ static class OptionValueMessages
         $"{option}: {folder}: cannot be written to: {reason}; check its permissions";
 
     public static string UnknownPredictor(string option, string value, string allowed) =>
-        $"{option}: '{value}' is unknown; allowed: {allowed}, or one with another history h, for example linear-h4.";
+        $"{option}: '{value}' is unknown; allowed: {allowed}, or a polynomial with another history, for example linear-h4.";
 
     public static string TwoLatencies(string option) => $"--profile and {option} both set the display latency; use one of them";
 }

@@ -3,7 +3,7 @@ namespace Nowpose.Cli.Messages;
 /// <summary>The paper's claims as criteria of <c>demo --paper</c>, and reasons for missing results.</summary>
 static class PaperClaimTexts
 {
-    public const string Offset = "The offset is known within 1 ms: P95 of its true error over all frames from 10 s on.";
+    public const string Offset = "The offset is known to within 1 ms: P95 of its true error over all frames from 10 s on.";
     public const string Skew =
         "The skew converges: its RMS error over the last quarter of the run is less than half of its RMS error from 2 to 10 s.";
 
@@ -20,7 +20,7 @@ static class PaperClaimTexts
         + "of the motion.";
 
     public const string Latency =
-        "The end-to-end latency L is known within 4 ms: P95 of |ε_L|, assumed minus true display time, over all frames from 10 "
+        "The end-to-end latency L is known to within 4 ms: P95 of |ε_L|, assumed minus true display time, over all frames from 10 "
         + "s on.";
 
     public const string Reduction = "About 80 % of the error is removed for t < 1.5 s: 1 − RMS with / RMS without compensation; 75 % or more.";
@@ -34,10 +34,10 @@ static class PaperClaimTexts
         $"At {moment} the compensation is clearly visible: the gap to the real gripper is less than half of the gap without (ratio of the "
         + "RMS over the swings).";
 
-    public const string ClockUnknown = "the clock was never known";
+    public const string ClockUnknown = "the clock offset was never known";
     public const string TooShort = "the run was too short";
 
-    public static string ClockKnownFrom(double seconds) => FormattableString.Invariant($"the clock was known only from {seconds:0.0} s on");
+    public static string ClockKnownFrom(double seconds) => FormattableString.Invariant($"the clock offset was known only from {seconds:0.0} s on");
 
     public static string NoSwing(double seconds, double pauseSeconds, double maxSeconds) =>
         FormattableString.Invariant($"no swing after {seconds:0} s has all its frames; the longest pause between frames was ")

@@ -15,7 +15,7 @@ static class PictureMessages
     public static string NoFramesByFfmpeg(string path, string reason) => $"{path}: ffmpeg finds no frames in it: {reason}; film again";
 
     public static string FrameOrder(string path, int frame) =>
-        $"{path}: frame {frame} is not later than the previous one; the times of this video cannot be used, convert it with ffmpeg";
+        $"{path}: frame {frame} is not later than the previous frame, so the times of this video cannot be used; convert the video with ffmpeg";
 
     public static string NoFrames(string path, string reason) => $"{path}: ffprobe finds no frames in it: {reason}; film again";
     public static string NoVideo(string path, string reason) => $"{path}: ffprobe finds no video in it: {reason}; pass a video or pictures";

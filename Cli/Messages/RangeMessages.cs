@@ -19,7 +19,7 @@ static class RangeMessages
         + "around it";
 
     public static string SourceDoesNotRespond(string file, string source, double lowMs, double highMs) =>
-        FormattableString.Invariant($"{file}: this source does not respond to load: at the lowest loads {source} was {lowMs:0.00} ms, at ")
-        + FormattableString.Invariant($"the highest {highMs:0.00} ms; repeat the sweep with another source of the render time, or run ")
+        FormattableString.Invariant($"{file}: this source does not respond to load: {source} was {lowMs:0.00} ms at the lowest loads and ")
+        + FormattableString.Invariant($"{highMs:0.00} ms at the highest; repeat the sweep with another source of the render time, or run ")
         + "calibrate vlc for L_visu without a limit";
 }

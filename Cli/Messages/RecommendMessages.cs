@@ -5,7 +5,7 @@ static class RecommendMessages
 {
     public static string TooFewRows(string path) => $"{path}: has too few rows; a recommendation needs enough rows for two halves";
 
-    public const string GridSets = "--grid sets it; remove one of the two options";
+    public const string GridSets = "--grid also sets this value; remove one of the two options";
 
     public static string RigidBody(string path) =>
         $"{path}: is the recording of a rigid body; recommend reads joints only. Use `replay --predictor NAME` instead";
@@ -14,7 +14,7 @@ static class RecommendMessages
         FormattableString.Invariant($"no joint moves by more than {range:G2} rad or m: a recommendation needs a recording of motion");
 
     public static string Short(double seconds, double minSeconds) =>
-        FormattableString.Invariant($"{seconds:0.0} s is a short recording: the result may be random; record {minSeconds} s or more");
+        FormattableString.Invariant($"the recording is only {seconds:0.0} s long, so the result may be due to chance; record {minSeconds} s or more");
 
     public static string LateStamps(double p5Ms, double p95Ms) =>
         FormattableString.Invariant($"the samples' stamps lie {p5Ms:0.0} to {p95Ms:0.0} ms apart (P5 to P95): late time stamps reduce the ")

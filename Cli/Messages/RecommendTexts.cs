@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Results and reasons of the command <c>recommend</c>.</summary>
+/// <summary>Results of the command <c>recommend</c>, and the reasons for them.</summary>
 static class RecommendTexts
 {
     public static string Recording(string file, double seconds, double intervalMs, string spread, double repeatPercent) =>

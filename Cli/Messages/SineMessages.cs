@@ -30,7 +30,7 @@ static class SineMessages
     public const string NoProfile = "no profile was written: state which part of the lag is L_visu with --app-ms or --visu-ms";
 
     public static string SteppedGhost(double? heldMs, double errorMs) =>
-        FormattableString.Invariant($"the ghost moves every {heldMs:0.##} ms, synchronously with the pictures: the result may be wrong by ")
+        FormattableString.Invariant($"the ghost moves every {heldMs:0.##} ms, in step with the frames of the video: the result may be wrong by ")
         + FormattableString.Invariant($"up to {errorMs:0.0} ms; film the gripper instead (--visu-ms), or film at another frame rate");
 
     public static string StandardError(double deviationMs) =>
@@ -46,8 +46,8 @@ static class SineMessages
         $"{option}: {path} has no column '{column}'; it has {columns}; choose one of these";
 
     public static string TooFewPictures(string path, int pictures, int min) =>
-        FormattableString.Invariant($"{path}: {pictures} pictures show both robot and hologram; at least {min} are needed, and ten seconds ")
-        + "are better";
+        FormattableString.Invariant($"{path}: {pictures} pictures show both robot and hologram; at least {min} are needed; film for ten ")
+        + "seconds or more";
 
     public const string BothWays =
         "--app-ms and --visu-ms exclude each other: film either the ghost, which is not compensated, or the gripper, which is";

@@ -19,7 +19,7 @@ static class SinePageTexts
     public const string Correlation = "Correlation as a function of the lag";
 
     public const string CorrelationNote =
-        "The peak is at the total latency. Between the camera's pictures it is found by a least-squares fit of the robot's position and speed.";
+        "The peak is at the total latency. A least-squares fit of the robot's position and speed finds it more finely than the camera's interval.";
 
     public static string Compensated(double usedMs) =>
         FormattableString.Invariant($"compensated: the remaining lag is the error of the {usedMs:0.##} ms that the headset used");

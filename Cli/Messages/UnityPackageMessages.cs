@@ -6,7 +6,7 @@ static class UnityPackageMessages
     public static string NotAnAddress(string text, string package) =>
         $"--package: '{text}' is neither a git address nor a folder or tarball with the package {package}; pass one of these";
 
-    public const string Owner = "--package: replace OWNER by the name of the account that has your copy of the repository";
+    public const string Owner = "--package: replace OWNER with the name of the account that has your copy of the repository";
     public const string ObjectExpected = "a JSON object is expected";
 
     public static string NotJson(string file, long? line) => FormattableString.Invariant($"{file}:{line}: not a JSON object; correct the line");

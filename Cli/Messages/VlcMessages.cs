@@ -31,7 +31,7 @@ static class VlcMessages
     public static string NoVisuInSweep(int pictures) =>
         $"L_visu cannot be determined from these {pictures} pictures of the sweep; no profile was written; take more pictures";
 
-    public const string OnePicture = "one picture is not enough for a profile; none was written; take 30 or more";
+    public const string OnePicture = "one picture is not enough for a profile, so no profile was written; take 30 or more";
 
     public static string Scatters(double? deviationMs) =>
         FormattableString.Invariant($"L_visu scatters by {deviationMs:0.0} ms, too much for a constant. If the pictures were taken at ")

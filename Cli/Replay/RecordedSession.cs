@@ -14,7 +14,7 @@ sealed class RecordedSession
     /// <summary>Number of values per pose: position, quaternion and time stamp.</summary>
     const int NumbersPerPose = 8;
 
-    // Reasons of dropped samples that reached no predictor in the session. The replay drops these samples, too.
+    // Drop reasons of samples that reached no predictor in the session. The replay drops these samples, too.
     static readonly string[] NeverTaken = ["slow_reader", "stamp_in_future"];
 
     /// <summary>Interval of the simulated frames that replace those of a headset.</summary>

@@ -44,7 +44,7 @@ public sealed class PlantClock
     /// <summary>Number of requests without a usable answer since the start.</summary>
     public long Failures => Interlocked.Read(ref _failures);
 
-    /// <summary>The reason of the newest failure; null if there is none.</summary>
+    /// <summary>The reason for the newest failure; null if there is none.</summary>
     public string LastFailure => _lastFailure;
 
     /// <summary>The current estimate. Φ is this machine's counter minus this clock.</summary>

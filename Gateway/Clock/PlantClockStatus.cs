@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Clock;
 /// <param name="ErrorBound">Bound of the error of this clock's time as computed on this machine.</param>
 /// <param name="Exchanges">Number of usable exchanges since the start.</param>
 /// <param name="Failures">Number of requests without a usable answer since the start.</param>
-/// <param name="LastFailure">The reason of the newest failure; null if there is none.</param>
+/// <param name="LastFailure">The reason for the newest failure; null if there is none.</param>
 public sealed record PlantClockStatus(
     string Name, bool IsConnected, bool IsControlClock, ClockState State, TimeSpan? OffsetToControl, double? SkewPpm,
     TimeSpan RoundTripTime, TimeSpan? EstimatedError, TimeSpan ErrorBound, TimeSpan Resolution, long Exchanges, long Failures, string LastFailure);

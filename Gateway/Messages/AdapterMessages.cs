@@ -15,7 +15,7 @@ static class AdapterMessages
         $"{file}: its plant has the same name '{plant}' as the one in {other}; set another plant.name in one of the two files";
 
     public static string CheckTooSlow(string file, double seconds) =>
-        $"{file}: its check did not end within {seconds} s; try again when the machine is less busy";
+        $"{file}: its check was not finished within {seconds} s; try again when the machine is less busy";
 
     public static string FormerKey(string adapter, string former, string current) =>
         $"adapter {adapter}: reports with the former key {former}NAME, which the next release ignores; update it so that it reports {current}NAME";

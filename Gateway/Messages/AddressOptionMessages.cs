@@ -14,7 +14,7 @@ static class AddressOptionMessages
     public static string PlainBind(IPAddress address) =>
         $"--bind {address}: unencrypted connections from other machines need --insecure-lan; --tls is safer";
 
-    public const string NoPrivateKey = "--certificate: has no private key; use a certificate with its private key";
+    public const string NoPrivateKey = "--certificate: the certificate has no private key; use one with its private key";
 
     public static string SamePorts(string option, int port) => $"{option} {port}: both ports are the same; use two different ports";
     public static string MaxConnections(int value) => $"--max-connections {value}: must be at least 1";

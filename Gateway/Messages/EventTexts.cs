@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Headlines and reasons of events on the operations page.</summary>
+/// <summary>Headlines of events on the operations page, and the reasons for the events.</summary>
 static class EventTexts
 {
     public static string SourceEnded(string source) => $"its source {source} has ended";
@@ -36,7 +36,7 @@ static class EventTexts
     public static string StartedAgain(string end) => $"{end} and is started again";
     public static string NotConnected(string adapter) => $"adapter {adapter} is not connected to its plant";
 
-    public const string OtherVersion = "does not fit this gateway";
+    public const string OtherVersion = "is not compatible with this gateway";
     public const string NoCurrentPose = "shows no current pose";
     public const string HeadsetLost = "its reports stopped without a normal end of the connection";
 

@@ -5,7 +5,7 @@ static class PlantMessages
 {
     public const string SamplingTime = "must be at least one control cycle of 1 ms";
 
-    public static string AcquisitionTime(TimeSpan max) => $"must be from 0 to the maximum, {max}";
+    public static string AcquisitionTime(TimeSpan max) => $"must be between 0 and the maximum, {max}";
 
     public static string ColumnCount(int columns, string names, string robot, int joints) =>
         $"the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; choose a robot with "

@@ -14,7 +14,7 @@ static class StampMessages
     /// <summary>The remedy for a gateway with its own clock; does not apply to the verb simulate.</summary>
     public const string SystemRemedy = "Restart the gateway. With serve --own-clock system, it follows the system clock.";
 
-    public const string FitsSystemClock = ", and that fit the system clock";
+    public const string FitsSystemClock = ", and that match the system clock";
 
     public static string SystemClockCorrected(double seconds) =>
         FormattableString.Invariant($"the system clock was corrected by {seconds:+0.0;-0.0} s since the start, and the gateway's own control clock ")

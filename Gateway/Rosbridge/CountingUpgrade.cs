@@ -27,7 +27,7 @@ sealed class CountingUpgrade(IHttpUpgradeFeature inner) : IHttpUpgradeFeature
     public Task PingAsync(ReadOnlyMemory<byte> payload) => _ping(payload);
 
     /// <summary>Reads and discards the bytes that a client sends after the close frame, until it disconnects or the time is up.</summary>
-    /// <remarks>Closing a socket with unread bytes resets the connection, and the client would not receive the reason of the close.</remarks>
+    /// <remarks>Closing a socket with unread bytes resets the connection, and the client would not receive the reason for the closure.</remarks>
     /// <param name="atMost">Maximum time.</param>
     public async Task DrainAsync(TimeSpan atMost)
     {

@@ -59,7 +59,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
         }
     }
 
-    // Replaces all waiting messages by the newest values of their names.
+    // Replaces all waiting messages with the newest values of their names.
     void ReadAgain(long from)
     {
         var waiting = new List<long>();

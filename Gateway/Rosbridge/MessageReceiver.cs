@@ -45,7 +45,7 @@ sealed class MessageReceiver(
     /// <summary>
     /// Reads and discards messages after <see cref="NextAsync"/> has returned the end, until the client closes the connection or the time is up.
     /// </summary>
-    /// <remarks>Closing a socket with unread bytes resets the connection, and the client might not receive the reason of the close.</remarks>
+    /// <remarks>Closing a socket with unread bytes resets the connection, and the client might not receive the reason for the closure.</remarks>
     /// <param name="atMost">Maximum time.</param>
     public async Task DrainAsync(TimeSpan atMost)
     {

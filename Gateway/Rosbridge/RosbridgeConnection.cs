@@ -60,7 +60,7 @@ sealed class RosbridgeConnection : IDisposable
     }
 
     /// <summary>Serves the client until either side ends the connection.</summary>
-    /// <returns>The reason of the end.</returns>
+    /// <returns>The reason why the connection ended.</returns>
     public async Task<Closure> RunAsync(RosbridgeSession session)
     {
         var replying = PumpAsync(RepliesAsync);

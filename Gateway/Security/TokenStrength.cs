@@ -12,7 +12,7 @@ static class TokenStrength
 
     const int Digits = 10, HexadecimalDigits = 16, MixedHexadecimalDigits = 22, Letters = 26, OtherCharacters = 32;
 
-    /// <summary>A random token contains at least 1 / this value of the different characters possible for its length and alphabet.</summary>
+    /// <summary>Minimum number of different characters of a random token: the number possible for its length and alphabet, divided by this.</summary>
     const int RepetitionShare = 2;
 
     public static double BitsOf(string token)

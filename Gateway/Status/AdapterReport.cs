@@ -16,7 +16,7 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
     public const string SignalPrefix = "signal/";
     public const string UncertainPrefix = "uncertain/";
 
-    /// <summary>The prefix that older adapters use in place of <see cref="UncertainPrefix"/>. Version 0.2 accepts it, the next release ignores it.</summary>
+    /// <summary>The prefix that older adapters use in place of <see cref="UncertainPrefix"/>. Version 0.2 accepts it; the next release ignores it.</summary>
     public const string FormerUncertainPrefix = "doubt/";
 
     const int MaxReasonLength = 300;

@@ -36,7 +36,7 @@ static class Metrics
     static void AddVersions(PrometheusText text, StatusSnapshot state)
     {
         static int Others(IReadOnlyList<JsonObject> clients) => clients.Count(client => !NowposeVersion.Fits(StatusObjects.Word(client, "version")));
-        text.Begin("nowpose_version_mismatches", Gauge, "Headsets and adapters whose version does not fit that of the gateway.")
+        text.Begin("nowpose_version_mismatches", Gauge, "Headsets and adapters whose version is not compatible with that of the gateway.")
             .Add(Others(state.Headsets), ("kind", "headset")).Add(Others(state.Adapters), ("kind", "adapter"));
     }
 

@@ -69,7 +69,7 @@ sealed class ServerArguments
 
     readonly Option<bool> _insecureLan = new("--insecure-lan")
     {
-        Description = "Allow unencrypted connections from other machines. Use it in a trusted network only",
+        Description = "Allow unencrypted connections from other machines. Use it only on a trusted network",
     };
 
     readonly Option<int> _maxConnections = NumberOption.Create("--max-connections", "Maximum number of connections to each of the two ports", 256, 1, 10_000, "");

@@ -13,7 +13,7 @@ public class AutobahnDocumentTests
 
         Assert.That(
             string.Concat(lines.Select(line => line + "\n")), Is.EqualTo(AutobahnDocument.Table()),
-            $"{Document} has another table; it has to be:\n{AutobahnDocument.Table()}");
+            $"{Document} has another table; it must be:\n{AutobahnDocument.Table()}");
     }
 
     [Test]

@@ -36,7 +36,7 @@ public class SyncVerbTests
         Assert.That(run.Lines, Has.Length.EqualTo(201));
         var last = run.Lines[^1].Split(',');
         var t4 = 7 + 199 * 200_000_000L + 4_000_000;
-        Assert.That(last[0], Is.EqualTo(t4.ToString(CultureInfo.InvariantCulture)), "t4 as read, to the nanosecond");
+        Assert.That(last[0], Is.EqualTo(t4.ToString(CultureInfo.InvariantCulture)), "t4 is printed with all its nanoseconds");
         var expected = -ControlEpoch + 199 * 200_000_000L * 50 / 1_000_000;
         Assert.That(long.Parse(last[1], CultureInfo.InvariantCulture) - expected, Is.EqualTo(0).Within(2000));
         Assert.That(double.Parse(last[2], CultureInfo.InvariantCulture), Is.EqualTo(50).Within(0.1));
@@ -55,7 +55,7 @@ public class SyncVerbTests
 
         Assert.That(run.Lines[0], Is.EqualTo("t_ns,offset_ns,error_bound_ns,state"));
         Assert.That(run.Lines[1], Is.EqualTo("1,,,unsynchronised"));
-        Assert.That(run.Lines[2], Does.StartWith("4000007,-").And.EndWith(",converging"), "equality included");
+        Assert.That(run.Lines[2], Does.StartWith("4000007,-").And.EndWith(",converging"), "an instant equal to t4 includes the exchange");
         Assert.That(run.Lines[3], Does.EndWith(",synchronised"));
         Assert.That(run.Lines[4], Does.EndWith(",holdover"));
     }
@@ -213,7 +213,7 @@ public class SyncVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors, Does.Contain(reason));
-        Assert.That(File.ReadAllText(log), Is.EqualTo(Log(200)), "nothing is lost");
+        Assert.That(File.ReadAllText(log), Is.EqualTo(Log(200)), "the log is unchanged");
         Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(1));
     }
 

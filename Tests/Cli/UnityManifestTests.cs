@@ -46,7 +46,7 @@ public class UnityManifestTests
         Assert.That(check.Errors, Does.Contain("without --check this would fail: " + manifest + ": the file is read-only"));
         Assert.That(writable.Errors, Is.Empty);
         Assert.That(project.Manifest, Is.EqualTo(Empty));
-        Assert.That(Directory.Exists(project.At("Assets")), Is.False, "nothing of the rest is done");
+        Assert.That(Directory.Exists(project.At("Assets")), Is.False, "no other step is executed");
     }
 
     [Test]
@@ -129,7 +129,7 @@ public class UnityManifestTests
         Assert.That(bytes.Take(mark.Length), Is.EqualTo(mark));
         Assert.That(after.Replace(newLine, "", StringComparison.Ordinal), Does.Not.Contain('\n').And.Not.Contain('\r'));
         Assert.That(after, Does.Contain($"{newLine}{indent}{indent}\"org.nuget.mathnet.numerics\": \"5.0.0\"{newLine}{indent}}},{newLine}"));
-        Assert.That(after, Does.EndWith(newLine + "}"), "no line end is added behind the last brace");
+        Assert.That(after, Does.EndWith(newLine + "}"), "no line end is added after the last brace");
         foreach (var line in text.Split(newLine).Where(l => l.Contains(':', StringComparison.Ordinal)))
             Assert.That(after, Does.Contain(newLine + line.TrimEnd(',')));
     }

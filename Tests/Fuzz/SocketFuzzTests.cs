@@ -108,8 +108,8 @@ public class SocketFuzzTests
             CancellationToken.None).Bounded();
 
         await Soon.BecomesAsync(() => { Show(session, clock); return session.RobotDescription == RobotFiles.LoadText("youbot"); },
-            $"the honest description, seed {Seed}");
-        Assert.That(session.Statistics(clock.Now).Samples, Is.GreaterThan(0), "some were taken");
+            $"the valid description, seed {Seed}");
+        Assert.That(session.Statistics(clock.Now).Samples, Is.GreaterThan(0), "some samples were accepted");
     }
 
     static void Show(CompensationSession session, IHeadsetClock clock)

@@ -46,7 +46,7 @@ public class BrokerBridgeTests
         TestContext.Out.WriteLine($"bound of the other hall's clock {bound.TotalMilliseconds:0.000} ms");
         Assert.That(state.Names, Is.EqualTo(new[] { "a" }));
         Assert.That(state.Positions, Is.EqualTo(new[] { 0.25 }));
-        Assert.That(state.Stamp, Is.InRange(PlantStart, after), "the plant's own stamp");
+        Assert.That(state.Stamp, Is.InRange(PlantStart, after), "the sample has the stamp of the plant's clock");
         Assert.That(bound, Is.GreaterThan(TimeSpan.Zero).And.LessThan(TimeSpan.FromSeconds(1)));
         Assert.That(ControlTime.FromNanoseconds(reply.T2Ns), Is.InRange(before - bound, after + bound));
     }

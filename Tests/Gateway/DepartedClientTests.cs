@@ -52,7 +52,7 @@ public class DepartedClientTests
             await sync.ReceiveAsync();
         }
 
-        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all gone");
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0 && gateway.WebSocketConnections.Open == 0, "all connections are closed");
         Assert.That(gateway.Hub.Topics, Is.EqualTo(topics));
         Assert.That(gateway.WatchedTokens, Is.Zero);
         await Soon.BecomesAsync(() => gateway.PendingCount == 0, "no connection is counted");

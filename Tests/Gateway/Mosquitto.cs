@@ -34,7 +34,7 @@ sealed class Mosquitto : IDisposable
             // Another program has taken the port in the meantime. Any other reason is an error.
             var output = await broker._process.StandardError.ReadToEndAsync();
             broker.Dispose();
-            Assert.That(output, Does.Contain("in use"), "why mosquitto ended");
+            Assert.That(output, Does.Contain("in use"), "the output contains the reason why mosquitto ended");
         }
     }
 

@@ -54,7 +54,7 @@ public sealed class PairingExchangeTests
         Assert.That(answers.Count(answer => answer.Token != null), Is.EqualTo(1));
         Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.Problem), Is.All.Contains("was used or is too old"));
         Assert.That(answers.Where(answer => answer.Token == null).Select(answer => answer.IsWorthRetrying), Is.All.False);
-        Assert.That((await gateway.ShownAsync()).Token, Is.Not.EqualTo(code.Token), "another one is shown");
+        Assert.That((await gateway.ShownAsync()).Token, Is.Not.EqualTo(code.Token), "another code is shown");
     }
 
     [TestCase(299, true)]
@@ -78,7 +78,7 @@ public sealed class PairingExchangeTests
 
         var newer = await gateway.ShownAsync(isRenewed: true);
 
-        Assert.That((await gateway.ShownAsync()).Token, Is.EqualTo(newer.Token), "it stays until it is used");
+        Assert.That((await gateway.ShownAsync()).Token, Is.EqualTo(newer.Token), "the code is shown until it is used");
         Assert.That((await gateway.ExchangeAsync(former.Token)).Token, Is.Null);
         Assert.That((await gateway.ExchangeAsync(newer.Token)).Token, Is.Not.Null);
     }
@@ -120,7 +120,7 @@ public sealed class PairingExchangeTests
 
         Assert.That(answer.Problem, Does.Contain("its pin is"));
         Assert.That(answer.IsWorthRetrying, Is.True);
-        Assert.That((await gateway.ExchangeAsync(code.Token)).Token, Is.Not.Null, "the code was not used up");
+        Assert.That((await gateway.ExchangeAsync(code.Token)).Token, Is.Not.Null, "the code is still valid");
     }
 
     [Test]

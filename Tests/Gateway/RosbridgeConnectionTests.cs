@@ -43,7 +43,7 @@ public class RosbridgeConnectionTests
 
         for (var i = 0; i < 100; i++)
             StartAndEnd();
-        await Soon.BecomesAsync(() => { StartAndEnd(); return connection.Pumps < 10; }, "forgotten");
+        await Soon.BecomesAsync(() => { StartAndEnd(); return connection.Pumps < 10; }, "completed pumps are removed");
     }
 
     [Test]
@@ -62,9 +62,9 @@ public class RosbridgeConnectionTests
             source.TryPublish(Gateways.State(i, "a"));
         }
 
-        await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
+        await Soon.BecomesAsync(() => socket.Sends == 1, "the first message is being sent");
         Assert.That(connection.Pumps, Is.EqualTo(1));
-        Assert.That(drops[DropReason.SlowReader], Is.EqualTo(Changes - 2), "all but the message that is being sent and the message that waits");
+        Assert.That(drops[DropReason.SlowReader], Is.EqualTo(Changes - 2), "all messages are dropped except the one being sent and the one waiting");
     }
 
     [Test]
@@ -78,7 +78,7 @@ public class RosbridgeConnectionTests
         // The time of arrival is in the future, so that no sample becomes too old.
         var receivedAt = Stopwatch.GetTimestamp() + (3600 * Stopwatch.Frequency);
         for (var i = 0; i < 5; i++) source.TryPublish(Gateways.State(i, "a"), receivedAt);
-        await Soon.BecomesAsync(() => socket.Sends == 1, "the first is being sent");
+        await Soon.BecomesAsync(() => socket.Sends == 1, "the first message is being sent");
         former.Dispose();
         using var next = Subscribe(RosTopics.JointStates);
         connection.Start(next);

@@ -33,7 +33,7 @@ public class RosbridgeReadersTests
 
         Assert.That(received, Is.Ordered);
         Assert.That(received.Count, Is.EqualTo(sent - gateway.Drops[DropReason.SlowReader]));
-        Assert.That(received[^1], Is.EqualTo(sent), "never the newest");
+        Assert.That(received[^1], Is.EqualTo(sent), "the newest sample is never dropped");
     }
 
     [Test]
@@ -88,7 +88,7 @@ public class RosbridgeReadersTests
         }
 
         var ages = readers.Select(reader => reader.MaxAge.TotalSeconds).ToArray();
-        Assert.That(ages, Has.All.InRange(interval.TotalSeconds, 1.0), "age in s: small and standard receive buffer");
+        Assert.That(ages, Has.All.InRange(interval.TotalSeconds, 1.0), "age in s with a small and a standard receive buffer");
         Assert.That(readers.Select(reader => reader.Pongs), Has.All.GreaterThan(1));
         await Soon.BecomesAsync(() => Array.TrueForAll(readers, reader => ReadRest(reader, now)), "the newest is read");
         Assert.That(readers.Sum(reader => reader.Samples), Is.EqualTo((readers.Length * Samples) - gateway.Drops[DropReason.SlowReader]));
@@ -125,7 +125,7 @@ public class RosbridgeReadersTests
         }
 
         await raw.SendFrameAsync(RawWebSocket.Text, Encoding.UTF8.GetBytes("""{"op":"dance"}"""));
-        await Soon.BecomesAsync(() => gateway.Drops[DropReason.UnknownOp] == 1, "read");
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.UnknownOp] == 1, "the request is processed");
         Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(1));
     }
 

@@ -77,7 +77,7 @@ public class LinkScoreTests
         var result = Score(5, _ => "unsynchronised");
 
         Assert.That(new[] { result.CurrentAfterS, result.CurrentShare, result.Reduction, result.ClockErrorUsP50 }, Is.All.Null);
-        Assert.That(LinkLimits.Missed([result]).Count(), Is.EqualTo(5), "each limit that it does not keep");
+        Assert.That(LinkLimits.Missed([result]).Count(), Is.EqualTo(5), "each limit that is not met");
     }
 
     [Test]

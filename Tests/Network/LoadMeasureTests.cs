@@ -38,7 +38,7 @@ public class LoadMeasureTests
             reader.Discard(at);
         }
 
-        Assert.That(Message.Length, Is.GreaterThan(125), "or its frame has a shorter head");
+        Assert.That(Message.Length, Is.GreaterThan(125), "the message is long enough for the longer frame header");
         Assert.That(stamps, Is.EqualTo(new[] { Stamp.Nanoseconds, Stamp.Nanoseconds }));
         Assert.That(pings, Is.EqualTo(1));
     }

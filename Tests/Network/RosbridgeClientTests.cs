@@ -30,7 +30,7 @@ public class RosbridgeClientTests
         await Send(socket, JointStatus.Replace("fault", "broken"));
         await Send(socket, JointStatus);
 
-        await Soon.BecomesAsync(() => _played.Listener.Statuses.Count == 1, "the good message");
+        await Soon.BecomesAsync(() => _played.Listener.Statuses.Count == 1, "the valid message");
         var joint = _played.Listener.Statuses.Single().Joints.Single();
         Assert.That((joint.Joint, joint.State, joint.Reason), Is.EqualTo(("a3", JointDataState.Fault, "node deleted")));
         Assert.That(_played.Listener.Drops, Is.EqualTo(new[] { DropReason.OutOfRange }));
@@ -55,7 +55,7 @@ public class RosbridgeClientTests
         await Send(socket, message);
         await Send(socket, Good);
 
-        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the good message");
+        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the valid message");
         Assert.That(_played.Listener.Drops, Is.EqualTo(new[] { (DropReason)reason }));
     }
 
@@ -67,7 +67,7 @@ public class RosbridgeClientTests
         await Send(socket, Good, WebSocketMessageType.Binary);
         await Send(socket, Good);
 
-        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the good message");
+        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the valid message");
         Assert.That(_played.Listener.Drops, Is.EqualTo(new[] { DropReason.NotJson }));
     }
 
@@ -83,7 +83,7 @@ public class RosbridgeClientTests
         await Send(socket, Good[((fragments - 1) * perFragment)..]);
         await Send(socket, Good);
 
-        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == (taken ? 2 : 1), "the good messages");
+        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == (taken ? 2 : 1), "the valid messages");
         Assert.That(_played.Listener.Drops, taken ? Is.Empty : Is.EqualTo(new[] { DropReason.TooManyFragments }));
     }
 
@@ -146,7 +146,7 @@ public class RosbridgeClientTests
         await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, new string('x', ProtocolLimits.DescriptionBytes)));
         await Send(socket, Good);
 
-        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the good message");
+        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the valid message");
         Assert.That(_played.Listener.Drops, Is.EqualTo(new[] { DropReason.TooLarge }));
         Assert.That(_played.Listener.Descriptions, Is.Empty);
     }
@@ -159,15 +159,15 @@ public class RosbridgeClientTests
         var socket = await _played.Server.AcceptAsync();
 
         await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "first"));
-        await Soon.BecomesAsync(() => _played.Listener.Descriptions.Count == 1, "the first");
+        await Soon.BecomesAsync(() => _played.Listener.Descriptions.Count == 1, "the first description");
         await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "second"));
         await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "third"));
         await Send(socket, Good);
 
-        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the message behind them");
+        await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "the message after the descriptions");
         Assert.That(_played.Listener.Descriptions, Is.EqualTo(new[] { "first" }));
         going.Release(3);
-        await Soon.BecomesAsync(() => _played.Listener.Descriptions.Count == 2, "the newest");
+        await Soon.BecomesAsync(() => _played.Listener.Descriptions.Count == 2, "the newest description");
         Assert.That(_played.Listener.Descriptions, Is.EqualTo(new[] { "first", "third" }));
     }
 
@@ -178,10 +178,10 @@ public class RosbridgeClientTests
         var socket = await _played.Server.AcceptAsync();
 
         await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "bad"));
-        await Soon.BecomesAsync(() => _played.Listener.Drops.Count == 1, "the drop");
+        await Soon.BecomesAsync(() => _played.Listener.Drops.Count == 1, "the message is counted as dropped");
         await Send(socket, RosbridgeWriter.PublishString(RosTopics.RobotDescription, "good"));
 
-        await Soon.BecomesAsync(() => _played.Listener.Descriptions.Contains("good"), "the next");
+        await Soon.BecomesAsync(() => _played.Listener.Descriptions.Contains("good"), "the next description");
         Assert.That(_played.Listener.Drops, Is.EqualTo(new[] { DropReason.NotUrdf }));
     }
 }

@@ -73,7 +73,7 @@ public class RosbridgeConnectionTests
 
         Assert.That(_played.Client.Status.Detail, Does.Contain("received nothing for 6 s"));
         var sent = new byte[4096];
-        Assert.That(stream.Read(sent), Is.GreaterThan(0), "it had asked");
+        Assert.That(stream.Read(sent), Is.GreaterThan(0), "the client had sent its request");
         await Send(await _played.Server.AcceptAsync(), Good);
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "a message over the new connection");
     }
@@ -119,7 +119,7 @@ public class RosbridgeConnectionTests
 
         (await _played.Server.AcceptStreamAsync()).Close();
 
-        Assert.That(since.Elapsed, Is.GreaterThan(TimeSpan.FromSeconds(1)), "0.2, 0.4, 0.8 s are over");
+        Assert.That(since.Elapsed, Is.GreaterThan(TimeSpan.FromSeconds(1)), "the three delays of 0.2, 0.4 and 0.8 s have passed");
     }
 
     [Test]
@@ -128,7 +128,7 @@ public class RosbridgeConnectionTests
         _played.Listener.FailDiagnostics = true;
         await _played.Server.AcceptStreamAsync();
 
-        await Soon.BecomesAsync(() => _played.Client.Status.Detail.Contains("no diagnostics today"), "the reason");
+        await Soon.BecomesAsync(() => _played.Client.Status.Detail.Contains("no diagnostics today"), "the status contains the reason");
         _played.Listener.FailDiagnostics = false;
         await Send(await _played.Server.AcceptAsync(), Good);
         await Soon.BecomesAsync(() => _played.Listener.Messages.Count == 1, "a message over the new connection");
@@ -161,7 +161,7 @@ public class RosbridgeConnectionTests
         Assert.That(RosbridgeReader.TryRead(await NextAsync(socket, "publish", RosTopics.Displayed), out var message, out _), Is.True);
         Assert.That(message.Displayed.FrameId, Is.EqualTo("left door"));
         Assert.That(message.Displayed.Positions, Is.EqualTo(new[] { 0.5 }));
-        Assert.That(message.JointState, Is.Null, "it is not a sample of the robot");
+        Assert.That(message.JointState, Is.Null, "a displayed pose is not a sample of the robot");
     }
 
     [Test]

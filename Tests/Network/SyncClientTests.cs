@@ -166,7 +166,7 @@ public class SyncClientTests
         var (client, clock) = Connect(server.Port);
         using (client)
         {
-            await Soon.BecomesAsync(() => _faults[SyncExchangeFault.ImplausibleTime] >= 3, "three of them");
+            await Soon.BecomesAsync(() => _faults[SyncExchangeFault.ImplausibleTime] >= 3, "three implausible replies");
 
             Assert.That(clock.ModelAt(default).IsKnown, Is.False);
         }

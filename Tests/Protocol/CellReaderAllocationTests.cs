@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>Tests the allocations when messages of a cell are read whose sources always send the same names.</summary>
+/// <summary>Tests the allocations while messages of a cell are read whose sources repeat the same names.</summary>
 [NonParallelizable] // measures allocations
 public class CellReaderAllocationTests
 {
@@ -37,7 +37,7 @@ public class CellReaderAllocationTests
         var before = GC.GetAllocatedBytesForCurrentThread();
         for (var i = 0; i < Rounds; i++) ReadAll(reader, texts);
 
-        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.LessThan(Rounds), "less than a byte per round");
+        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.LessThan(Rounds), "reading allocates less than a byte per round");
     }
 
     static void ReadAll(RosbridgeReader reader, byte[][] texts)

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Protocol;
 
 /// <summary>
 /// Compares the reader with an earlier reader, which parsed each message with Newtonsoft.Json. Each line of <c>message-verdicts.tsv</c>
-/// contains the earlier reader's verdict (the reason of a rejection, or None) and the message. Most messages are malformed.
+/// contains the earlier reader's verdict (the reason for a rejection, or None) and the message. Most messages are malformed.
 /// </summary>
 public class MessageVerdictsTests
 {

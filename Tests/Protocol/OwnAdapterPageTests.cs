@@ -47,7 +47,7 @@ public class OwnAdapterPageTests
         const string answer = """{"op":"service_response","id":"1","service":"/nowpose/plant_time/plc","""
             + """ "values":{"received":{"sec":5,"nanosec":0},"sent":{"sec":5,"nanosec":0},FIELD}}""";
 
-        Assert.That(RosbridgeReader.TryRead(answer.Replace("FIELD", "\"clock\":1"), out _, out _), Is.True, "but for the field");
+        Assert.That(RosbridgeReader.TryRead(answer.Replace("FIELD", "\"clock\":1"), out _, out _), Is.True, "the message is valid without the field");
         Assert.That(RosbridgeReader.TryRead(answer.Replace("FIELD", field), out _, out _), Is.False);
     }
 

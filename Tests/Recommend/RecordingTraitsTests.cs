@@ -29,7 +29,7 @@ public class RecordingTraitsTests
     [Test]
     public void Warnings_ShortRecording_StateTheDuration()
     {
-        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("5.0 s is a short recording"));
+        Assert.That(Traits(Math.Sin, count: 501).Warnings().Single(), Does.StartWith("the recording is only 5.0 s long"));
     }
 
     [Test]

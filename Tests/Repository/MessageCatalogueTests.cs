@@ -176,10 +176,10 @@ public sealed partial class MessageCatalogueTests
     private static partial Regex Remedy();
 
     [GeneratedRegex(@"\b(?:allowed|must|needs?|needed|required|expected|at least|at most|maximum|limit is|no more than|exactly|of the form)\b"
-        + @"|\b(?:decimal separator is|names are|Its topics|available (?:to|under)|begins with)\b|\bfrom \S+ to \S+")]
+        + @"|\b(?:names are|Its topics|available (?:to|under)|begins with)\b|\bfrom \S+ to \S+")]
     private static partial Regex Allowed();
 
-    // Two blanks within a line, a blank before a punctuation mark, a brace of a format, or an empty text.
+    // Two spaces within a line, a space before a punctuation mark, a brace of a format, or an empty text.
     [GeneratedRegex(@"\S  +\S| [,;:.](?!\w)|[{}]|^\s*$|;\s*;")]
     private static partial Regex Gap();
 }

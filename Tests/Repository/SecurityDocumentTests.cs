@@ -33,7 +33,7 @@ public sealed partial class SecurityDocumentTests
         {
             var named = TestName().Matches(row.Split('|')[^2]).Select(match => match.Groups[1].Value).ToArray();
             Assert.That(named, Is.Not.Empty, row);
-            Assert.That(named.Where(name => !known.Contains(name)), Is.Empty, "these tests do not exist");
+            Assert.That(named.Where(name => !known.Contains(name)), Is.Empty, "the listed tests do not exist");
         }
     }
 

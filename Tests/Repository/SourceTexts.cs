@@ -84,7 +84,7 @@ sealed partial class SourceTexts
         }
     }
 
-    // Skips comments, directives, blanks and character literals.
+    // Skips comments, directives, white space and character literals.
     bool Skip()
     {
         var skipped = Blank().Match(_source, _at);
@@ -122,7 +122,7 @@ sealed partial class SourceTexts
 
     void Take(StringBuilder text, int length)
     {
-        // Replaces an escaped line break or tab by a space, because it separates words.
+        // Replaces an escaped line break or tab with a space, because it separates words.
         text.Append(_source[_at] == '\\' ? _source[_at + 1] is 'n' or 'r' or 't' ? ' ' : _source[_at + 1] : _source[_at]);
         _at += length;
     }

@@ -113,7 +113,7 @@ public class RosDirectTests
         Assert.That(statistics.RobotDescriptionMatch, Is.EqualTo(RobotDescriptionMatch.Same));
         Assert.That(statistics.SyncLink.State, Is.EqualTo(LinkState.Connected));
         await Soon.BecomesAsync(() => _graph.Published.Any(sent => sent.Topic == RosTopics.Diagnostics), "the headset's diagnostics");
-        Assert.That(_graph.Log, Is.Empty, "rosbridge had nothing to complain of");
+        Assert.That(_graph.Log, Is.Empty, "rosbridge reported no error");
     }
 
     [Test]
@@ -143,7 +143,7 @@ public class RosDirectTests
         TestContext.Out.WriteLine(
             $"{beforeMs} ms before and {afterMs} ms after: off by {error.TotalMilliseconds:F3} ms, bound {model.ErrorBound.TotalMilliseconds:F3} ms");
         Assert.That(error.Duration(), Is.LessThanOrEqualTo(model.ErrorBound));
-        Assert.That(model.ErrorBound.TotalMilliseconds, Is.GreaterThan(9), "half of what a call takes cannot be known");
+        Assert.That(model.ErrorBound.TotalMilliseconds, Is.GreaterThan(9), "the error bound includes half the duration of a call");
     }
 
     [Test]
@@ -211,7 +211,7 @@ public class RosDirectTests
 
         _session.Connect();
 
-        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("use_sim_time") && _session.SyncLink.Detail.Contains("/clock"), "said");
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("use_sim_time") && _session.SyncLink.Detail.Contains("/clock"), "the link states the reason");
     }
 
     [Test]
@@ -220,7 +220,7 @@ public class RosDirectTests
         Start(RosFlavour.Ros2);
         _rosbridge.IsMute = true;
 
-        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not answer within 2 s"), "said");
+        await Soon.BecomesAsync(() => _session.SyncLink.Detail.Contains("did not answer within 2 s"), "the link states the reason");
 
         _rosbridge.IsMute = false;
         await SynchronisedAsync();

@@ -60,12 +60,12 @@ public class GatewayDescriptionTests
         source.TryDescribe("<robot name='half'>");
         using var session = Connect(gateway, "youbot");
 
-        await Soon.BecomesAsync(() => session.Drops[DropReason.NotUrdf] == 1, "the drop");
+        await Soon.BecomesAsync(() => session.Drops[DropReason.NotUrdf] == 1, "the description is counted as dropped");
         await Soon.BecomesAsync(() => Tick(session, source).Samples > 0, "samples");
 
         Assert.That(session.RobotDescriptionMatch, Is.EqualTo(RobotDescriptionMatch.Unknown));
         source.TryDescribe(RobotFiles.LoadText("youbot"));
-        await Soon.BecomesAsync(() => session.RobotDescriptionMatch == RobotDescriptionMatch.Same, "the next one is taken");
+        await Soon.BecomesAsync(() => session.RobotDescriptionMatch == RobotDescriptionMatch.Same, "the next description is used");
     }
 
     SessionStatistics Tick(CompensationSession session, Nowpose.Gateway.Hub.HubSource source)

@@ -39,7 +39,7 @@ public class GatewayRestartTests
         await Soon.BecomesAsync(() => Tick(session, headsetClock) == PoseState.Held, "held while the gateway is gone");
         var held = session.Tick(headsetClock.Now).Joints.ToArray();
         await Soon.BecomesAsync(() => Links(session, headsetClock, LinkState.Waiting), "both links waiting");
-        Assert.That(session.Tick(headsetClock.Now).Joints.ToArray(), Is.EqualTo(held).Within(1e-6), "the pose holds, but for what is left of the blend");
+        Assert.That(session.Tick(headsetClock.Now).Joints.ToArray(), Is.EqualTo(held).Within(1e-6), "the pose is held, except for the rest of the blend");
 
         var newClock = Stepped(clock, TimeSpan.FromSeconds(clockStepSeconds));
         using var newCell = Cell(newClock);

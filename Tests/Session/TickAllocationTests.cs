@@ -84,8 +84,8 @@ public class TickAllocationTests
         }
 
         Assert.That(allocated, Is.EqualTo(0), "seed 3");
-        Assert.That(plans, Is.GreaterThan(100), "each is taken within a frame");
-        Assert.That(planned, Is.GreaterThan(1000), "frames of the 1500");
+        Assert.That(plans, Is.GreaterThan(100), "each plan is applied within a frame");
+        Assert.That(planned, Is.GreaterThan(1000), "most of the 1500 frames are planned");
     }
 
     static double[] Positions(int count, int frame) => [.. Enumerable.Range(0, count).Select(joint => 0.005 * Math.Sin(frame * 0.05 + joint))];

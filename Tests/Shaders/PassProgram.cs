@@ -22,7 +22,7 @@ public sealed class PassProgram
 
     public ShaderPass Pass { get; }
 
-    /// <summary>Folders in which includes are searched, in this order.</summary>
+    /// <summary>Folders that are searched for includes, in this order.</summary>
     public IEnumerable<string> Folders =>
         new[] { Path.GetDirectoryName(Shader.Path), StandIns, "" }.Select(folder => Path.Combine(RepositoryFiles.Root, folder ?? ""));
 

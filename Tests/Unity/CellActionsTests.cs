@@ -175,7 +175,7 @@ public sealed class CellActionsTests
 
         for (var press = 0; press < 100; press++) _actions.ChangeNudgeMs(-2);
         for (var press = 0; press < 9; press++) _actions.ChangeOpacity(0.25f);
-        Assert.That(_actions.NudgeMs, Is.EqualTo(-40), "no light before its frame");
+        Assert.That(_actions.NudgeMs, Is.EqualTo(-40), "L_visu plus the nudge is not negative");
         Assert.That(_actions.Opacity, Is.EqualTo(1));
     }
 

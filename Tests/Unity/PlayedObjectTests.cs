@@ -97,7 +97,7 @@ public class PlayedObjectTests : PlayedParts
         AssertAt(lid.transform, fixture.transform, Along(0.05));
         Assert.That(fixture.GetComponent<PoseAppearance>().Look.IsHatched, Is.False);
 
-        // Simulates a new run of the application, with the base at another place.
+        // Simulates a new run of the application, with the base in another place.
         var place = anchor.transform.InverseTransformPoint(fixture.transform.position);
         _cell.Dispose();
         Begin();
@@ -199,11 +199,11 @@ public class PlayedObjectTests : PlayedParts
             moved = Mathf.Max(moved, Vector3.Distance(start, box.transform.position));
         });
 
-        Assert.That(moved, Is.GreaterThan(0.001), "the arm does move");
+        Assert.That(moved, Is.GreaterThan(0.001), "the arm moves");
         Assert.That(_session.Parts.Objects, Is.EqualTo(new[] { "box" }));
         grip.gameObject.SetActive(false);
         Run(1, Send);
-        Assert.That(Vector3.Distance(box.transform.position, UnityPoses.ToWorld(pose).position), Is.LessThan(1e-4), "a hidden gripper gives it back");
+        Assert.That(Vector3.Distance(box.transform.position, UnityPoses.ToWorld(pose).position), Is.LessThan(1e-4), "a hidden gripper returns the object to its source");
         Assert.That(_session.Parts.Count, Is.EqualTo(1));
     }
 

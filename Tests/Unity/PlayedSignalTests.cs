@@ -28,7 +28,7 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(Vector3.Distance(line.GetPosition(0), rig.Tool.position), Is.LessThan(2e-4), "begins at the displayed tool");
         Run(1);
         Assert.That(Vector3.Distance(expected, rig.Tool.position), Is.LessThan(1e-3), "one second later, the tool is where the line ended");
-        Assert.That(Vector3.Distance(expected, line.GetPosition(line.positionCount - 1)), Is.GreaterThan(1e-3), "the tool does move");
+        Assert.That(Vector3.Distance(expected, line.GetPosition(line.positionCount - 1)), Is.GreaterThan(1e-3), "the tool moves");
 
         Run(2.5);
         Assert.That((line.enabled, path.DrawnSeconds), Is.EqualTo((false, 0f)));
@@ -104,7 +104,7 @@ public class PlayedSignalTests : PlayedParts
         Run(1);
 
         Assert.That(seen.Select(each => each.Value), Is.EqualTo(new[] { 0.0, 1, 0 }));
-        Assert.That(seen[1].Light - change, Is.InRange(-1e-6, 1 / 60.0 + 1e-6), "in the frame whose light has its stamp");
+        Assert.That(seen[1].Light - change, Is.InRange(-1e-6, 1 / 60.0 + 1e-6), "the change is visible in the frame whose display time is its stamp");
         Assert.That(signal.Value, Is.Zero);
     }
 
@@ -232,7 +232,7 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
 
         Run(1);
-        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "its source has ended; the session's robot goes on");
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "only the robot whose source has ended is held");
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
     }
 
@@ -286,12 +286,12 @@ public class PlayedSignalTests : PlayedParts
 
         parts.Update();
         Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
-        Assert.That(parts.Faults, Is.EqualTo("object part: its poses have stopped; object lid: its poses have stopped"));
+        Assert.That(parts.Faults, Is.EqualTo("object part: no new poses arrive; object lid: no new poses arrive"));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);
         parts.Update();
-        Assert.That(parts.Faults, Is.EqualTo("object lid: its poses have stopped; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Assert.That(parts.Faults, Is.EqualTo("object lid: no new poses arrive; signal closed: " + signal.Fault), "a hidden object is not shown");
         Run(1, t => SendPose("world", "lid", t, Along(1)));
         signal.gameObject.SetActive(false);
         parts.Update();

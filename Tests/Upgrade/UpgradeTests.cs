@@ -101,6 +101,6 @@ public class UpgradeTests
         var run = await CliRun.OfAsync("sync", At("headset.jsonl.gz"));
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
-        Assert.That(run.Lines[^1], Does.Contain(",coarse,"), "as 0.1.0 printed");
+        Assert.That(run.Lines[^1], Does.Contain(",coarse,"), "the output has the form of version 0.1.0");
     }
 }

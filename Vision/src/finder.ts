@@ -27,7 +27,7 @@ const maxSearchedSide = 1280;
 /** Minimum light of a code (1 is white), and minimum share of agreeing steps. */
 const minLight = 0.02;
 const minShare = 0.6;
-/** Share of agreeing steps from which no better match is searched at a position. A code that is matched as the other kind reaches 0.85. */
+/** Share of agreeing steps from which no better match is searched for at a position. A code that is matched as the other kind reaches 0.85. */
 const minShareOfCertain = 0.88;
 /**
  * Shares of agreeing steps below which a second code of the same kind is weak, and below which it is ignored. Other objects reach 0.74, most
@@ -95,7 +95,7 @@ export class Finder {
 
   /**
    * Returns candidates in px of the picture: first those with clear steps of light, then those from the square root of the light. The root
-   * amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so parts of codes are searched only among the first.
+   * amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so parts of codes are searched for only among the first.
    */
   #quadsIn(picture: Mat, { factor }: Layer): { quads: Quad[]; clearCount: number } {
     const { side } = this.#pattern;

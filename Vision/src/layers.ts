@@ -6,7 +6,7 @@ import { Refiner, type Fit } from './refine';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** Side above which codes are searched in a smaller copy of the picture, which is smooth at the size of their cells, px. */
+/** Side above which codes are searched for in a smaller copy of the picture, which is smooth at the size of their cells, px. */
 const maxSide = 1.8 * minSide;
 
 /** A copy of the picture that is scaled by a factor. */
@@ -32,7 +32,7 @@ export function layersOf(picture: Mat, whole: number, matcher: Matcher, isFilled
   return layers;
 }
 
-/** Returns the layer in which a quad of a given size is searched. */
+/** Returns the layer in which a quad of a given size is searched for. */
 export const layerFor = (quad: Quad, layers: Layer[]) => layers.find(layer => sizeOf(quad) * layer.factor <= maxSide) ?? layers.at(-1)!;
 
 /** Converts a fit from px of its layer to px of the picture. */

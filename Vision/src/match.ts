@@ -43,7 +43,7 @@ export class Matcher {
   /**
    * @param reach Distance from the edge of a cell at which light is sampled, in cells; 0.5 is the middle of the cell.
    * @param hidden Band of the code that is ignored.
-   * @param needed Light times share that the caller needs. An agreement that cannot reach it is not computed completely.
+   * @param needed Minimum of light times share that the caller requires. An agreement that cannot reach it is not computed completely.
    * @param given Light of the code if it is known, so that kinds and orientations of the same quad can be compared.
    */
   agreement(picture: Light, quad: Quad, kind: number, reach: number, hidden?: Band, needed = 0, given?: number): Agreement {

@@ -7,6 +7,6 @@ export const pictureMessages = {
   damagedOrIncomplete: 'the picture is damaged or incomplete: copy it again, or take it again',
   incomplete: 'the file is incomplete: copy it again',
   tooLarge: (width: number, height: number, maxMegapixels: number) =>
-    `${width}x${height} pixels are too many; the maximum is ${maxMegapixels} megapixels: make the picture smaller`,
+    `${width}x${height} pixels are too many; the maximum is ${maxMegapixels} megapixels: reduce the resolution`,
   noBoxes: 'the first tracked picture has no boxes: send the boxes of both patches with it',
 };

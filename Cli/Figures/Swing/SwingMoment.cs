@@ -7,7 +7,7 @@ namespace Nowpose.Cli.Figures.Swing;
 /// <param name="Index">Index of the frame in <see cref="SwingFrames.Shown"/>.</param>
 sealed record SwingMoment(string Name, string Words, int Index)
 {
-    /// <summary>Gets the three instants: A when full speed is reached, B half-way, C when the speed has dropped to half.</summary>
+    /// <summary>Gets the three instants: A when full speed is reached, B halfway, C when the speed has dropped to half.</summary>
     public static IReadOnlyList<SwingMoment> Of(YoubotSwing swing, IReadOnlyList<StudyFrame> frames)
     {
         var full = swing.FullSpeed;
@@ -16,7 +16,7 @@ sealed record SwingMoment(string Name, string Words, int Index)
         return
         [
             new("A", Figure17Texts.FullSpeed, First(t => swing.ToolSpeedAt(t) >= 0.999 * full)),
-            new("B", "half-way", First(t => t >= swing.MoveSeconds / 2)),
+            new("B", "halfway", First(t => t >= swing.MoveSeconds / 2)),
             new("C", Figure17Texts.HalfSpeed, move.Last(i => swing.ToolSpeedAt(frames[i].Time) >= full / 2)),
         ];
     }

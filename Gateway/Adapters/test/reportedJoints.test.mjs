@@ -93,7 +93,7 @@ describe('reported joints', () => {
     hear({ b: 'missing 0.000 no such node' });
     const first = [stateOf('a'), stateOf('b')];
     reported.leave();
-    status.enter('waiting', 'the bridge of the gateway that has the plant is disconnected');
+    status.enter('waiting', "the bridge at the plant's gateway is disconnected");
     status.enter('connected');
     reported.enter();
     hear({});

@@ -101,7 +101,7 @@ describe('silence', () => {
   });
 
   /**
-  * Moves two joints to and fro with at most 0.6 rad/s and reads them every 50 ms. At a moment of their highest speed, the joints in
+  * Moves two joints back and forth at up to 0.6 rad/s and reads them every 50 ms. At a moment of their highest speed, the joints in
   * `stopped` stop sending.
   */
   function swing(stopped, { amplitude = 0.3, prepare = () => {} } = {}) {

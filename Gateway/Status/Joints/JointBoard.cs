@@ -163,7 +163,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
         public bool IsPublishedBy(HubSource source) => Flow.HasAny && Flow.Source == source;
 
         /// <summary>Records that an adapter no longer reports the joint.</summary>
-        /// <returns>Whether the adapter reported the joint until now.</returns>
+        /// <returns>Whether the adapter had been reporting the joint.</returns>
         public bool EndReports(string adapter) => Rows.Find(row => row.Source == adapter)?.EndReports() == true;
 
         public JointRow RowOf(string source, TimeProvider time)

@@ -27,7 +27,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     }
 
     /// <summary>Records that the adapter no longer reports the joint.</summary>
-    /// <returns>Whether the adapter reported the joint until now.</returns>
+    /// <returns>Whether the adapter had been reporting the joint.</returns>
     public bool EndReports()
     {
         var had = IsConfigured;

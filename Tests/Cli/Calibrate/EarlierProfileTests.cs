@@ -45,8 +45,8 @@ public sealed class EarlierProfileTests : CalibrationFolder
         var earlier = EarlierProfile.Read(path, DisplayConditions.Unknown, Vulkan);
 
         Assert.That(WarningsOf(earlier)[0], Is.EqualTo(
-            $"--profile: {path}: was measured with graphics API 'Direct3D11', but this measurement has 'Vulkan'; "
-            + "the values kept from the profile may be wrong: repeat the load sweep"));
+            $"--profile: {path} was measured with graphics API 'Direct3D11', but this measurement has 'Vulkan'; "
+            + "the values that are kept from the profile may be wrong: repeat the load sweep"));
     }
 
     [Test]

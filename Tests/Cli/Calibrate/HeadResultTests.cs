@@ -62,7 +62,7 @@ public sealed class HeadResultTests
     public void HeadResult_HologramFollowsTheHead_Throws()
     {
         Assert.That(() => ResultOf(new SwungPictures { Scale = 0 }),
-            Throws.TypeOf<InputException>().With.Message.Contains("both must stay at the same place in the room: disable Body Follow"));
+            Throws.TypeOf<InputException>().With.Message.Contains("both must stay in the same place in the room: disable Body Follow"));
     }
 
     static readonly object[][] TooLittle =

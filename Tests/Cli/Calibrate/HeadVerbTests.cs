@@ -44,7 +44,7 @@ public sealed class HeadVerbTests : CalibrationFolder
         var profile = LatencyProfileFile.Load(ProfilePath);
         Assert.That(profile.HeadMotion.Latency.TotalMilliseconds, Is.EqualTo(Number("head_latency_ms")).Within(0.001));
         Assert.That(profile.Conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", 60, "Direct3D11", reprojection: ReprojectionMode.Depth)));
-        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(41.8), "of the still pictures");
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(41.8), "L_visu is that of the still pictures");
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(15));
         Assert.That(profile.Measurements, Is.EqualTo(300));
     }

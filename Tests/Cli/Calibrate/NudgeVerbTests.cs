@@ -65,7 +65,7 @@ public class NudgeVerbTests : CalibrationFolder
         Assert.That(LatencyProfileFile.Load(beside).Visualisation.Length.TotalMilliseconds, Is.EqualTo(46).Within(1e-3));
         Assert.That(with.Errors, Is.Empty);
         var both = LatencyProfileFile.Load(ProfilePath);
-        Assert.That(both.Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3), "is taken over");
+        Assert.That(both.Range.Limit.TotalMilliseconds, Is.EqualTo(15.1).Within(1e-3), "the render time limit of the earlier profile is adopted");
         Assert.That(both.Visualisation.Length.TotalMilliseconds, Is.EqualTo(46).Within(1e-3));
     }
 

@@ -143,7 +143,7 @@ public class RangeFitTests
         Assert.That(fit.LimitRenderMs, Is.GreaterThan(14.9).And.LessThan(15));
         Assert.That(fit.VisuMs, Is.EqualTo(40));
         Assert.That(fit.Rejected, Is.Zero);
-        Assert.That((fit.Pairs, fit.Used), Is.EqualTo((200, 100)), "L_visu is of those before the turn");
+        Assert.That((fit.Pairs, fit.Used), Is.EqualTo((200, 100)), "L_visu uses only the pairs before the turn");
     }
 
     [Test]

@@ -41,7 +41,7 @@ public class RangeVerbTests : CalibrationFolder
         Assert.That(json.GetProperty("pairs").GetInt32(), Is.EqualTo(630));
         var profile = LatencyProfileFile.Load(ProfilePath);
         Assert.That(profile.RefusalFor("Quest 3", 72), Is.Null);
-        Assert.That(profile.Measurements, Is.InRange(100, 500), "those beyond the limit are none of it");
+        Assert.That(profile.Measurements, Is.InRange(100, 500), "only the pictures within the limit are counted");
         Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.EqualTo(json.GetProperty("limit_render_ms").GetDouble()).Within(1e-3));
         var page = await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html"));

@@ -81,7 +81,7 @@ public class SineVerbTests : CalibrationFolder
             var result = JsonDocument.Parse(run.Output).RootElement;
             var error = result.GetProperty("visu_ms").GetDouble() - (jog.LagMs - 60);
             Assert.That(Math.Abs(error), Is.LessThan(3 + mayBeOff), $"seed {seed}");
-            Assert.That(run.Errors.Contains("synchronously with the pictures"), Is.EqualTo(mayBeOff > 0), run.Errors);
+            Assert.That(run.Errors.Contains("in step with the frames of the video"), Is.EqualTo(mayBeOff > 0), run.Errors);
             if (mayBeOff > 0)
                 Assert.That(result.GetProperty("total_sd_ms").GetDouble(), Is.InRange(mayBeOff / Math.Sqrt(3), mayBeOff), run.Errors);
         }

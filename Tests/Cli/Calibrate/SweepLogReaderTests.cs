@@ -44,7 +44,7 @@ public sealed class SweepLogReaderTests
         Assert.That(read[1].Source, Is.EqualTo(source));
         Assert.That(read[1].Device, Is.EqualTo(device));
         Assert.That(read[1].DisplayHz, Is.EqualTo(60));
-        Assert.That(conditions, Is.EqualTo(DisplayConditions.Unknown), "as in a log of an older version");
+        Assert.That(conditions, Is.EqualTo(DisplayConditions.Unknown), "a log of an older version has no conditions");
     }
 
     [Test]

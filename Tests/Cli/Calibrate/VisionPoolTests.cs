@@ -106,7 +106,7 @@ public sealed class VisionPoolTests
 
         using var taken = KeptWorkers.Take();
         Assert.That(taken, Is.SameAs(worker));
-        Assert.That(KeptWorkers.Take(), Is.Null, "it is kept only once");
+        Assert.That(KeptWorkers.Take(), Is.Null, "no second worker is kept");
         Assert.That(taken.Ask(PictureRequest.File("a.png").Json()).GetProperty("width").GetInt32(), Is.EqualTo(4));
     }
 

@@ -67,7 +67,7 @@ public sealed class VlcEvaluationTests
         Assert.That(evaluation.Profile.Spread.TotalMilliseconds, Is.LessThan(2));
         Assert.That(evaluation.Profile.Range, Is.Null);
         Assert.That(evaluation.Page.Warnings, Has.Some.Contains("this source does not respond to load"));
-        Assert.That(evaluation.Profile.Measurements, Is.InRange(0.4 * result.Read.Count, 0.75 * result.Read.Count), "those of the plateau");
+        Assert.That(evaluation.Profile.Measurements, Is.InRange(0.4 * result.Read.Count, 0.75 * result.Read.Count), "only the pictures of the plateau are counted");
     }
 
     [Test]

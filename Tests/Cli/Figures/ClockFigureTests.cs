@@ -43,7 +43,7 @@ public class ClockFigureTests
         Assert.That(figures["8"].Criteria[1].IsMet, Is.True, $"{figures["8"].Criteria[1].Measured}, seed {Settings.Seed}");
         var (paper, ours) = (P95(figures["8"], "ransac"), P95(figures["8"], "default"));
         Assert.That(ours, Is.LessThan(0.5 * paper), $"the default beside the paper's on the same exchanges, seed {Settings.Seed}");
-        Assert.That(figures["8"].Table.Rows, Has.Count.EqualTo(300), "an exchange each");
+        Assert.That(figures["8"].Table.Rows, Has.Count.EqualTo(300), "the table has one row for each exchange");
         Assert.That(figures["4"].Verdict, Is.EqualTo(Verdict.Holds), figures["4"].Criteria[0].Measured);
     }
 
@@ -55,14 +55,14 @@ public class ClockFigureTests
         var steps = SyncSteps.Of(log.All, "ransac");
 
         Assert.That(steps, Has.Count.EqualTo(log.All.Count));
-        Assert.That(steps[0].OffsetMs, Is.Zero, "relative to the first");
+        Assert.That(steps[0].OffsetMs, Is.Zero, "offsets are relative to the first one");
         foreach (var step in steps.Where(step => step.FitMs.HasValue))
         {
             Assert.That(step.FitErrorMs, Is.EqualTo(step.OffsetMs - step.FitMs).Within(1e-9), "Eq. 6");
             Assert.That(step.InterceptMs + 1e-3 * step.SkewPpm * step.Seconds, Is.EqualTo(step.FitMs).Within(1e-9), "Eq. 3");
         }
         Assert.That(steps[^1].SkewPpm, Is.EqualTo(log.SkewPpmAt(50)).Within(15), $"seed {Settings.Seed}");
-        Assert.That(steps.Min(step => step.RoundTripMs), Is.GreaterThan(3), "two ways of 1.5 ms");
+        Assert.That(steps.Min(step => step.RoundTripMs), Is.GreaterThan(3), "each direction takes at least 1.5 ms");
     }
 
     // In this network, 5.5 % of the exchanges are in a burst with delays of 5 to 30 ms. For 4.6 % of the others, half the difference of two

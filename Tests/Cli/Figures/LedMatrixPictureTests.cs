@@ -16,7 +16,7 @@ public class LedMatrixPictureTests
     {
         var path = $"{RepositoryFiles.Package}/Documentation~/images/{LedMatrixPicture.File}";
 
-        Assert.That(RepositoryFiles.Read(path), Is.EqualTo(LedMatrixPicture.Draw()), "draw it again: figures --pictures");
+        Assert.That(RepositoryFiles.Read(path), Is.EqualTo(LedMatrixPicture.Draw()), "draw the picture again: figures --pictures");
     }
 
     [TestCase("control")]

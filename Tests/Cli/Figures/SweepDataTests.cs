@@ -30,8 +30,8 @@ public class SweepDataTests
     {
         // The difference of the errors is −1 at the value 10 and 5 at the value 20.
         Assert.That(Data.Crossover("b", "a"), Is.EqualTo(10 + 10.0 / 6).Within(1e-12));
-        Assert.That(Data.Crossover("a", "b"), Is.Null, "a does not win at the end");
-        Assert.That(Data.Crossover("a", "hold"), Is.EqualTo(0), "a wins everywhere");
+        Assert.That(Data.Crossover("a", "b"), Is.Null, "a is not better at the end");
+        Assert.That(Data.Crossover("a", "hold"), Is.EqualTo(0), "a is better everywhere");
     }
 
     [Test]

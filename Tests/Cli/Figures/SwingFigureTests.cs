@@ -154,7 +154,7 @@ public class SwingFigureTests
         foreach (var drawing in figure.Drawings)
         {
             var svg = XDocument.Parse(drawing.Svg).Root;
-            Assert.That(svg.Descendants().Count(e => e.Name.LocalName == "line"), Is.GreaterThan(20), "three arms");
+            Assert.That(svg.Descendants().Count(e => e.Name.LocalName == "line"), Is.GreaterThan(20), "the drawing has three arms");
             Assert.That(drawing.Svg, Does.Contain("uncompensated: ").And.Contain("var(--truth)").And.Contain("var(--hold)"));
         }
     }

@@ -29,7 +29,7 @@ public class HeadsetOutageTests
         Assert.That(undisturbed.Reduction, Is.GreaterThan(0.8));
         Assert.That(total.Reduction, Is.EqualTo(undisturbed.Reduction).Within(0.05));
         Assert.That(total.ReductionUncertainty, Is.LessThan(0.1));
-        Assert.That(total.Reduction, Is.EqualTo(1 - (total.Rms / total.HoldRms)).Within(1e-12), "the contract's definition");
+        Assert.That(total.Reduction, Is.EqualTo(1 - (total.Rms / total.HoldRms)).Within(1e-12), "the reduction is defined by the two RMS errors");
     }
 
     [TestCase(0.4, 0)]

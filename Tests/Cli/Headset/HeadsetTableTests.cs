@@ -41,7 +41,7 @@ public class HeadsetTableTests
         var text = Printed(Result());
 
         Assert.That(text, Does.Match(@"joints without data +a3"));
-        Assert.That(text, Does.Match(@"joint a3 +fault since 4 s: node deleted"));
+        Assert.That(text, Does.Match(@"joint a3 +fault for 4 s: node deleted"));
         Assert.That(text, Does.Match(@"outage from 8\.0 to 12\.0 s +held: joint a3: no data: node deleted"));
         Assert.That(text, Does.Match(@"stretch 1: pose +current for 100\.0 % of the frames from 1\.5 to 8\.0 s"));
         Assert.That(text, Does.Match(@"stretch 2: tool, compensated +4\.00 mm RMS, 8\.00 mm P95"));

@@ -48,9 +48,9 @@ public class HeadsetVerdictTests
         var seldom = Pose((2, PoseState.Unsynchronised), (3, PoseState.Current), (7, PoseState.Held));
 
         Assert.That(HeadsetVerdict.FailureOf(never, Statistics(100, Deleted), true, []),
-            Is.EqualTo("the pose was never current; joint a3: no data since 12 s: node deleted"));
+            Is.EqualTo("the pose was never current; joint a3: no data for 12 s: node deleted"));
         Assert.That(HeadsetVerdict.FailureOf(seldom, Statistics(100, Deleted), true, []),
-            Is.EqualTo("the pose was current for 30 % of the time; at least 50 % is required; joint a3: no data since 12 s: node deleted"));
+            Is.EqualTo("the pose was current for 30 % of the time; at least 50 % is required; joint a3: no data for 12 s: node deleted"));
     }
 
     [Test]
@@ -65,7 +65,7 @@ public class HeadsetVerdictTests
         Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(), true, outages),
             Does.StartWith("the pose was current for 30 % of the time")
                 .And.EndsWith("; from 3.0 to 9.0 s the pose was held: joint a3: node deleted"));
-        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(100, Deleted), true, outages), Does.EndWith("; joint a3: no data since 12 s: node deleted"));
+        Assert.That(HeadsetVerdict.FailureOf(pose, Statistics(100, Deleted), true, outages), Does.EndWith("; joint a3: no data for 12 s: node deleted"));
     }
 
     [Test]

@@ -47,7 +47,7 @@ public class PoseOutagesTests
         Play(1, false, "joint a3: no data", "a3");
 
         Assert.That(_lines.Select(line => line.EndsWith("no data", StringComparison.Ordinal)), Is.EqualTo(new[] { false, true }));
-        Assert.That(_outages.Result().Single().ToS, Is.Null, "it lasts");
+        Assert.That(_outages.Result().Single().ToS, Is.Null, "the outage has no end yet");
     }
 
     [Test]

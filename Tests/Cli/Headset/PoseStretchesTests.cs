@@ -64,7 +64,7 @@ public class PoseStretchesTests
 
         Assert.That(stretches.Select(stretch => stretch.FromS), Is.EqualTo(new[] { 2.0, 10 }).Within(0.02));
         Assert.That(stretches.Select(stretch => stretch.ToS), Is.EqualTo(new[] { 7.0, 14 }).Within(0.02));
-        Assert.That(stretches.Select(stretch => stretch.CurrentShare), Is.All.EqualTo(1), "the outage is in neither");
+        Assert.That(stretches.Select(stretch => stretch.CurrentShare), Is.All.EqualTo(1), "neither stretch contains the outage");
         Assert.That(stretches.Select(stretch => stretch.ToolErrorMm.Rms), Is.EqualTo(new[] { 1.0, 4 }).Within(1e-9));
         Assert.That(stretches.Select(stretch => stretch.ToolErrorMm.HoldRms), Is.All.EqualTo(10).Within(1e-9));
         Assert.That(stretches.Select(stretch => stretch.ToolErrorMm.Reduction), Is.EqualTo(new[] { 0.9, 0.6 }).Within(1e-9));

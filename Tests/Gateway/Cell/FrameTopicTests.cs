@@ -208,7 +208,7 @@ public class FrameTopicTests
     {
         await _headset.SubscribeAsync(RosTopics.Tf, "tf2_msgs/TFMessage");
         var frames = Enumerable.Range(0, 256).Select(i => Frame($"{new string('f', 60)}_{i}", i % 2 == 0 ? "world" : "belt", 0.1 + i)).ToArray();
-        // Without blanks, decimals and optional fields, this text is shorter than the text that the gateway writes for the same frames.
+        // Without spaces, decimals and optional fields, this text is shorter than the text that the gateway writes for the same frames.
         var text = Tf(frames).Replace(".0,", ",").Replace(".0}", "}");
         Assert.That(text.Length, Is.InRange(50_000, 64 * 1024));
 

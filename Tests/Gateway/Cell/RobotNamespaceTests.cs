@@ -155,7 +155,7 @@ public class RobotNamespaceTests
         await _first.RoundTripAsync();
         _first.Dispose();
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
-        Assert.That(_gateway.Hub.Robots, Has.Count.EqualTo(16), "descriptions stay");
+        Assert.That(_gateway.Hub.Robots, Has.Count.EqualTo(16), "the robot descriptions are kept");
 
         await _second.SendAsync(State("new", 1));
         await _second.RoundTripAsync();

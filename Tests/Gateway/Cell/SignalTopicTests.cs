@@ -206,7 +206,7 @@ public class SignalTopicTests
             var signals = (await slow.ReceiveAsync()).Signals;
             for (var i = 0; i < signals.Count; i++)
             {
-                Assert.That(signals[i].Value, Is.GreaterThanOrEqualTo(values.GetValueOrDefault(signals[i].Name)), "never an older one");
+                Assert.That(signals[i].Value, Is.GreaterThanOrEqualTo(values.GetValueOrDefault(signals[i].Name)), "no older value follows");
                 values[signals[i].Name] = signals[i].Value;
             }
         }

@@ -119,7 +119,7 @@ public class PlantTimeTests
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
         await Soon.BecomesAsync(() => gateway.Clock.State == ClockState.Synchronised, "the clock is measured again");
 
-        Assert.That(isServed, Is.True, "the clock is served during a holdover of seconds");
+        Assert.That(isServed, Is.True, "the clock is served during a holdover of some seconds");
         Assert.That(served, Is.InRange(before - bound, after + bound));
         Assert.That(bound, Is.LessThan(TimeSpan.FromSeconds(1)), "a larger bound would accept any served time");
         Assert.That(gateway.PlantClocks.All, Has.Count.EqualTo(1));
@@ -194,7 +194,7 @@ public class PlantTimeTests
             gateway, "plc", (id, service) => Volatile.Read(ref isGone) ? null : PlantAdapterDouble.AnswerOf(id, service, plc.Now, plc.Now));
         await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.State == ClockState.Synchronised, "the clock is known");
         using var back = await PlantAdapterDouble.ConnectAsync(gateway, "plc", plc);
-        await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "it is refused while the former one answers");
+        await Soon.BecomesAsync(() => gateway.Drops[DropReason.JointTaken] == 1, "the second client is refused while the first one answers");
         // As with a broken cable, the former connection stays open but sends no message.
         Volatile.Write(ref isGone, true);
         var before = StatusOf(gateway, "plc").Exchanges;

@@ -129,7 +129,7 @@ public class ServedClockTests
         var error = (onControl - ads.Shown).Duration();
         plant.Pass(TimeSpan.FromHours(1));
 
-        Assert.That(isMappedSoon, Is.True, "times are converted during a holdover of seconds");
+        Assert.That(isMappedSoon, Is.True, "times are converted during a holdover of some seconds");
         Assert.That(error, Is.LessThan(TimeSpan.FromMilliseconds(1)));
         Assert.That(plant.Served.TryMap(plant.Clocks.All[1], opcua.Shown, out _), Is.False);
         Assert.That(plant.Served.TryMap(plant.Clocks.All[0], ads.Shown, out _), Is.True);

@@ -57,7 +57,7 @@ public class StampWatchTests
         Run(5, () => System);
 
         Assert.That(_watch.IsContradicted, Is.True);
-        Assert.That(_watch.Warning, Does.Contain("fit the system clock").And.Contain("--own-clock system"));
+        Assert.That(_watch.Warning, Does.Contain("match the system clock").And.Contain("--own-clock system"));
         Assert.That(_log, Has.Count.LessThanOrEqualTo(2), "the correction and the contradiction are logged once each");
     }
 
@@ -83,7 +83,7 @@ public class StampWatchTests
 
         _correction = TimeSpan.Zero;
         Run(1, () => System, withoutCorrection);
-        Assert.That(_watch.IsContradicted, Is.False, "corrected back");
+        Assert.That(_watch.IsContradicted, Is.False, "the system clock has its earlier time again");
     }
 
     [TestCase(-0.11, "110 ms newer")]
@@ -211,14 +211,14 @@ public class StampWatchTests
     {
         var ahead = TimeSpan.FromSeconds(seconds);
         Run(StampWatch.Seconds - 1, () => System, () => System + ahead);
-        Assert.That(_watch.Ahead, Is.Empty, "not yet for long");
+        Assert.That(_watch.Ahead, Is.Empty, "the condition has not lasted long enough");
 
         Run(2, () => System, () => System + ahead);
         Assert.That(_watch.Ahead, Is.EqualTo(new[] { ("second", by) }));
-        Assert.That(_watch.IsContradicted, Is.False, "a headset can use them");
+        Assert.That(_watch.IsContradicted, Is.False, "stamps that are slightly ahead are no contradiction");
 
         Run(StampWatch.Seconds, () => System, () => System);
-        Assert.That(_watch.Ahead, Is.Empty, "its clock was set");
+        Assert.That(_watch.Ahead, Is.Empty, "the clock of the source was set");
     }
 
     [TestCase(0.1, 0.0)]

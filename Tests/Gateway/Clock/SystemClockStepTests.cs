@@ -164,12 +164,12 @@ public class SystemClockStepTests
         var reason = await BecomesNotReadyAsync();
 
         Assert.That(reason, Does.StartWith("waiting\nthe gateway's own control clock and the stamps of samples contradict each other: ")
-            .And.Match("fit the system clock [(]since [^)]*[)][.] Restart the gateway[.] .*--own-clock system"));
+            .And.Match("match the system clock [(]since [^)]*[)][.] Restart the gateway[.] .*--own-clock system"));
         var state = await StateAsync();
-        Assert.That(state.GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("fit the system clock"));
+        Assert.That(state.GetProperty("clock").GetProperty("warning").GetString(), Does.Contain("match the system clock"));
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
         Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("contradict each other"));
-        Assert.That(IsLogged("fit the system clock"), Is.True, string.Join('\n', _log));
+        Assert.That(IsLogged("match the system clock"), Is.True, string.Join('\n', _log));
         Assert.That(_gateway.Drops[DropReason.StampInFuture], seconds > 0 ? Is.Positive : Is.Zero);
 
         _system.Correct(TimeSpan.FromSeconds(-seconds));

@@ -61,7 +61,7 @@ public class AdapterProcessTests
 
         using (var process = Process.GetProcessById(adapter.ProcessId.Value)) process.Kill();
 
-        var recovery = await Soon.BecomesAsync(() => adapter.Starts == 2 && gateway.WebSocketConnections.Accepted == 2, "it is there again");
+        var recovery = await Soon.BecomesAsync(() => adapter.Starts == 2 && gateway.WebSocketConnections.Accepted == 2, "the adapter is connected again");
         TestContext.Out.WriteLine($"there again after {recovery.TotalSeconds:0.0} s");
         Assert.That(lines, Has.Some.Contains("its adapter ended (status 137) and starts again in 0.5 s"));
         await Soon.BecomesAsync(() => EventOf(gateway) is { Until: not null }, "it reports again");

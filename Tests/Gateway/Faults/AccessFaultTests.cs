@@ -72,7 +72,7 @@ public class AccessFaultTests
         await headset.BecomesAsync(
             () => headset.State != PoseState.Current && headset.Session.SyncLink.IsTokenRefused && headset.Session.SampleLink.IsTokenRefused,
             "refused on both connections");
-        await other.BecomesAsync(() => other.IsConnected && other.State == PoseState.Current, "the other one continues");
+        await other.BecomesAsync(() => other.IsConnected && other.State == PoseState.Current, "the other headset continues");
         File.WriteAllText(path, "observer a\nobserver b\n");
         var took = await headset.BecomesAsync(PoseState.Current);
 

@@ -54,7 +54,7 @@ public class EndFaultTests
         await going;
 
         Recovery.Print("plant killed, from the next one's connection to a current pose", took);
-        Assert.That(gateway.Drops[DropReason.JointTaken], Is.Zero, "the joints were free");
+        Assert.That(gateway.Drops[DropReason.JointTaken], Is.Zero, "the joints no longer belonged to another source");
     }
 
     [TestCase(1.0)]

@@ -58,7 +58,7 @@ public class PathFaultTests
         while (gateway.WebSocketConnections[Closure.Silence] == 0)
         {
             await second.RoundTripAsync();
-            Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Soon.Limit), "noticed");
+            Assert.That(Stopwatch.GetElapsedTime(since), Is.LessThan(Soon.Limit), "the failure is detected in time");
             await Task.Delay(50);
         }
 

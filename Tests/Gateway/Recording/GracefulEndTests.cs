@@ -34,7 +34,7 @@ public class GracefulEndTests
         var reading = ReadAsync(client, seen);
         using var enough = new CancellationTokenSource();
         var writing = WriteAsync(client, enough.Token);
-        await Soon.BecomesAsync(() => { lock (seen) return seen.Count > 200; }, "messages come back");
+        await Soon.BecomesAsync(() => { lock (seen) return seen.Count > 200; }, "the client receives messages");
 
         var ended = await gateway.SignalAsync(signal).Bounded();
 
@@ -46,7 +46,7 @@ public class GracefulEndTests
         Assert.That(lines[^1].GetProperty("reason").GetString(), Is.EqualTo("closed"));
         var recorded = lines.Where(line => line.GetProperty("kind").GetString() == "sample")
             .Select(line => (int)line.GetProperty("position")[0].GetDouble()).ToArray();
-        Assert.That(recorded, Is.EqualTo(Enumerable.Range(0, recorded.Length)), "none missing in between");
+        Assert.That(recorded, Is.EqualTo(Enumerable.Range(0, recorded.Length)), "no frame is missing in between");
         Assert.That(recorded.Length, Is.GreaterThan(seen.Max()), "the file contains all forwarded messages");
     }
 

@@ -37,8 +37,8 @@ public class LineFileTests
         Assert.That(file.Flush, Throws.InstanceOf<IOException>());
 
         Assert.That(file.Records, Is.EqualTo(whole));
-        Assert.That(disk.Text, Is.EqualTo(string.Concat(Enumerable.Repeat("123456789\n", whole))), "no torn line");
-        Assert.That(file.Dispose, Throws.Nothing, "it does not try again");
+        Assert.That(disk.Text, Is.EqualTo(string.Concat(Enumerable.Repeat("123456789\n", whole))), "all lines are complete");
+        Assert.That(file.Dispose, Throws.Nothing, "Dispose does not write again");
         Assert.That(disk.IsDisposed, Is.True);
     }
 

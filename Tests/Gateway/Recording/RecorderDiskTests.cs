@@ -36,7 +36,7 @@ public class RecorderDiskTests
         Assert.That(status.On, Is.False);
         Assert.That(status.Problem, Does.Contain("No space left"));
         var kept = first.Text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
-        Assert.That(kept.Select(line => JsonDocument.Parse(line)), Is.All.Not.Null, "no torn line");
+        Assert.That(kept.Select(line => JsonDocument.Parse(line)), Is.All.Not.Null, "all lines are complete");
         Assert.That(status.Lines, Is.EqualTo(kept.Length - 1));
         Assert.That(status.Lines + status.Lost, Is.InRange(Published + 10, Published + 40), "the samples and a few lines per second about the clock");
 

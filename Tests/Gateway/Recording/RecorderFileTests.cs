@@ -141,7 +141,7 @@ public class RecorderFileTests
 
         var lines = Lines(recorder.Path);
         var poses = lines.Where(line => line.GetProperty("kind").GetString() == "pose").ToArray();
-        Assert.That(poses.Select(pose => pose.GetProperty("frame").GetString()), Is.EqualTo(new[] { "table", "part" }), "published before and after");
+        Assert.That(poses.Select(pose => pose.GetProperty("frame").GetString()), Is.EqualTo(new[] { "table", "part" }), "the file contains the poses published before and after its start");
         Assert.That(poses[0].GetProperty("stationary").GetBoolean(), Is.True);
         Assert.That(poses[1].GetProperty("stamp_ns").GetInt64(), Is.EqualTo(stamp.Nanoseconds));
         Assert.That(poses[1].GetProperty("control_arrival_ns").GetInt64(), Is.GreaterThanOrEqualTo(stamp.Nanoseconds));

@@ -85,7 +85,7 @@ public class RecorderTests
         Assert.That(diagnostics.GetProperty("values").GetProperty("say \"so\"").GetString(), Is.EqualTo("\n"));
         Assert.That(lines[^1].GetProperty("reason").GetString(), Is.EqualTo("closed"));
         Assert.That(recorder.Status.Lost, Is.Zero);
-        Assert.That(recorder.Status.Lines, Is.EqualTo(lines.Length - 2), "all lines except the header and the end");
+        Assert.That(recorder.Status.Lines, Is.EqualTo(lines.Length - 2), "the count includes all lines except the header and the end");
     }
 
     static bool HasDrops(string path)

@@ -123,7 +123,7 @@ public class RecordingsTests
     {
         await using var gateway = await StartAsync();
         gateway.Recorder.SwitchOn();
-        await Soon.BecomesAsync(() => File.Exists(gateway.Recorder.Path), "it is made");
+        await Soon.BecomesAsync(() => File.Exists(gateway.Recorder.Path), "the recording exists");
 
         File.Delete(gateway.Recorder.Path);
 
@@ -131,7 +131,7 @@ public class RecordingsTests
         var state = await StateAsync(gateway);
         var recording = state.GetProperty("recording");
         Assert.That(recording.GetProperty("problem").GetString(), Does.Contain("was deleted"));
-        Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "nothing of it can be read");
+        Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "no line can be read from a deleted file");
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.EndWith("Start the recording again to write a new file.").And.Not.Contain("Correct"));
         gateway.Recorder.SwitchOn();
@@ -152,7 +152,7 @@ public class RecordingsTests
         await Soon.BecomesAsync(
             () => StateAsync(gateway).Result.GetProperty("events").EnumerateArray().Any(
                 one => one.GetProperty("which").GetString() == name && one.GetProperty("what").GetString() == "was deleted"),
-            "it is an event");
+            "the deletion is an event");
         Assert.That((await StateAsync(gateway)).GetProperty("recording").GetProperty("deleted").GetBoolean());
         Assert.That((await StateAsync(gateway)).GetProperty("recording").TryGetProperty("problem", out _), Is.False);
     }

@@ -33,7 +33,7 @@ public class AdapterRoleTests
     {
         Assert.That(RoleOf(WithoutTokens, WithoutTokens.AdapterToken, address), Is.EqualTo(Role.Source));
         Assert.That(RoleOf(WithoutTokens, null, address), Is.EqualTo(others));
-        Assert.That(RoleOf(WithoutTokens, "guess", address), Is.EqualTo(others), "a token that is left over");
+        Assert.That(RoleOf(WithoutTokens, "guess", address), Is.EqualTo(others), "a wrong token has no effect without tokens");
     }
 
     [Test]

@@ -37,7 +37,7 @@ public class FollowedFileTests
         File.WriteAllText(_path, meanwhile);
         isBeingWritten = true;
 
-        Assert.That(file.Current, Is.EqualTo("first"), "read while it was written");
+        Assert.That(file.Current, Is.EqualTo("first"), "the file was read while it was written");
         Assert.That(file.Current, Is.EqualTo("the whole second text"));
         Assert.That(_log, Is.Empty);
     }

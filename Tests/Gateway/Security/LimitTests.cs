@@ -126,7 +126,7 @@ public class LimitTests
             }
         }
 
-        Assert.That(log.Count(line => line.Contains("Origin")), Is.EqualTo(RateLimitedLog.LinesAMinute + 1), "and one line that counts the others");
+        Assert.That(log.Count(line => line.Contains("Origin")), Is.EqualTo(RateLimitedLog.LinesAMinute + 1), "one line counts the other lines");
         Assert.That(log.Last(line => line.Contains("Origin")), Does.Contain("(190 more"));
         Assert.That(gateway.WebSocketConnections[Closure.Origin], Is.EqualTo(200));
     }
@@ -139,7 +139,7 @@ public class LimitTests
         try
         {
             for (var i = 0; i < 10; i++) silent.Add(await RawSyncClient.ConnectAsync(gateway));
-            await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.ConnectionLimit] == 7, "no more than three");
+            await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.ConnectionLimit] == 7, "all connections beyond three are refused");
             Assert.That(gateway.SyncConnections.Open, Is.EqualTo(3));
 
             using var other = await RawSyncClient.ConnectAsync(gateway.SyncEndPoint, IPAddress.Parse("127.0.0.2"));

@@ -64,7 +64,7 @@ public class PendingConnectionsTests
         Assert.That(evicted, Is.EqualTo(new[] { "silent" }));
         Assert.That(pending.TryEvictOldest(), Is.True);
         Assert.That(evicted, Is.EqualTo(new[] { "silent", "new" }));
-        Assert.That(pending.TryEvictOldest() && pending.TryEvictOldest(), Is.False, "there is only one");
+        Assert.That(pending.TryEvictOldest() && pending.TryEvictOldest(), Is.False, "only one connection can be evicted");
     }
 
     [TestCase(false)]

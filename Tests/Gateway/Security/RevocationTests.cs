@@ -150,7 +150,7 @@ public class RevocationTests
         await Soon.BecomesAsync(() => !_log.IsEmpty, "the error is logged");
         await client.RoundTripAsync();
         Write("observer kept", "observer also-kept", "observer new");
-        await Soon.BecomesAsync(() => AcceptsAsync(gateway, "new").Result, "followed again");
+        await Soon.BecomesAsync(() => AcceptsAsync(gateway, "new").Result, "the new token is accepted");
 
         var lines = _log.Where(line => line.Contains(TokensPath)).ToArray();
         Assert.That(lines.Length, Is.EqualTo(1), string.Join('\n', lines));

@@ -63,7 +63,7 @@ public class WrongTokenTests
         Assert.That(new[] { Wait(guessing), Wait(IPAddress.Parse("2001:db8::2")), Wait(guessing) }, Is.EqualTo(new[] { 1.0, 2, 3 }));
         Assert.That(Wait(other), Is.Zero);
         time.Advance(TimeSpan.FromSeconds(2.5));
-        Assert.That(Wait(guessing), Is.EqualTo(1.5), "half a second of the third delay is left");
+        Assert.That(Wait(guessing), Is.EqualTo(1.5), "half a second of the third delay remains");
         time.Advance(TimeSpan.FromSeconds(30));
         Assert.That(Wait(guessing), Is.EqualTo(1));
         for (var i = 0; i < 1000; i++) Wait(guessing);
@@ -104,7 +104,7 @@ public class WrongTokenTests
         for (var i = 1; i <= 10 * PairingLimits.WrongCodesPerMinute; i++)
         {
             held.Add(AskAsync(gateway, $"guess {i}", guesses.Token));
-            await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Token] == i, "judged");
+            await Soon.BecomesAsync(() => gateway.WebSocketConnections[Closure.Token] == i, "the wrong token is counted");
         }
 
         Assert.That((await AskAsync(gateway, valid)).Status, Is.EqualTo(HttpStatusCode.OK));
@@ -131,7 +131,7 @@ public class WrongTokenTests
         await Soon.BecomesAsync(() => time.Long.Count == answers.Count, "all answers are delayed");
         Assert.That(time.Long.Order(), Is.EqualTo(new[] { 1, 2, 3 }.Select(turn => turn * Slow.WrongTokenDelay)));
         Assert.That(answers, Has.None.Matches<Task>(answer => answer.IsCompleted));
-        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "a known one");
+        Assert.That((await AskAsync(gateway, Gateways.ObserverToken)).Status, Is.EqualTo(HttpStatusCode.OK), "a known token is answered without delay");
         time.End();
         foreach (var answer in answers) Assert.That((await answer.Bounded()).StatusCode, Is.EqualTo(HttpStatusCode.TooManyRequests));
     }

@@ -99,7 +99,7 @@ public class CellBoardTests
 
         _time.Advance(TimeSpan.FromSeconds(1.5));
 
-        Assert.That(_board.Frames(At(9)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }), "no more reports");
+        Assert.That(_board.Frames(At(9)).Select(frame => (frame.Name, frame.State)), Is.EqualTo(new[] { ("box", "stale") }), "the source has stopped reporting");
     }
 
     [Test]

@@ -36,7 +36,7 @@ public class ForwardingTimesTests
         times.Percentile(0.5);
 
         var five = Array.IndexOf(ForwardingTimes.Limits, 0.005);
-        Assert.That(times.Counts()[five], Is.EqualTo(1), "an upper limit belongs to its bucket");
+        Assert.That(times.Counts()[five], Is.EqualTo(1), "a value equal to the upper limit is in its bucket");
         Assert.That(times.Counts()[five + 1], Is.EqualTo(1));
         Assert.That(times.Counts()[^1], Is.EqualTo(1));
         Assert.That(times.Sum, Is.EqualTo(2.0100001).Within(1e-9));

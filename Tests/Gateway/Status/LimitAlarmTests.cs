@@ -36,7 +36,7 @@ public class LimitAlarmTests
             Send(elbow);
             return _alarm.Joints.Count > 0;
         },
-        "it is found");
+        "the joint is found");
 
     [Test]
     public async Task Joints_OnePositionInDegrees_IsLoggedOnceAndCounted()
@@ -68,7 +68,7 @@ public class LimitAlarmTests
                 Send(7);
                 return _alarm.Joints.Count == 0;
             },
-            "nothing is wrong now");
+            "no joint is outside its limits now");
     }
 
     [Test]

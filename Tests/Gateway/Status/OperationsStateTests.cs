@@ -83,7 +83,7 @@ public class OperationsStateTests
         Assert.That(joints.GetProperty("age_ms").GetProperty("p50").GetDouble(), Is.EqualTo(80).Within(20));
         var headset = state.GetProperty("headsets")[0];
         Assert.That(headset.GetProperty("name").GetString(), Is.EqualTo("goggles"));
-        Assert.That(headset.GetProperty("l_app_ms").GetDouble(), Is.EqualTo(95), "numbers are numbers");
+        Assert.That(headset.GetProperty("l_app_ms").GetDouble(), Is.EqualTo(95), "a number is written as a JSON number");
         Assert.That(headset.GetProperty("state").GetString(), Is.EqualTo("synchronised"));
         AssertBudget(headset.GetProperty("budget_ms"), state.GetProperty("forward_ms").GetProperty("p50").GetDouble());
         var adapter = state.GetProperty("adapters")[0];

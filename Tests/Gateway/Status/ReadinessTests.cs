@@ -63,7 +63,7 @@ public class ReadinessTests
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.ServiceUnavailable));
         Assert.That(text, Does.StartWith("waiting\nthe gateway's own control clock is not served"));
-        Assert.That((await GetAsync(gateway, "/healthz")).Status, Is.EqualTo(HttpStatusCode.OK), "the gateway is alive nevertheless");
+        Assert.That((await GetAsync(gateway, "/healthz")).Status, Is.EqualTo(HttpStatusCode.OK), "the gateway is still live");
     }
 
     [Test]

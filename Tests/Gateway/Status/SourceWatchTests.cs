@@ -84,7 +84,7 @@ public class SourceWatchTests
         Assert.That(watch.Read(At(1)).Single().Names, Has.Length.EqualTo(SourceWatch.MaxJoints));
 
         watch.Add(["late"], At(20), TimeSpan.Zero);
-        Assert.That(watch.Read(At(20)).Single().Names, Is.EqualTo(new[] { "late" }), "once they are gone");
+        Assert.That(watch.Read(At(20)).Single().Names, Is.EqualTo(new[] { "late" }), "the source is reported after the other sources have been removed");
     }
 
     [Test]

@@ -125,7 +125,7 @@ public class BaseAnchorDisplayTests
 
         Assert.That(_played.Anchor.Words, Is.EqualTo("marker 'a': its size: 9 m is out of range; allowed: 0.005 to 5 m"));
         Assert.That(_played.Logged.Distinct(), Is.EqualTo(new[] { "[Nowpose] base anchor 'Base Anchor': " + _played.Anchor.Words }));
-        Assert.That(_played.Session.Frame, Is.Not.Null, "all else goes on");
+        Assert.That(_played.Session.Frame, Is.Not.Null, "the session continues");
     }
 
     [Test]

@@ -159,7 +159,7 @@ public class BaseAnchorTests
         hand.transform.SetParent(_played.Session.transform);
         _played.Session.gameObject.SetActive(true);
         _played.Cell.Run(5, _played.Session);
-        Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Placed), "it has not been moved");
+        Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Placed), "the object has not been moved");
 
         hand.BeginMove();
         hand.transform.SetPositionAndRotation(new Vector3(0.4f, 1, 2), Quaternion.Euler(0, 30, 0));
@@ -188,7 +188,7 @@ public class BaseAnchorTests
         _played.Cell.Run(0.1, _played.Session);
         hand.EndMove();
         _played.Cell.Run(0.1, _played.Session);
-        Assert.That(_played.OffFrom(Base).Metres, Is.LessThan(0.001), "it was not moved");
+        Assert.That(_played.OffFrom(Base).Metres, Is.LessThan(0.001), "the base was not moved");
         Assert.That(_played.Anchor.Tracker.Lock.Markers, Is.EqualTo(0), "by hand");
     }
 

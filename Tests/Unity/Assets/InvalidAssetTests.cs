@@ -70,7 +70,7 @@ public sealed class InvalidAssetTests
     public void Load_InvalidHierarchy_IsRefused(string good, string bad, string expected)
     {
         var text = Arm.Replace("PROBE\n", "", StringComparison.Ordinal);
-        Assert.That(text, Does.Contain(good), "the test breaks nothing");
+        Assert.That(text, Does.Contain(good), "the text contains the part that the test replaces");
 
         _probed.Project.AddYaml("Assets/Arm.prefab", 3, text.Replace(good, bad, StringComparison.Ordinal));
 

@@ -19,7 +19,7 @@ public sealed class ManualPicturesTests
         var opacities = parts.Select(Opacities).ToList();
         Assert.That(parts, Has.Count.EqualTo(3));
         Assert.That(opacities[0], Is.EqualTo(new[] { 1.0 }), "a current pose is drawn in full");
-        Assert.That(opacities[1], Is.EqualTo(new[] { 0.4, 1 }), "and the ghost beside it");
+        Assert.That(opacities[1], Is.EqualTo(new[] { 0.4, 1 }), "the ghost is beside the robot");
         Assert.That(opacities[2], Is.EqualTo(new[] { 0.09, 0.6, 1 }).Within(1e-9), "a fade leaves 0.6, a stripe 0.15 of that; the arm is in full");
         Assert.That(parts.Select(part => part.Elements(Svg + "text").SingleOrDefault()?.Value), Is.EqualTo(new[] { null, null, "held" }));
     }
@@ -36,7 +36,7 @@ public sealed class ManualPicturesTests
         var differing = parts[0].Except(parts[1]).Select(face => face.Fill).ToList();
         Assert.That(common.Any(IsGrey), "the real arm is the same");
         Assert.That(differing.Any(IsGrey), Is.False);
-        Assert.That(differing.Any(IsBlue), "the gripper lags");
+        Assert.That(differing.Any(IsBlue), "the gripper lags behind the true position");
         Assert.That(differing.Any(fill => !IsBlue(fill)), "the workpiece lags");
     }
 

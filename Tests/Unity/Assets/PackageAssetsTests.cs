@@ -185,7 +185,7 @@ public sealed class PackageAssetsTests
             for (var i = 0; i < model.Links.Count; i++)
             {
                 var link = rig.Link(model.Links[i].Name);
-                Assert.That(saved, Does.Contain(link), "bound to the prefab's objects, not rebuilt");
+                Assert.That(saved, Does.Contain(link), "the rig uses the objects of the prefab");
                 RequireAt(rig.transform, link, expected[i], $"seed {seed}, pose {n}, link {link.name}");
             }
         }

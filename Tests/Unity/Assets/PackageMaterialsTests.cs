@@ -40,7 +40,7 @@ public sealed class PackageMaterialsTests
         var text = RepositoryFiles.Read(path);
 
         Assert.That(Regex.Matches(text, @"fileID: 10303\b|fileID: 46, guid: 0000000000000000f"), Is.Empty);
-        Assert.That(Regex.Matches(text, @"guid: 0000000000000000f000000000000000"), Is.Empty, "nothing of Unity's extra resources");
+        Assert.That(Regex.Matches(text, @"guid: 0000000000000000f000000000000000"), Is.Empty, "the file uses none of Unity's extra resources");
     }
 
     [TestCaseSource(nameof(Hierarchies))]
@@ -72,7 +72,7 @@ public sealed class PackageMaterialsTests
                 || (appearance.TryGetComponent<TrackedObject>(out var tracked) && tracked.Shows == RigPose.Held);
 
             Assert.That(appearance.Shown("_substitute"), Is.SameAs(Load(isGhost ? "Ghost" : "Hologram")), appearance.name);
-            Assert.That(appearance.NeedsSubstitute, Is.False, "the package's own parts can show it themselves");
+            Assert.That(appearance.NeedsSubstitute, Is.False, "the package's own materials can show the state");
         }
     }
 

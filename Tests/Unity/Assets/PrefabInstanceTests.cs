@@ -60,7 +60,7 @@ public sealed class PrefabInstanceTests
         var read = Load("Assets/Menu.prefab").transform.GetChild(0);
 
         Assert.That(text, Does.Contain("propertyPath: m_AnchoredPosition.x\n      value: 12\n"));
-        Assert.That(text, Does.Contain("--- !u!224 &").And.Contain(" stripped"), "what the label hangs on");
+        Assert.That(text, Does.Contain("--- !u!224 &").And.Contain(" stripped"), "the parent of the label is a stripped object");
         Assert.That(((RectTransform)read)._anchoredPosition, Is.EqualTo(new Vector2(12, -3)));
         Assert.That(read.GetChild(0).name, Is.EqualTo("Label"));
     }
@@ -77,7 +77,7 @@ public sealed class PrefabInstanceTests
         Assert.That(hand.GetComponent<LoaderProbe>().other, Is.SameAs(hand.GetChild(0)));
         Assert.That(Load(HandPath).transform.parent, Is.Null, "the prefab itself");
         Assert.That(_project.Read(ArmPath), Does.Contain("m_SourcePrefab: {fileID: 100100000, guid: " + GuidOf(3) + ", type: 3}"));
-        Assert.That(_project.Read(ArmPath), Does.Not.Contain("of the prefab"), "what does not differ");
+        Assert.That(_project.Read(ArmPath), Does.Not.Contain("of the prefab"), "values that do not differ from the prefab are not written");
     }
 
     [Test]
@@ -207,7 +207,7 @@ public sealed class PrefabInstanceTests
         var scene = UnityEngine.SceneManagement.SceneManager.GetActiveScene();
         Assert.That((scene.name, scene.path), Is.EqualTo(("Two", "Assets/Two.unity")));
         Assert.That(scene.GetRootGameObjects().Select(g => g.name), Is.EqualTo(new[] { "First", "Between", "Second" }));
-        Assert.That(scene.GetRootGameObjects()[1].activeInHierarchy, Is.False, "as prepared");
+        Assert.That(scene.GetRootGameObjects()[1].activeInHierarchy, Is.False, "the object is inactive, as in the file");
         Assert.That(scene.GetRootGameObjects()[2].activeInHierarchy, Is.True);
     }
 
@@ -239,7 +239,7 @@ public sealed class PrefabInstanceTests
         hand.GetComponent<LoaderProbe>().text = "of the instance";
         Save(ArmPath, 4, arm);
         var text = _project.Read(ArmPath);
-        Assert.That(text, Does.Contain(good), "the test breaks nothing");
+        Assert.That(text, Does.Contain(good), "the text contains the part that the test replaces");
 
         _project.Add(ArmPath, 4, text.Replace(good, bad, StringComparison.Ordinal), "PrefabImporter");
 

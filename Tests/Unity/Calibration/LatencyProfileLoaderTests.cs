@@ -72,7 +72,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(_loader.From, Is.EqualTo(Saved));
         Assert.That(_session.Statistics.Profile, Is.SameAs(_loader.Profile));
         Assert.That(_cell.Messages, Has.Exactly(1).EqualTo("[Nowpose] latency profile: L_visu 51.0 ms ± 1.1 ms by visible light, 2026-11-20; "
-            + "up to 15.0 ms render time, GPU time by headset; from " + Saved));
+            + "up to 15.0 ms render time, GPU time from headset; from " + Saved));
     }
 
     [Test]
@@ -146,7 +146,7 @@ public sealed class LatencyProfileLoaderTests
         _cell.Player.World.Gpu.DisplayHz = 90;
         _cell.Run(2, _session);
 
-        Assert.That(before, Is.EqualTo(51), "not compared while it was not known");
+        Assert.That(before, Is.EqualTo(51), "the rate is not compared while it is unknown");
         Assert.That(VisuMs, Is.EqualTo(40));
         Assert.That(_loader.Problem, Does.EndWith(
             "latency profile was measured at 60 Hz, but this display shows 90 Hz; calibrate at this refresh rate"));
@@ -227,7 +227,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(isKept, Is.False);
         Assert.That(_loader.Problem, Does.StartWith(Saved + ": the latency profile cannot be saved: "));
         Assert.That(_loader.From, Is.EqualTo("an unsaved calibration"));
-        Assert.That(_cell.Messages, Has.None.EndsWith("; from " + Saved), "nothing is there");
+        Assert.That(_cell.Messages, Has.None.EndsWith("; from " + Saved), "no file has been saved");
         Assert.That(VisuMs, Is.EqualTo(47));
     }
 

@@ -34,10 +34,10 @@ public sealed class LoadSweepTests
         await _played.Judged();
 
         var rows = SweepTable.Read(_played.Sweep.Path, out _);
-        Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.EquivalentTo(new[] { 0, 25_000, 50_000, 75_000, 100_000 }), "building, too");
+        Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.EquivalentTo(new[] { 0, 25_000, 50_000, 75_000, 100_000 }), "the frames in which a load is built are logged");
         foreach (var load in new[] { 0, 50_000 })
             Assert.That(rows.Count(row => row.Vertices == load), Is.InRange(2 * 36, 2 * 39), "0.6 s at 60 Hz, up and down");
-        Assert.That(Gaps(rows), Is.Empty, "not a frame is missing");
+        Assert.That(Gaps(rows), Is.Empty, "no frame is missing");
         foreach (var row in rows)
             Assert.That(seen.GetValueOrDefault(TimestampCode.ValueOf(row.FrameStart), -1), Is.EqualTo(row.Vertices), "by the code of " + row.FrameStart);
         Assert.That(rows, Has.All.Matches<SweepRow>(row => row.Source == RenderTimeSourceKind.DisplayGpuTime && row.RenderMs > 2));

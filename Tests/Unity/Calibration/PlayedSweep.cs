@@ -60,7 +60,7 @@ sealed class PlayedSweep : IAsyncDisposable
             Cell.Frame(Session);
             return Sweep.Verdict != null || Sweep.Problem != null;
         },
-        "the sweep is judged");
+        "the sweep is evaluated");
 
     public async ValueTask DisposeAsync()
     {

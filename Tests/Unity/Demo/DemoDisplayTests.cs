@@ -51,7 +51,7 @@ public class DemoDisplayTests
     {
         var profile = DemoCalibration.Of(Plain with { Load = 0, Seed = seed, VisualisationMs = 43.4, VisualisationErrorMs = 2 });
 
-        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(45.4).Within(0.1), "with the error that the runtime is given");
+        Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(45.4).Within(0.1), "L_visu includes the error that is added for the runtime");
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.InRange(0.94 * 15.17, 1.02 * 15.17));
         Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
     }

@@ -93,7 +93,7 @@ public class DemoHeadsetTests(string robot)
         Assert.That(fromScene, Is.LessThan(ToleranceMm));
         Assert.That(fromFrame, Is.LessThan(ToleranceMm));
         Assert.That(gapError, Is.LessThan(ToleranceMm));
-        Assert.That(gap, Is.GreaterThan(5), "it moves, and the ghost shows what is compensated");
+        Assert.That(gap, Is.GreaterThan(5), "the robot moves, and the ghost shows the compensated distance");
         Assert.That(currents, Is.GreaterThan(500));
         Assert.That(_headset.Complaint, Is.Null);
         Assert.That(_headset.Log.ApplicationLatencies, Has.Count.GreaterThan(200));

@@ -17,13 +17,13 @@ public class DemoLoadTests
         var range = score.Result().Range;
         Assert.That(run.Failure(), Is.Null);
         Assert.That(range.Alarms, Is.EqualTo(1));
-        Assert.That(range.LeftS, Is.InRange(6.67, 7.0), "the load comes at 6.67 s");
-        Assert.That(range.FoundS, Is.InRange(15, 16), "and goes at 15 s");
+        Assert.That(range.LeftS, Is.InRange(6.67, 7.0), "the load starts at 6.67 s");
+        Assert.That(range.FoundS, Is.InRange(15, 16), "the load ends at 15 s");
         Assert.That(
             score.Range.VisualisationMs(isOutside: true), Is.GreaterThan(score.Range.VisualisationMs(isOutside: false) + 15), "frames miss a refresh");
-        Assert.That(score.Result().Hindcast.Reduction, Is.Null, "the headset does not see when these frames appear");
+        Assert.That(score.Result().Hindcast.Reduction, Is.Null, "the headset cannot measure when these frames appear");
         Assert.That(score.Result().Hindcast.ReductionText, Does.StartWith("withheld"));
-        Assert.That(score.Range.RmsOutsideMm, Is.GreaterThan(1.5 * score.Range.RmsInTimeMm.Value), "than the same frames in time");
+        Assert.That(score.Range.RmsOutsideMm, Is.GreaterThan(1.5 * score.Range.RmsInTimeMm.Value), "the error is larger than for the same frames shown in time");
         Assert.That(WhileLoaded(score, run), Is.GreaterThan(1.5 * WhileLoaded(seed)), "than the same motion without a load");
     }
 
@@ -64,7 +64,7 @@ public class DemoLoadTests
         var range = score.Result().Range;
         Assert.That(run.Failure(), Is.Null);
         Assert.That((range.Alarms, range.FramesOutside, range.LeftS), Is.EqualTo((0, 0, (double?)null)));
-        Assert.That(range.LimitRenderMs, Is.Not.Null, "it was watched");
+        Assert.That(range.LimitRenderMs, Is.Not.Null, "the range was monitored");
         Assert.That(score.Result().Hindcast.Reduction, Is.EqualTo(score.Result().ToolErrorMm.Reduction).Within(0.02), "the headset's own number");
         Assert.That(run.Frames.Rows[^1].Range, Is.EqualTo(RangeState.Inside));
         Assert.That(WhileLoaded(score, run), Is.EqualTo(WhileLoaded(seed)).Within(10).Percent, "of the same motion without a load");

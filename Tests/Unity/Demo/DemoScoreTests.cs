@@ -61,7 +61,7 @@ public class DemoScoreTests
         Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(1).Within(1e-4));
         Assert.That(result.Clock.OffsetErrorUsMax, Is.EqualTo(50).Within(1e-9));
         Assert.That(result.Clock.ConvergedS, Is.EqualTo(5).Within(0.02));
-        Assert.That(result.Frames, Is.EqualTo(600), "all of them");
+        Assert.That(result.Frames, Is.EqualTo(600), "all events are written");
     }
 
     [Test]
@@ -71,7 +71,7 @@ public class DemoScoreTests
 
         Assert.That(result.ToolErrorMm.HoldMax, Is.EqualTo(10).Within(1e-9));
         Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(1).Within(1e-4));
-        Assert.That(result.Clock.OffsetErrorUsMax, Is.EqualTo(700), "over all instants after it converged");
+        Assert.That(result.Clock.OffsetErrorUsMax, Is.EqualTo(700), "the maximum is over all times after convergence");
     }
 
     [Test]
@@ -92,7 +92,7 @@ public class DemoScoreTests
         var result = Score(15, s => new Wrong(1, (s - 5) / 10, -(s - 5) / 10, -(s - 5) * 100));
 
         Assert.That(result.ToolErrorMm.P95, Is.EqualTo(0.95).Within(2e-3));
-        Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(0.95).Within(2e-3), "of the magnitude");
+        Assert.That(result.LatencyMs.TotalErrorP95, Is.EqualTo(0.95).Within(2e-3), "the percentile is that of the magnitude");
         Assert.That(result.LightErrorMs.P50, Is.EqualTo(0.5).Within(2e-3));
         Assert.That(result.LightErrorMs.P95, Is.EqualTo(result.LatencyMs.TotalErrorP95));
         Assert.That(result.LightErrorMs.Max, Is.EqualTo(1).Within(2e-3));
@@ -102,7 +102,7 @@ public class DemoScoreTests
         Assert.That(result.Clock.WithinStatedShare, Is.EqualTo(0.3).Within(2e-3));
         Assert.That(result.LatencyMs.AppP50, Is.EqualTo(50));
         Assert.That(result.LatencyMs.AppP95, Is.EqualTo(95));
-        Assert.That(result.LatencyMs.Visu, Is.EqualTo(40), "the true one");
+        Assert.That(result.LatencyMs.Visu, Is.EqualTo(40), "the true L_visu is reported");
     }
 
     [Test]

@@ -59,7 +59,7 @@ public class DemoVerbTests
             Assert.That(Names(result.GetProperty("bodies").GetProperty(kind)), Is.EqualTo("hold_rms rms p95 reduction"));
         Assert.That(Names(result.GetProperty("hindcast")), Is.EqualTo("reduction reduction_uncertainty rms_mm hold_rms_mm withheld"));
         var repeated = result.GetProperty("tool_error_mm").GetProperty("reduction_repeated");
-        Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "no third cycle in five seconds");
+        Assert.That(repeated.ValueKind, Is.EqualTo(JsonValueKind.Null), "five seconds contain no third cycle");
         await AssertReplayable();
     }
 
@@ -71,8 +71,8 @@ public class DemoVerbTests
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         var range = Result().GetProperty("range");
         Assert.That(Names(range), Is.EqualTo("limit_render_ms left_s found_s frames_outside alarms"));
-        Assert.That(range.GetProperty("left_s").GetDouble(), Is.GreaterThan(2.7), "the load comes at 2.67 s");
-        Assert.That(range.GetProperty("found_s").GetDouble(), Is.GreaterThan(6.4), "and goes at 6 s");
+        Assert.That(range.GetProperty("left_s").GetDouble(), Is.GreaterThan(2.7), "the load starts at 2.67 s");
+        Assert.That(range.GetProperty("found_s").GetDouble(), Is.GreaterThan(6.4), "the load ends at 6 s");
         Assert.That(range.GetProperty("alarms").GetInt32(), Is.EqualTo(1));
         Assert.That(run.Output, Does.Contain("alarm: left at").And.Contain("found again at"));
     }
@@ -101,7 +101,7 @@ public class DemoVerbTests
         var plans = File.ReadLines(session).Count(line => line.StartsWith("{\"kind\":\"plan\"", StringComparison.Ordinal));
         Assert.That(plans, Is.InRange(1, 22), "four a second at most");
         Assert.That(replay.ExitStatus, Is.EqualTo(0), replay.Errors);
-        Assert.That(JsonDocument.Parse(replay.Output).RootElement.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.5), "with the plans");
+        Assert.That(JsonDocument.Parse(replay.Output).RootElement.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.5), "the replay uses the plans");
     }
 
     [Test]
@@ -125,7 +125,7 @@ public class DemoVerbTests
     public async Task Demo_Interrupted_WritesItsMeasurementsAndExitsWith130()
     {
         using var run = new PeerProcess("Nowpose.Cli.dll", "demo", "--network", "lan", "--out", _folder);
-        await Soon.BecomesAsync(() => run.Printed("3 of 20 s"), "three seconds of it");
+        await Soon.BecomesAsync(() => run.Printed("3 of 20 s"), "three seconds of the run");
 
         var status = await run.InterruptAsync();
 
@@ -173,7 +173,7 @@ public class DemoVerbTests
         var names = playback.GetProperty("names").GetArrayLength();
 
         Assert.That(playback.GetProperty("urdf").GetString(), Does.Contain("<robot"));
-        Assert.That(FirstOf("playback"), Is.EqualTo(FirstOf("error")).Within(0.001), "where the plots begin");
+        Assert.That(FirstOf("playback"), Is.EqualTo(FirstOf("error")).Within(0.001), "playback and plots begin at the same time");
         Assert.That(playback.GetProperty("t").GetArrayLength(), Is.EqualTo(truth.Length).And.GreaterThan(0));
         Assert.That(truth.Concat(displayed).Concat(hold), Has.All.Length.EqualTo(names));
     }

@@ -98,7 +98,7 @@ public sealed class ArSpatialAnchorsTests
         Run(0.1);
 
         Assert.That(lost, Is.EqualTo(SpatialAnchorState.Lost));
-        Assert.That(Metres(pose, Place), Is.LessThan(1e-5), "what it was last");
+        Assert.That(Metres(pose, Place), Is.LessThan(1e-5), "the last pose is kept");
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
     }
 

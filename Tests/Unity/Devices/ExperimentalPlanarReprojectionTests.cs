@@ -107,7 +107,7 @@ public sealed class ExperimentalPlanarReprojectionTests
         Run(1);
 
         Assert.That(during, Is.EqualTo(ReprojectionMode.PlanarManual));
-        Assert.That(_display.View.Set, Is.Empty, "the request holds for one frame");
+        Assert.That(_display.View.Set, Is.Empty, "the request is valid for one frame");
         Assert.That(_session.Reprojection, Is.EqualTo(ReprojectionMode.Depth));
     }
 

@@ -90,7 +90,7 @@ public sealed class OpenXrAnchorStoreTests
         _played.Device.Place(Earlier, _played.Origin.InSession(world.position, world.rotation), TrackingState.Tracking);
         _played.Run(0.1);
 
-        Assert.That(waiting, Is.EqualTo(SpatialAnchorState.Pending), "it may be another room");
+        Assert.That(waiting, Is.EqualTo(SpatialAnchorState.Pending), "the headset may be in another room");
         Assert.That(pose, Is.Null);
         Assert.That(anchor.KeptAs, Is.EqualTo("cell"));
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Tracking));
@@ -139,7 +139,7 @@ public sealed class OpenXrAnchorStoreTests
 
         Assert.That(second.State, Is.EqualTo(SpatialAnchorState.Tracking));
         Assert.That(_played.Device.Count, Is.EqualTo(1));
-        Assert.That(_played.Storage.PersistedAnchorNames, Does.Contain("cell"), "letting go forgets nothing");
+        Assert.That(_played.Storage.PersistedAnchorNames, Does.Contain("cell"), "releasing an anchor does not delete the stored one");
     }
 
     [Test]

@@ -28,7 +28,7 @@ public sealed class OpenXrDisplayTimeTests
         var without = _played.ErrorMm();
 
         Assert.That(without, Is.InRange(2.3, 3.4), "8 ms at 0.35 m/s RMS: the effect");
-        Assert.That(with, Is.LessThan(0.2 * without), "what is left is the prediction's");
+        Assert.That(with, Is.LessThan(0.2 * without), "only the error of the prediction remains");
     }
 
     [TestCase(10_000_000)]

@@ -78,7 +78,7 @@ public sealed class QrMarkerManagerTests
         var early = _played.Markers.Problem;
         _played.Cell.Run(10, _played.Session);
 
-        Assert.That(early, Is.Null, "everything may still start");
+        Assert.That(early, Is.Null, "no problem is reported while components may still start");
         Assert.That(_played.Markers.Problem, Does.Contain("WebCam"));
         Assert.That(
             _played.Cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime is not running, or does not offer this function", StringComparison.Ordinal)),
@@ -128,7 +128,7 @@ public sealed class QrMarkerManagerTests
         _played.Cell.Player.ReportGpuTime(TimeSpan.FromMilliseconds(5));
         _played.Cell.Run(1, _played.Session);
 
-        Assert.That(before, Is.Null, "nothing is reported before a display runs");
+        Assert.That(before, Is.Null, "no problem is reported before a display runs");
         Assert.That(manager.subsystem, Is.SameAs(codes));
         Assert.That(_played.Markers.Problem, Is.Null);
     }

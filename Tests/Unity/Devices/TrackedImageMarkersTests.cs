@@ -69,7 +69,7 @@ public sealed class TrackedImageMarkersTests
             Assert.That(Vector3.Distance(UnityPoses.ToWorld(point).position, Centre + 0.1f * axis), Is.LessThan(1e-5));
         }
         Assert.That(marker.Payload, Is.EqualTo("cell-7"));
-        Assert.That(marker.SizeMetres, Is.EqualTo(0.2).Within(1e-6), "its width");
+        Assert.That(marker.SizeMetres, Is.EqualTo(0.2).Within(1e-6), "the size is the width of the image");
     }
 
     [TestCase(0, 0, 0)]

@@ -23,7 +23,7 @@ public sealed class EditModeInspectorTests : EditorFixture
         Assert.That(Undo.Created, Is.EqualTo(new[] { root.gameObject }));
         Assert.That(Undo.Steps, Is.EqualTo(new[] { "Build youBot" }));
         rig.Bind(RobotFiles.Load("youbot"));
-        Assert.That(rig.Link(rig.Model.Root.Name), Is.SameAs(root), "it is found, not built again");
+        Assert.That(rig.Link(rig.Model.Root.Name), Is.SameAs(root), "the existing root object is used, and no second one is built");
     }
 
     [Test]

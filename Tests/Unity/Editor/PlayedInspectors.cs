@@ -48,6 +48,6 @@ sealed class PlayedInspectors : IDisposable
         foreach (var editor in Editors) UnityEngine.Object.DestroyImmediate(editor);
         Editors.Clear();
         Cell.Dispose();
-        Assert.That(EditorApplication.update, Is.Null, "an inspector that is closed leaves nothing behind");
+        Assert.That(EditorApplication.update, Is.Null, "a closed inspector has unregistered its callback");
     }
 }

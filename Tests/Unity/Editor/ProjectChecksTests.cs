@@ -114,7 +114,7 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.Android));
         Assert.That(PlayerSettings.Android.forceInternetPermission);
         var holoLens = new ProjectReview(ProjectChecks.ForHoloLens(), new UnityProjectSettings(HeadsetPlatform.HoloLens2));
-        Assert.That(holoLens.Results[IndexIn(holoLens, "Scripting backend is IL2CPP")].State, Is.EqualTo(CheckState.Missing), "of another player");
+        Assert.That(holoLens.Results[IndexIn(holoLens, "Scripting backend is IL2CPP")].State, Is.EqualTo(CheckState.Missing), "this is a setting of another player");
     }
 
     [Test]
@@ -134,7 +134,7 @@ public sealed class ProjectChecksTests : EditorFixture
         var check = _reviewed.IndexOf("Graphics Jobs are off");
         Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Unknown));
         _reviewed.Review.Fix(check);
-        Assert.That(PlayerSettings.graphicsJobs, "of another target");
+        Assert.That(PlayerSettings.graphicsJobs, "this is a setting of another build target");
 
         _reviewed.Review.Fix(_reviewed.IndexOf("Build target is Universal Windows Platform"));
         Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Advice));

@@ -90,7 +90,7 @@ public sealed class SessionInspectorTests : EditorFixture
         Assert.That(editor, Is.InstanceOf<CellPairingEditor>());
         Assert.That(GuiRecorder.Texts, Has.Some.Contains("Connect to cell 'desk'?"));
         Assert.That(pairing.Question, Is.Null);
-        Assert.That(File.Exists(file), Is.False, "what was refused is not kept");
+        Assert.That(File.Exists(file), Is.False, "a refused cell is not stored");
     }
 
     [Test]

@@ -31,7 +31,7 @@ public sealed class SetupWindowTests : EditorFixture
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
-        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False, "done while the window is drawn");
+        Assert.That(PlayerSettings.WSA.GetCapability(PlayerSettings.WSACapability.WebCam), Is.False, "the check runs while the window is drawn");
         EditorApplication.RunDelayed();
         GuiRecorder.Clear();
         Send("OnGUI");
@@ -79,7 +79,7 @@ public sealed class SetupWindowTests : EditorFixture
         Assert.That(texts[2], Is.EqualTo("8 points are missing for an Android headset."));
         Assert.That(texts, Does.Contain("✗ Internet Access is set to Require"));
         Assert.That(texts, Has.None.Contains("Capability"));
-        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "choosing what is listed switches nothing");
+        Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64), "a selection in the list does not switch the build target");
     }
 
     [Test]
@@ -148,7 +148,7 @@ public sealed class SetupWindowTests : EditorFixture
         GuiRecorder.Click = part;
 
         Send("OnGUI");
-        Assert.That(parent.transform.childCount, Is.Zero, "done while the window is drawn");
+        Assert.That(parent.transform.childCount, Is.Zero, "the check runs while the window is drawn");
         EditorApplication.RunDelayed();
 
         var made = Keep((GameObject)Selection.activeObject);

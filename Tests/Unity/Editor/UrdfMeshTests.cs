@@ -119,7 +119,7 @@ public sealed class UrdfMeshTests : EditorFixture
         var robot = _imported.Import("<link name='base'>" + Visual("<mesh filename='../meshes/a.obj'/>") + "</link>");
 
         Assert.That(robot.GetComponentsInChildren<Camera>(true), Is.Empty);
-        Assert.That(model.GetComponent<Camera>() != null, "the model itself stays");
+        Assert.That(model.GetComponent<Camera>() != null, "the imported model is unchanged");
         Assert.That(robot.GetComponentInChildren<MeshFilter>().sharedMesh, Is.SameAs(model.GetComponent<MeshFilter>().sharedMesh));
         Assert.That(robot.GetComponentInChildren<Renderer>().sharedMaterial, Is.SameAs(model.GetComponent<Renderer>().sharedMaterial));
     }

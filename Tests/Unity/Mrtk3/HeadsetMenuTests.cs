@@ -93,7 +93,7 @@ public sealed class HeadsetMenuTests
     [Test]
     public void Slider_AtTheStart_ShowsTheCurrentValue()
     {
-        Assert.That(_opacity.Value, Is.EqualTo(1), "the slider itself stood at 0.5");
+        Assert.That(_opacity.Value, Is.EqualTo(1), "the slider shows the opacity, not its own initial value 0.5");
         Assert.That(_actions.Opacity, Is.EqualTo(1));
         Assert.That(_nudgeWords.text, Is.EqualTo("L_visu 0.0 ms"));
     }

@@ -49,7 +49,7 @@ public class CellPairingTests
         Assert.That(_played.Pairing.Question, Is.Null);
         Assert.That(_played.Pairing.Cell, Is.EqualTo("desk"));
         Assert.That(_played.Session.Settings.Connection.SyncPort, Is.EqualTo(1));
-        Assert.That(_played.Session.Settings.Visualisation, Is.EqualTo(before.Visualisation), "the rest of the settings stays");
+        Assert.That(_played.Session.Settings.Visualisation, Is.EqualTo(before.Visualisation), "the other settings are unchanged");
         Assert.That(_played.Session.Session.SampleLink.State, Is.Not.EqualTo(LinkState.Idle));
         Assert.That(_played.Anchor.Cell, Is.EqualTo("desk"));
         Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Searching));

@@ -60,7 +60,7 @@ public class PairedGatewayTests
     async Task PairAsync()
     {
         _shown.Texts.Add(_gateway.CellCode().Text);
-        await SoonAsync(() => _pairing.Question != null, "asked");
+        await SoonAsync(() => _pairing.Question != null, "a question appears");
         _pairing.Accept();
         _shown.Texts.Add((await _gateway.ShownAsync()).Text);
         await SoonAsync(() => IsConnected, "connected");
@@ -84,7 +84,7 @@ public class PairedGatewayTests
         RestartPlaying();
         await SoonAsync(() => IsConnected, "connected again");
         Assert.That(_pairing.Question, Is.Null);
-        Assert.That(_gateway.Log.Count(line => line.Contains("received a token")), Is.EqualTo(1), "with the token that it had");
+        Assert.That(_gateway.Log.Count(line => line.Contains("received a token")), Is.EqualTo(1), "the headset connects with its stored token");
     }
 
     [Test]
@@ -109,7 +109,7 @@ public class PairedGatewayTests
         var used = await _gateway.ShownAsync();
         await _gateway.ExchangeAsync(used.Token, "another headset");
         _shown.Texts.Add(_gateway.CellCode().Text);
-        await SoonAsync(() => _pairing.Question != null, "asked");
+        await SoonAsync(() => _pairing.Question != null, "a question appears");
         _pairing.Accept();
 
         _shown.Texts.Add(used.Text);

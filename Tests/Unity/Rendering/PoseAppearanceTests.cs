@@ -100,7 +100,7 @@ public class PoseAppearanceTests
         var resumed = _played.Words.text;
         _played.Run(5);
 
-        Assert.That(paused.Item1.Hatch, Is.EqualTo(1), "at once, no frame need come");
+        Assert.That(paused.Item1.Hatch, Is.EqualTo(1), "the stripes appear before the next frame");
         Assert.That(paused.text, Is.EqualTo("no session"));
         Assert.That(paused.isVisible, Is.True);
         Assert.That(resumed, Is.EqualTo("no positions yet").Or.EqualTo("not synchronised"));

@@ -110,7 +110,7 @@ public sealed class PoseOwnMaterialTests
         _played.Cell.IsPlantUp = true;
         _played.Run(1);
 
-        Assert.That(_played.Tool.HasPropertyBlock(), Is.False, "the material's colour counts again");
+        Assert.That(_played.Tool.HasPropertyBlock(), Is.False, "the part has its material's colour again");
     }
 
     [Test]

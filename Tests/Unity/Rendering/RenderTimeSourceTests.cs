@@ -68,8 +68,8 @@ public class RenderTimeSourceTests
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(9).Within(1e-3));
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Inside));
-        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time by headset" }), "once");
-        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "they are not needed");
+        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time from headset" }), "once");
+        Assert.That(Gpu.PendingReadbacks, Is.EqualTo(0), "no readback is requested");
     }
 
     [TestCase(null)]
@@ -86,7 +86,7 @@ public class RenderTimeSourceTests
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.EngineGpuTime));
         Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(11).Within(1e-3));
         Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource), "the limit was found with the headset's");
-        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time by Unity" }));
+        Assert.That(Logged(), Is.EqualTo(new[] { "GPU time from Unity" }));
     }
 
     [TestCase(1)]
@@ -101,7 +101,7 @@ public class RenderTimeSourceTests
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.GpuCompletion));
         Assert.That(_session.Statistics.RenderTime.Value.TotalMilliseconds, Is.EqualTo(FrameMs * framesUntilDone).Within(0.01));
         Assert.That(_session.Statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.OtherSource), "the limit was found with the GPU's time");
-        Assert.That(Logged(), Is.EqualTo(new[] { "trigger to GPU done" }));
+        Assert.That(Logged(), Is.EqualTo(new[] { "time to GPU completion" }));
     }
 
     [Test]
@@ -127,7 +127,7 @@ public class RenderTimeSourceTests
         Play(2);
 
         Assert.That(_source.Source, Is.EqualTo(RenderTimeSourceKind.CameraCpu));
-        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "from before the camera to after it");
+        Assert.That(_source.RenderTime.Value.TotalMilliseconds, Is.EqualTo(2).Within(1e-3), "the time spans from before to after the camera's rendering");
         Assert.That(Logged(), Is.EqualTo(new[] { "camera CPU, unverified" }));
     }
 
@@ -170,11 +170,11 @@ public class RenderTimeSourceTests
         Run(2);
 
         Assert.That(before, Is.EqualTo(RangeState.Outside));
-        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few silent frames are none of its end");
+        Assert.That(soon, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime), "a few frames without values do not end the use of a source");
         Assert.That(_session.Statistics.Range, Is.EqualTo(RangeState.Unknown));
-        Assert.That(Logged().First(), Is.EqualTo("GPU time by headset"));
-        Assert.That(Logged().Last(), Is.EqualTo("trigger to GPU done"));
-        Assert.That(Logged(), Has.None.Contains("CPU"), "a better one was on its way");
+        Assert.That(Logged().First(), Is.EqualTo("GPU time from headset"));
+        Assert.That(Logged().Last(), Is.EqualTo("time to GPU completion"));
+        Assert.That(Logged(), Has.None.Contains("CPU"), "a source that is about to be replaced is not logged");
         Assert.That(Logged().Count(), Is.LessThanOrEqualTo(3));
     }
 

@@ -28,13 +28,13 @@ public sealed class SubstituteMaterialTests
         Assert.That(_played.Tool.HasPropertyBlock(), Is.False);
 
         _played.Hold();
-        Assert.That(_played.Seen(), Does.EndWith("Substitute _Fade0.5 _Hatch1"), "as faint as the state says, not as the user's _Fade");
+        Assert.That(_played.Seen(), Does.EndWith("Substitute _Fade0.5 _Hatch1"), "the state determines _Fade, not the user's material");
         if (several) Assert.That(_played.Seen(), Does.StartWith("Hologram _Fade0.5 _Hatch1"));
         _played.Cell.IsPlantUp = true;
         _played.Run(1);
         brass.SetFloat("_Fade", 0.5f);
 
-        Assert.That(_played.Seen(), Does.EndWith("Brass _Fade0.5"), "the material's own value counts");
+        Assert.That(_played.Seen(), Does.EndWith("Brass _Fade0.5"), "the material's own value of _Fade is used");
     }
 
     [Test]

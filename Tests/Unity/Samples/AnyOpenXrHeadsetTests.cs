@@ -112,7 +112,7 @@ public sealed class AnyOpenXrHeadsetTests
         Controls.Set(Grip, true);
         Run(0.1);
         Assert.That(Marker.IsMoving);
-        Assert.That((Marker.transform.position - before).magnitude, Is.LessThan(1e-5f), "it is taken where it is");
+        Assert.That((Marker.transform.position - before).magnitude, Is.LessThan(1e-5f), "the marker does not jump when it is grasped");
 
         // Turns the hand by 90° to the right, and raises it by 10 cm.
         MoveHand(new Vector3(0.3f, 1.1f, 0.5f), Quaternion.Euler(0, 90, 0));

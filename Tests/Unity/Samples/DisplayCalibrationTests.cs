@@ -56,11 +56,11 @@ public sealed class DisplayCalibrationTests
                 _cell.Frame(_session);
                 return _sweep.Verdict != null;
             },
-            "the sweep is judged");
+            "the sweep is evaluated");
 
         var rows = SweepTable.Read(_sweep.Path, out _);
         Assert.That(rows.Select(row => row.Vertices).Distinct(), Is.SupersetOf(new[] { 0, 150_000, 300_000 }));
-        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source does not respond to load"), "its GPU is as fast with any");
+        Assert.That(_sweep.Verdict.Words, Does.StartWith("this source does not respond to load"), "the simulated GPU takes the same time for each load");
         Assert.That(WordsOf(_sweep), Is.EqualTo(_sweep.Words));
         Assert.That(_cell.Player.Logs.Where(log => log.Type is LogType.Error or LogType.Exception).Select(log => log.Message), Is.Empty);
     }

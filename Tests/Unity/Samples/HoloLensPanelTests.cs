@@ -87,7 +87,7 @@ public sealed class HoloLensPanelTests
         _sample.Press("Forget Cell");
         _sample.Run();
         Assert.That(_sample.Child<TextMesh>("Question").text, Does.Contain("desk"));
-        Assert.That(_sample.Session.GetComponent<CellPairing>().Cell, Is.EqualTo("desk"), "asked first");
+        Assert.That(_sample.Session.GetComponent<CellPairing>().Cell, Is.EqualTo("desk"), "the wearer is asked first");
         _sample.Run(2);
         _sample.Press(button);
         _sample.Run();

@@ -51,7 +51,7 @@ public sealed class HoloLensTests
         _sample.ShowTheHand();
         _sample.Run();
         var before = _sample.IsOn(name);
-        Assert.That(_sample.Child<PressableButton>(name).IsToggled.Active, Is.EqualTo(before), "as it is from the start");
+        Assert.That(_sample.Child<PressableButton>(name).IsToggled.Active, Is.EqualTo(before), "the toggle shows the initial state");
 
         _sample.Press(name);
 
@@ -64,7 +64,7 @@ public sealed class HoloLensTests
     {
         _sample.ShowTheHand();
         _sample.Run();
-        Assert.That((_sample.Actions.NudgeMs, _sample.Actions.Opacity), Is.EqualTo((0f, 1f)), "what sliders tell when they start changes nothing");
+        Assert.That((_sample.Actions.NudgeMs, _sample.Actions.Opacity), Is.EqualTo((0f, 1f)), "the events that sliders raise at their start have no effect");
 
         _sample.Child<Slider>("L_visu Nudge").Value = 8;
         _sample.Child<Slider>("Opacity").Value = 0.5f;

@@ -57,7 +57,7 @@ public class VirtualRobotCellTests
         Assert.That(sample.States, Is.All.EqualTo(PoseState.Current));
         Assert.That(Rms(sample.HoldErrors), Is.GreaterThan(0.02), "there is a gap to close");
         Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
-        Assert.That(sample.Session.Statistics.SampleLink.State, Is.EqualTo(LinkState.Idle), "it needs no network");
+        Assert.That(sample.Session.Statistics.SampleLink.State, Is.EqualTo(LinkState.Idle), "the sample uses no network");
         Assert.That(Complaints(sample), Is.Empty);
     }
 

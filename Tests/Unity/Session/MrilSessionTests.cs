@@ -48,7 +48,7 @@ public class MrilSessionTests
         var light = session.Frame.Start + TimeSpan.FromMilliseconds(40);
         var truth = PlayedCell.PositionAt(session.Robot, light, 0);
         Assert.That(session.Frame.Joints[0], Is.EqualTo(truth).Within(2e-5));
-        Assert.That(session.Frame.HeldJoints[0], Is.Not.EqualTo(truth).Within(1e-4), "or predicting shows nothing");
+        Assert.That(session.Frame.HeldJoints[0], Is.Not.EqualTo(truth).Within(1e-4), "the held position differs from the true one");
         Assert.That(session.Statistics.Samples, Is.GreaterThan(90));
     }
 
@@ -203,7 +203,7 @@ public class MrilSessionTests
         var offset = first.Samples;
         _cell.Run(1, session);
 
-        Assert.That(first.Samples, Is.EqualTo(offset), "they have not been read since");
+        Assert.That(first.Samples, Is.EqualTo(offset), "the statistics are not updated before they are read again");
         Assert.That(session.Statistics, Is.SameAs(first));
         Assert.That(first.Samples, Is.GreaterThan(offset));
     }

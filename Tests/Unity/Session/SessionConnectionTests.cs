@@ -56,7 +56,7 @@ public class SessionConnectionTests
         session.Connect();
         var tries = 0;
         var status = default(LinkStatus);
-        await SoonAsync(session, () => (tries += Changed(session.Session.SampleLink, ref status) ? 1 : 0) >= 4, "four tries");
+        await SoonAsync(session, () => (tries += Changed(session.Session.SampleLink, ref status) ? 1 : 0) >= 4, "four connection attempts");
         await SoonAsync(session, () => session.Session.SyncLink.State == LinkState.Waiting, "waiting");
         _cell.Frame(null);
 
@@ -80,7 +80,7 @@ public class SessionConnectionTests
         _cell.Player.Pause(true);
 
         Assert.That(session.Session, Is.Null);
-        Assert.That(ended.Ended.IsCompleted, Is.False, "it does not wait for what is stuck");
+        Assert.That(ended.Ended.IsCompleted, Is.False, "disabling the session does not wait for a blocked connection");
         clock.GoOn();
         await ended.Ended.Bounded();
     }

@@ -113,7 +113,7 @@ public class SessionListenersTests
             }
         }
 
-        Assert.That(heardInAll, Is.GreaterThan(0), "or nothing was tried");
+        Assert.That(heardInAll, Is.GreaterThan(0), "the test raised at least one event");
     }
 
     [Test]

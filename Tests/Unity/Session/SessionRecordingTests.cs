@@ -163,7 +163,7 @@ public sealed class SessionRecordingTests
 
         Assert.That(_cell.Messages.Count(m => m.Contains("maximum size of 0.02 MB", StringComparison.Ordinal)), Is.EqualTo(1));
         Assert.That(_recording.Problem, Does.Contain("has stopped").And.Contain(_recording.Path));
-        Assert.That(Files, Has.Length.EqualTo(1), "no other is begun");
+        Assert.That(Files, Has.Length.EqualTo(1), "no second file is created");
         Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current));
     }
 

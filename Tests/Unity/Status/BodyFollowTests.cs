@@ -43,7 +43,7 @@ public class BodyFollowTests
         Run(4);
 
         Assert.That(first, Is.EqualTo(0).Within(0.1));
-        Assert.That(soon, Is.InRange(20, 60), "never fixed to the head");
+        Assert.That(soon, Is.InRange(20, 60), "the object moves gradually");
         Assert.That(Azimuth, Is.EqualTo(90).Within(0.6));
         Assert.That(_follower.up.y, Is.EqualTo(1).Within(1e-5));
     }
@@ -91,6 +91,6 @@ public class BodyFollowTests
         _follower.gameObject.SetActive(true);
         _cell.Frame(null);
 
-        Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4), "it does not fly across the hall");
+        Assert.That(Vector3.Distance(_follower.position, _head.position), Is.EqualTo(1.3f).Within(1e-4), "the object is in front of the head at once");
     }
 }

@@ -85,7 +85,7 @@ public class StatusPanelLayoutTests
         Assert.That(_played.Text("Message 0"), Is.Not.Empty);
         Assert.That(Place("Pose 0"), Is.EqualTo(before.Item1).Within(1e-5));
         Assert.That(Place("Base 0"), Is.EqualTo(before.Item2).Within(1e-5));
-        Assert.That(GroundBounds.min.y, Is.EqualTo(before.Item3).Within(1e-5), "a bar below stays in the hand");
+        Assert.That(GroundBounds.min.y, Is.EqualTo(before.Item3).Within(1e-5), "the lower edge of the panel does not move");
         Assert.That(GroundBounds.max.y, Is.GreaterThan(before.Item4 + 0.01));
         Assert.That(Place("Message 0"), Is.GreaterThan(Place("Pose 0")));
     }

@@ -30,7 +30,7 @@ public class StatusPanelTests
         Assert.That(_played.Row("L_app"), Is.EqualTo(("80.0 ms", "95 % below 80 ms")));
         Assert.That(_played.Row("L_visu").Value, Is.EqualTo("40.0 ms"));
         Assert.That(_played.Row("Horizon").Value, Does.Match(@"^1[2-6]\d ms$"));
-        Assert.That(_played.Row("Render time"), Is.EqualTo(("9.5 ms", "GPU time by headset")));
+        Assert.That(_played.Row("Render time"), Is.EqualTo(("9.5 ms", "GPU time from headset")));
         Assert.That(_played.Row("Range"), Is.EqualTo(("inside", "")));
         Assert.That(_played.Row("Error reduction").Value, Does.Match(@"^9\d %$"));
         Assert.That(_played.Row("Gateway"), Is.EqualTo(("not connected", "within this machine")));
@@ -49,7 +49,7 @@ public class StatusPanelTests
         Assert.That(
             _played.Text("Message 0").Replace('\n', ' '), Does.Match(@"^! joints shoulder_pan_joint, .*wrist_3_joint: no data since \d\d:\d\d:\d\d$"));
         Assert.That(
-            _played.Cell.Messages, Has.Some.Match(@"joint positions are stale; the pose is held: joints shoulder_pan_joint, .*: no data since 0 s"));
+            _played.Cell.Messages, Has.Some.Match(@"joint positions are stale; the pose is held: joints shoulder_pan_joint, .*: no data for 0 s"));
     }
 
     [Test]
@@ -81,7 +81,7 @@ public class StatusPanelTests
         _played.Panel.Cells = null;
         _played.Run(1);
 
-        Assert.That(before == null, "the old ones are still there");
+        Assert.That(before == null, "the earlier instances are destroyed");
         Assert.That(_played.Row("Pose").Value, Is.Not.Empty);
         Assert.That(_played.Sheet.localScale.x, Is.EqualTo(scale).Within(1e-6));
     }
@@ -150,7 +150,7 @@ public class StatusPanelTests
 
         var allocated = _played.Cell.AllocatedIn(() => _played.Run(4000 / 60.0));
 
-        Assert.That(_played.Texts.Sum(t => t.TextChanges) - changes, Is.GreaterThan(300), "the values do change");
+        Assert.That(_played.Texts.Sum(t => t.TextChanges) - changes, Is.GreaterThan(300), "the values change");
         Assert.That(allocated, Is.EqualTo(0));
     }
 
@@ -214,7 +214,7 @@ public class StatusPanelTests
         _played.Run(0.1);
 
         Assert.That(disabled, Is.All.Empty);
-        Assert.That(_played.Row("L_app").Value, Is.EqualTo("80.0 ms"), "and brings them back at once");
+        Assert.That(_played.Row("L_app").Value, Is.EqualTo("80.0 ms"), "the text is shown again immediately");
     }
 
     [Test]

@@ -16,7 +16,7 @@ public class SerialisedNamesTests
     {
         var stored = Stored.Where(line => line.StartsWith(kind, StringComparison.Ordinal)).ToList();
 
-        Assert.That(stored, Has.Count.GreaterThanOrEqualTo(atLeast), "the list is read");
+        Assert.That(stored, Has.Count.GreaterThanOrEqualTo(atLeast), "the list is not empty");
         Assert.That(stored.Except(SerialisedNames.All), Is.Empty, "scenes and prefabs of users would lose their values");
     }
 }

@@ -3,9 +3,9 @@ import { format } from '../numbers';
 /** Texts of the plots and the tables of all pages. */
 export const plotMessages = {
   howToUse:
-    'Drag across a plot to zoom, double-click to reset, point at a curve to read values; '
-    + 'with the keyboard: arrow keys, plus, minus and 0. Names in a legend switch signals on and off.',
-  keys: 'Arrow keys move the cursor, plus and minus zoom, 0 resets.',
+    'Drag across a plot to zoom, double-click to reset the zoom, and point at a curve to read its values. '
+    + 'On the keyboard, the arrow keys move the cursor, plus and minus zoom, and 0 resets the zoom. Click a name in a legend to show or hide its curve.',
+  keys: 'The arrow keys move the cursor, plus and minus zoom, and 0 resets the zoom.',
   notMeasured: 'Not measured in this run.',
   partNotMeasured: (part: string) => `${part}: not measured in this run.`,
 };

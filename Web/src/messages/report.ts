@@ -21,9 +21,9 @@ export const reportMessages = {
     + 'at the position predicted for the time at which the light of the frame reaches the eye.',
   playback: 'The cell at one moment of the session. Plots and playback show the same moment.',
   toolError: (compensatedMm: number | null, heldMm: number | null) =>
-    `The displayed tool is ${format(compensatedMm, 'mm')} from its true position; without compensation ${format(heldMm, 'mm')}.`,
+    `The displayed tool is ${format(compensatedMm, 'mm')} from its true position; without compensation, the distance is ${format(heldMm, 'mm')}.`,
   workpieceError: (compensatedMm: number | null, heldMm: number | null) =>
-    `The displayed workpieces are up to ${format(compensatedMm, 'mm')} from their true positions; without compensation ${format(heldMm, 'mm')}.`,
+    `The displayed workpieces are up to ${format(compensatedMm, 'mm')} from their true positions; without compensation, the distance is up to ${format(heldMm, 'mm')}.`,
   pointsBeyond: (count: number) => `${count} of the points are outside the plot.`,
   errorBeyond: (extentUs: number, widestUs: number) =>
     `The plot shows errors up to ${format(extentUs, 'µs')}; the error or its bound reaches ${format(widestUs, 'µs')}.`,

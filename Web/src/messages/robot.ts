@@ -8,7 +8,7 @@ export const robotDescriptions = {
 
 /** Texts of the views of the robot. */
 export const robotMessages = {
-  keys: 'Arrow keys turn the view, plus and minus zoom, 0 resets; or drag, and double-click.',
+  keys: 'Drag to turn the view, and double-click to reset it. On the keyboard, the arrow keys turn the view, plus and minus zoom, and 0 resets it.',
   noWebGl: 'This browser has no WebGL, so the robot is not drawn. Everything else on this page works.',
   notShown: (reason: string) => `The robot cannot be shown: ${reason}.`,
   meshesReplaced: (count: number) =>

@@ -2,7 +2,7 @@ import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
 import URDFLoader, { type URDFJoint, type URDFRobot } from 'urdf-loader';
 import { robotReasons } from '../messages/robot';
 
-/** Names of the tool's link in the order in which they are searched. The headset uses the same order. */
+/** Names of the tool's link in the order in which they are searched for. The headset uses the same order. */
 const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
 
 const MOVING = ['revolute', 'continuous', 'prismatic'];

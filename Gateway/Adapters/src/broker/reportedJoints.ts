@@ -95,7 +95,7 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   if (typeof joint !== 'string' || joint === '' || joint.length > MAX_NAME || typeof value !== 'string') return null;
   const [, word, seconds, text = ''] = VALUE.exec(value) ?? [];
   if (word === undefined) return null;
-  // Neglects the transmission time. Thus only differences of times on the same clock are used.
+  // Neglects the transmission time, so that only differences between times of the same clock are used.
   const since = Math.max(0, now - Math.max(0, toMilliseconds(written) - 1000 * Number(seconds)));
   const reason = text.slice(0, MAX_REASON);
   const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);

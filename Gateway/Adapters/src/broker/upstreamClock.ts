@@ -21,7 +21,7 @@ export async function runUpstreamClock(upstream: Upstream, clock: PlantClock, lo
   }
 }
 
-/** Uses one connection until it ends. Returns the reason of the end. */
+/** Uses one connection until it ends. Returns the reason why it ended. */
 async function follow(upstream: Upstream, clock: PlantClock, log: Log, stop: AbortSignal, opened: () => void): Promise<string> {
   let client: SyncClient;
   try {

@@ -20,7 +20,7 @@ const MAX_VALUE = 80;
 /** Matches the text before the host of an address, which may be a password even in an invalid address. */
 const LOGIN = /(:\/+|\/\/).*@/s;
 
-/** Formats a value as written in the file, but replaces a password by ***. */
+/** Formats a value as written in the file, but replaces a password with ***. */
 export function shown(value: unknown): string {
   if (typeof value === 'number' && !Number.isFinite(value)) return Number.isNaN(value) ? '.nan' : value > 0 ? '.inf' : '-.inf';
   const text = (JSON.stringify(value, (_, v) => (typeof v === 'bigint' ? `${v}` : v)) ?? String(value)).replace(LOGIN, '$1***@');

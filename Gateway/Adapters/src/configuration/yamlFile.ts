@@ -5,7 +5,7 @@ import { fileMessages } from '../messages/configuration';
 
 export type Path = readonly (string | number)[];
 
-/** Replaces invisible characters and line breaks by their codes. */
+/** Replaces invisible characters and line breaks with their codes. */
 const visible = (key: string): string =>
   key.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, character => `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`);
 

@@ -5,7 +5,7 @@ import { stateMessages } from '../messages/values';
 export type ConditionKind = 'joint' | 'frame' | 'signal';
 
 /**
- * The state of a joint, frame or signal. live: samples arrive. rest: no samples arrive, and the joint is assumed at rest. refused: values arrive but
+ * The state of a joint, frame or signal. live: samples arrive. rest: no samples arrive, and the joint is assumed to be at rest. refused: values arrive but
  * are invalid. fault: the data have stopped. missing: no valid value has arrived since the start.
  */
 export type State = 'live' | 'rest' | 'refused' | 'fault' | 'missing';
@@ -96,7 +96,7 @@ export class Conditions {
     this.#trouble(name, 'missing', reason, this.now(), true);
   }
 
-  /** Sets the reason of a name that is neither live nor at rest, whose value has arrived but is not used yet. */
+  /** Sets the reason for the state of a name that is neither live nor at rest, and whose value has arrived but is not used yet. */
   explain(name: string, reason: string): void {
     const known = this.#known.get(name);
     if (known !== undefined && !isGood(known)) this.#trouble(name, known.state, reason, known.since, true);

@@ -6,7 +6,7 @@ const NET_ID = 'each part of an AMS Net Id must be a number from 0 to 255';
 export const adsSettingMessages = {
   endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, and each port from 1 to 65535`),
   netId: (value: unknown) => wrongValue(value, NET_ID),
-  notPlain: 'missing; ADS is neither encrypted nor authenticated: if all machines in its network are trusted, set plain: true',
+  notPlain: 'missing; ADS is neither encrypted nor authenticated: if all machines on its network are trusted, set plain: true',
   restWithoutOnChange: wrongValue(
     'rest',
     'without on_change: true, the PLC also sends values at rest, so missing values are always a fault; remove silence, or set on_change: true',
@@ -17,8 +17,9 @@ export const adsSettingMessages = {
 export const adsMessages = {
   notSecure:
     "ADS is neither encrypted nor authenticated (plain: true): anyone with access to this network can read the PLC's data and impersonate the PLC",
-  notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; switch it to RUN mode, then reading continues`,
-  stopped: (netId: string, state: string) => `TwinCAT at ${netId} has changed to ${state} mode; reading continues in RUN mode`,
+  notRunning: (netId: string, state: string) => `TwinCAT at ${netId} is in ${state} mode; switch it to RUN mode so that the adapter can read`,
+  stopped: (netId: string, state: string) =>
+    `TwinCAT at ${netId} has changed to ${state} mode; switch it to RUN mode so that the adapter can read again`,
   noRouter: (host: string, port: number, code: string) =>
     `nothing answers at ${host}:${port} (${code}); check that TwinCAT or its router is running there and that its firewall allows TCP port ${port}`,
   noRuntime: (port: number, netId: string) =>
@@ -58,6 +59,6 @@ export const symbolMessages = {
     }`,
   unusable: (place: string, symbol: string, type: string, reason: string) => `${place}: ${symbol} has the type ${type}; ${reason}`,
   array: (element: string) => `enter one element of the array, such as ${element}`,
-  notNumber: 'a position must be a number: LREAL, REAL or a whole number',
-  notTime: 'a time must have 64 bits: LINT, ULINT, LREAL, LTIME or T_FILETIME',
+  notNumber: 'a position must have a numeric type: LREAL, REAL or an integer type',
+  notTime: 'a time must have a 64-bit type: LINT, ULINT, LREAL, LTIME or T_FILETIME',
 };

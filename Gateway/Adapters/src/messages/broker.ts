@@ -4,8 +4,8 @@ export const brokerSettingMessages = {
   subscribing: (endpoint: string, topic: string, gateway: string, place: string) =>
     `from broker ${endpoint}, topics ${topic}/…, to ${gateway}; time from ${place}`,
   unusedClock: 'not used with direction: publish, because only the receiving bridge reads the time; remove clock',
-  noClock: 'missing; add host and port of the sync port of the gateway of the plant, whose clock gives the time stamps',
-  tokenInClear: 'a token is sent only over TLS or within this machine; add the pin of the gateway of the plant, or tls: true',
+  noClock: "missing; add the host and the sync port of the plant's gateway, because the time stamps refer to its control clock",
+  tokenInClear: "a token is sent only over TLS or within this machine; add the pin of the plant's gateway, or tls: true",
 };
 
 /** Texts about the connection to a broker, and about the gateway on its other side. */
@@ -20,9 +20,9 @@ export const brokerMessages = {
   notTrusted: (code: string) =>
     `the broker's certificate is not trusted (${code}); set plant.authority_file to the certificate of the authority that issued it`,
   noPublisher: (topic: string) => `no client publishes ${topic} on the broker yet; check that the bridge with direction: publish is running`,
-  gatewayAway: 'the bridge has lost the gateway that has the plant',
-  bridgeAway: 'the bridge of the gateway that has the plant is disconnected',
-  atOtherGateway: (reason: string) => `at the gateway of the plant: ${reason}`,
+  gatewayAway: "the bridge has lost the connection to the plant's gateway",
+  bridgeAway: "the bridge at the plant's gateway is disconnected",
+  atOtherGateway: (reason: string) => `at the plant's gateway: ${reason}`,
 };
 
 /** Errors in a configuration of the kind mqtt, and reasons for the refusal of values. */
@@ -36,7 +36,7 @@ export const mqttMessages = {
 
 /** Reasons why a message is malformed. */
 export const malformedMessages = {
-  notObject: 'it is not a JSON object, or too long',
+  notObject: 'it is not a JSON object, or it is too long',
   noTransforms: 'it has no list of transforms',
   signal: 'its name, number or time stamp is missing',
   noStamp: 'it has no time stamp',
@@ -50,7 +50,7 @@ export const malformedMessages = {
   transform: (source: string) => `its transform from ${source} has no parent, no finite position or no unit quaternion`,
 };
 
-/** Texts about the sync port of the gateway that has the plant. */
+/** Texts about the sync port of the plant's gateway. */
 export const syncMessages = {
   timeUnknown: (place: string, reason: string) => `the time of ${place} cannot be read: ${reason}`,
   timeOf: (place: string) => `the time is read from ${place}`,

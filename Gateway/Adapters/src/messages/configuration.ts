@@ -6,7 +6,7 @@ export const wrongValue = (value: unknown, remedy: string): string => `value ${s
 /** Errors in entries that exist for several kinds of plant. */
 export const configurationMessages = {
   address: (value: unknown) => wrongValue(value, 'allowed: SCHEME://HOST:PORT with a port from 1 to 65535'),
-  noKind: (allowed: string[]) => `missing; add the section plant with a kind; allowed: ${allowed.join(', ')}`,
+  noKind: (allowed: string[]) => `missing; add a section plant with an entry kind; allowed kinds: ${allowed.join(', ')}`,
   misspelt: (meant: string) => `unknown entry; did you mean ${meant}?`,
   /** @param guess The entry that was probably meant; undefined if there is none. */
   unknownEntry: (guess: string | undefined, allowed: readonly string[]) => `unknown entry; ${question(guess)}allowed: ${allowed.join(', ')}`,
@@ -23,7 +23,7 @@ export const configurationMessages = {
   unusedTime: (timestamp: string) => `timestamp is ${timestamp}; remove time, or set timestamp to variable`,
   notPlain: (scheme: string) =>
     `missing; ${scheme}:// to another machine is neither encrypted nor authenticated: `
-    + `use ${scheme}s://, or set plain: true if all machines in its network are trusted`,
+    + `use ${scheme}s://, or set plain: true if all machines on its network are trusted`,
   pinWithoutTls: 'not used with ws://; use wss://, or remove the pin',
   passwordInClear: (remedy: string) => `the password would be sent unencrypted; use ${remedy}`,
   noPassword: 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD',
@@ -63,8 +63,8 @@ export const fileMessages = {
   readableByAll: (value: unknown, path: string) =>
     wrongValue(value, `every user of this machine may read the file; remove this permission: chmod o= ${path}`),
   configurationNotReadable: (code: string | undefined) => `cannot be read (${code}); enter an existing file`,
-  circular: 'an alias (*) refers to an entry that contains the alias; replace the alias by a copy of the entry',
-  tab: 'the line is indented with a tab; YAML allows only spaces, so replace the tab by spaces',
+  circular: 'an alias (*) is inside the entry that it refers to; remove the alias',
+  tab: 'the line is indented with a tab; YAML allows only spaces, so replace the tab with spaces',
   keyTwice: 'this key occurs twice; remove one of the two entries',
   indent: (problem: string) => `${problem}; entries of the same level must start in the same column`,
   notYaml: (problem: string) => `not valid YAML: ${problem}`,

@@ -11,7 +11,7 @@ export const gatewayMessages = {
   noCertificate: 'the gateway sent no certificate; start it with --tls or --certificate',
   otherPin: (pin: string) =>
     `the gateway's pin is ${pin}, but the configuration contains another; set the pin to this value only if the gateway's key was renewed`,
-  versionFits: (version: string) => `the gateway's version ${version} fits this adapter`,
+  versionFits: (version: string) => `the gateway's version ${version} is compatible with this adapter`,
   otherVersion: (version: string, own: string) =>
     `the gateway has version ${version}, but this adapter has version ${own}; install the same version of both`,
 };

@@ -2,8 +2,8 @@ import { wrongValue } from './configuration';
 
 /** Errors in a configuration of the kind rtde. */
 export const rtdeSettingMessages = {
-  notCalibrated: (value: unknown, arms: string[]) => wrongValue(value, `allowed with calibration: true: ${arms.join(', ')}`),
-  recipeTooLong: (size: number, most: number) => `the fields need a recipe of ${size} bytes; the maximum is ${most} bytes; remove signals`,
+  notCalibrated: (value: unknown, arms: string[]) => wrongValue(value, `with calibration: true, the allowed robots are ${arms.join(', ')}`),
+  recipeTooLong: (size: number, most: number) => `the list of fields has ${size} bytes; the maximum is ${most} bytes; remove signals`,
   index: (value: unknown) => wrongValue(value, 'allowed: a whole number from 0 to 5, because the arm has six joints'),
   summary: (place: string, source: string, rateHz: number, read: string) =>
     `RTDE ${place}, NO SECURITY; t_k is the controller's timestamp; ${source} positions at ${rateHz} Hz; ${read}`,
@@ -18,27 +18,30 @@ export const rtdeMessages = {
     `${place} refuses the connection; start the robot's controller, and enable ${service} in PolyScope under Settings > Security > Services`,
   unknownHost: (host: string) =>
     `the host name ${host} is unknown; correct plant.host, or enter the robot's IP address, which PolyScope shows under Settings > Network`,
-  noAnswer: (place: string, code: string) => `${place} does not answer (${code}); check plant.host, the robot's network and the firewalls on the way`,
+  noAnswer: (place: string, code: string) => `${place} does not answer (${code}); check plant.host, the robot's network and its firewalls`,
   notRtde: (place: string) => `${place} does not use RTDE; set host to the robot's address, and remove port unless RTDE is forwarded`,
   header: (size: number, type: number) => `the data have an invalid header with size ${size} and type ${type}`,
   noRtdeAnswer: (place: string) => `${place} accepts the connection but does not answer with RTDE; check plant.host and plant.port`,
   oldProtocol: (place: string) => `${place} supports RTDE protocol version 1 only; version 2 is required, so update the controller's software`,
-  noRecipe: (place: string) => `${place} does not answer the request for the output recipe; if this repeats, restart the controller`,
-  notStarted: (place: string) => `${place} does not start to send data; if this repeats, restart the controller`,
-  damaged: (place: string) => `the stream of ${place} is damaged; reading starts again. If this repeats, check the robot's network`,
+  noRecipe: (place: string) => `${place} does not answer the request for the output recipe; if this happens again, restart the controller`,
+  notStarted: (place: string) => `${place} does not start sending data; if this happens again, restart the controller`,
+  damaged: (place: string) =>
+    `the data stream from ${place} is corrupt; the adapter connects again. If this happens again, check the robot's network`,
   endedBeforeAnswer: (problem: string) => `${problem} before it answered; if other programs read this robot over RTDE, stop one of them`,
-  endedWhileReading: (problem: string) => `${problem}; check whether the controller was switched off or restarted. Reading continues when it answers`,
+  endedWhileReading: (problem: string) =>
+    `${problem}; check whether the controller was switched off or restarted. The adapter continues when the controller answers`,
   silent: (place: string, seconds: number) =>
     `nothing has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
   halfPackage: (place: string, seconds: number) =>
-    `only a part of a package has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
-  invalidData: (place: string, problem: string) => `${place} sends ${problem}; reading starts again. If this repeats, update the controller`,
+    `only part of a package has arrived from ${place} for ${seconds} s; check the robot's network and whether its controller runs`,
+  invalidData: (place: string, problem: string) =>
+    `${place} sends ${problem}; the adapter connects again. If this happens again, update the controller's software`,
   restarted: (before: number, after: number) =>
-    `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${after.toFixed(1)} s; reading starts again`,
+    `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${after.toFixed(1)} s; the adapter connects again`,
   message: (text: string) => `message of the controller: ${text}`,
   lostPackages:
-    "packages are missing in the controller's stream (counted as refused/package-lost); "
-    + 'lower rate_hz, or reduce the load of the controller and the network',
+    "packages are missing from the controller's data stream (counted as refused/package-lost); "
+    + 'lower rate_hz, or reduce the load on the controller and the network',
   clockStepped: (stepMs: number) => `the controller's clock has stepped by ${stepMs.toFixed(1)} ms; the clock is measured again`,
   noData: 'the robot sends no data',
   clockNotMeasured: "the robot's clock is not measured yet",
@@ -49,7 +52,7 @@ export const fieldMessages = {
   recipe: (fields: number, types: number) =>
     `the controller answered the recipe of ${fields} fields with ${types} types; check that it is an RTDE server of protocol version 2`,
   missing: (names: string[]) => `the controller does not have the fields ${names.join(', ')}; update the controller's software`,
-  readWithout: (problem: string) => `${problem}; reading continues without them`,
+  readWithout: (problem: string) => `${problem}; the adapter reads the other fields`,
   needed: (field: string) => `the controller has no field ${field}; update the controller's software`,
   unknown: (field: string) => `the controller has no field ${field}; correct the field, or update the controller's software`,
   otherType: (field: string, type: string, needed: string) =>

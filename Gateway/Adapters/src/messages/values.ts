@@ -26,9 +26,9 @@ export const stateMessages = {
    * @param uncertainty The reason why the joint may not be at rest; empty for none.
    */
   assumedAtRest: (knowledge: string, kind: string, uncertainty: string) =>
-    `${knowledge}; the ${kind} is assumed at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
+    `${knowledge}; the ${kind} is assumed to be at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
   liveAgain: (name: string) => `${name} is live again`,
-  restWithoutFault: (name: string) => `${name} is at rest without a fault`,
+  restWithoutFault: (name: string) => `${name} is at rest and no longer has a fault`,
   notExpected: (name: string) => `${name} is no longer expected`,
   uncertainRest: (name: string, uncertainty: string) => `${name} may not be at rest: ${uncertainty}`,
   validAgain: (name: string) => `${name} is valid again`,
@@ -40,13 +40,13 @@ const CURE = 'set silence: { fault_after_s: N } if the source sends its values r
 /** Texts about a joint without new values: the reason for its state, and the reason why it may not be at rest. */
 export const silenceMessages = {
   confirmed: 'the source confirms the last value',
-  noValue: 'no new value arrives',
+  noValue: 'no new value has arrived',
   /**
    * @param evidence Fact about the joint without new values.
-   * @param maxMs Time after which missing values are a fault, ms; null if they mean rest.
+   * @param maxMs Time after which missing values are a fault, ms; null if they count as rest.
    */
   basis: (evidence: string, maxMs: number | null) =>
-    `${evidence}; ${maxMs === null ? 'missing values mean rest' : `missing values are a fault after ${maxMs / 1000} s`}`,
+    `${evidence}; ${maxMs === null ? 'missing values count as rest' : `missing values are a fault after ${maxMs / 1000} s`}`,
   unconfirmed: `nothing confirms the last value, so rest cannot be distinguished from an end of the data; ${CURE}`,
   allUnconfirmed: `nothing arrives from the source, so rest cannot be distinguished from a failure of the source; ${CURE}`,
   tooLong: (maxMs: number) => `no new value for more than ${maxMs / 1000} s, which is a fault (silence in the plant's configuration)`,

@@ -66,7 +66,7 @@ async function certificateOf({ status, stopping }: AdapterContext, { security }:
   return null;
 }
 
-/** Uses one connection until it ends, and reports the reason of the end in the status. Returns whether the connection was established. */
+/** Uses one connection until it ends, and reports the reason why it ended in the status. Returns whether the connection was established. */
 async function attempt(
   context: AdapterContext,
   settings: OpcUaSettings,

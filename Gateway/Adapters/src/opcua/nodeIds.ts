@@ -7,7 +7,7 @@ const BY_URI = /^nsu=([^;]+);(.*)$/s;
 export const isByUri = (node: string): boolean => BY_URI.test(node);
 
 /**
- * Replaces the namespace URI in a node id by the index in the server's list of namespaces.
+ * Replaces the namespace URI in a node id with the index in the server's list of namespaces.
  * @returns The node id; undefined if the list does not contain the URI.
  */
 export function byNumber(node: string, namespaces: readonly string[]): string | undefined {

@@ -31,7 +31,7 @@ interface Node {
 /**
  * Watches the source timestamps of nodes whose values do not change. Many sources write their values periodically, even at rest. A notification or a
  * read then returns the same value with a newer source timestamp, which is called a renewal. If such a source stops writing, its data have ended.
- * @remarks Renewals do not prove that the source works, because some servers stamp each read request and thus renew all nodes.
+ * @remarks Renewals do not prove that the source works, because some servers return a new stamp for each read request, which renews all nodes.
  */
 export class Renewals {
   readonly #nodes: Node[];

@@ -6,7 +6,7 @@ const WINDOW_S = 10;
 /** Minimum integral of the squared velocities over time for an estimate, rad²/s. */
 const MOVED = 0.01;
 
-/** Estimates the lag of the measured behind the commanded positions, as the slope of their deviation over the velocity. */
+/** Estimates by how much the measured positions lag behind the commanded ones: the slope of their difference as a function of the velocity. */
 export class Following {
   #products = 0;
   #squares = 0;

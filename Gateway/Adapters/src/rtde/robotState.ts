@@ -26,7 +26,7 @@ export const programOf = ({ runtimeState }: Cycle): string | null =>
 
 export const isProgramRunning = ({ runtimeState }: Cycle): boolean => runtimeState === null || runtimeState === PLAYING || runtimeState === RESUMING;
 
-/** Gets the reason of a safety stop, with the remedy; null without a safety stop. */
+/** Gets the reason for a safety stop, with the remedy; null without a safety stop. */
 export function safetyStopOf({ safetyMode, safetyBits }: Cycle): string | null {
   const byMode = safetyMode === null ? undefined : safetyStops[safetyMode];
   if (byMode !== undefined) return byMode;

@@ -64,7 +64,7 @@ export class RtdeSession {
 
   /**
    * Reads until the connection or the adapter ends.
-   * @returns The reason of the end.
+   * @returns The reason why it ended.
    * @throws RefusalError, RecipeError, MissingFieldsError, Error The controller cannot be read.
    */
   async run(): Promise<string> {

@@ -31,6 +31,6 @@ export async function adapterFor(test, server, plant, joints, { env, stdin, path
     states: count => until(() => bridge.jointStates.length >= count && bridge.jointStates,
       () => `${count} joint states; there are ${bridge.jointStates.length}. ${run.err}`),
     state: holds => until(() => bridge.state && holds(bridge.state) && bridge.state,
-      () => `another state than ${JSON.stringify(bridge.state)}. ${run.err}`),
+      () => `a state other than ${JSON.stringify(bridge.state)}. ${run.err}`),
   };
 }

@@ -3,8 +3,8 @@ namespace Nowpose.Editor.Messages
     /// <summary>Texts in the set-up window that give the purpose of each check.</summary>
     static class CheckReasons
     {
-        public const string ApiLevel = "The package is built and tested with this API level, and the app is smaller.";
-        public const string Architecture = "A HoloLens 2 has an ARM64 processor; an app for another one cannot be installed.";
+        public const string ApiLevel = "The package is built and tested with this setting, which also makes the app smaller.";
+        public const string Architecture = "A HoloLens 2 has an ARM64 processor; an app for another processor cannot be installed.";
 
         public static string BuildTarget(string headset) => $"This is the player for {headset}; the settings below belong to this player.";
 
@@ -32,7 +32,7 @@ namespace Nowpose.Editor.Messages
             "Android refuses connections to an app without the permission; Unity adds the permission automatically only if the app uses Unity's "
             + "own network classes.";
 
-        public const string Mrtk3 = "Hand menu, voice and grabbing of the sample HoloLens 2 (MRTK3); the package works without it.";
+        public const string Mrtk3 = "The sample HoloLens 2 (MRTK3) uses it for the hand menu, voice commands and grabbing; the package works without it.";
 
         public const string MrtkGeneration =
             "MRTK 4 and XR Interaction Toolkit 3 moved the types that the hand menu, voice and grabbing use. With these versions, the "
@@ -43,21 +43,21 @@ namespace Nowpose.Editor.Messages
             + "of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m, as in MRTK3's rig.";
 
         public const string OpenXrLoader = "Without OpenXR, the app is a flat window in front of the wearer.";
-        public const string MixedRealityOpenXr = "Features of a HoloLens beyond OpenXR: anchors, markers and display times.";
+        public const string MixedRealityOpenXr = "It provides the features of a HoloLens that OpenXR itself lacks: anchors, markers and display times.";
 
         public const string ArFoundation =
             "Microsoft's plug-in needs AR Foundation for markers and anchors; without it, the robot's base can be placed by hand only.";
 
         public const string MixedRealityFeatures = "This feature provides markers, anchors and the predicted display time.";
         public const string HandTracking = "This feature provides the joints of the hands for MRTK3's hand menu and for grabbing.";
-        public const string HandInteraction = "This feature provides pinch and ray of a hand for MRTK3.";
+        public const string HandInteraction = "This feature provides the pinch and the pointing ray of each hand for MRTK3.";
         public const string EyeGaze = "Needed by MRTK3 to select a button by looking at it and pinching.";
         public const string DepthSubmission =
             "The headset stabilises the picture with the depth of the scene. 24 bits are slower and improve the picture little.";
-        public const string InternetClient = "Needed to connect to a gateway in another network or by its public address.";
-        public const string PrivateNetwork = "Needed to connect to a gateway in the same private network, which is the usual case.";
+        public const string InternetClient = "Needed to connect to a gateway on another network or by its public address.";
+        public const string PrivateNetwork = "Needed to connect to a gateway on the same private network, which is the usual case.";
         public const string WebCam = "Needed to find the robot's base by a marker with the headset's camera.";
-        public const string SpatialPerception = "Needed to keep the robot's base at its place in the room.";
+        public const string SpatialPerception = "Needed to keep the robot's base in its place in the room.";
         public const string VoiceCapability = "Needed for the voice commands.";
         public const string InputSystem = "OpenXR provides the poses of head and controllers through the Input System.";
         public const string OpenXr = "Unity's interface to the headset.";

@@ -3,7 +3,7 @@ namespace Nowpose.Editor.Messages
     /// <summary>Titles and buttons of the checks in the set-up window.</summary>
     static class CheckTitles
     {
-        public const string ApiLevel = "API level is .NET Standard 2.1";
+        public const string ApiLevel = "Api Compatibility Level is .NET Standard 2.1";
         public const string CameraBackground = "Main camera clears to black with alpha 0";
         public const string ClearToBlack = "Clear to black with alpha 0";
         public const string FrameTiming = "Frame Timing Stats are on";

@@ -22,7 +22,7 @@ namespace Nowpose.Editor.Messages
         public const string OneObject = "Live values are shown for one object at a time.";
         public const string ComponentDisabled = "this component is disabled";
         public const string LoadUrdf = "Load a URDF file …";
-        public const string LoadUrdfTitle = "Load a URDF, xacro expanded";
+        public const string LoadUrdfTitle = "Load a URDF file (expand xacro files first)";
 
         public static string UrdfUnreadable(string asset, string path, string reason) => $"[Nowpose] '{asset}': {path} cannot be read; {reason}";
 

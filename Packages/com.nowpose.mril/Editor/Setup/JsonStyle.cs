@@ -5,7 +5,7 @@ using Newtonsoft.Json.Linq;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Formats new values in the style of a JSON text: with the same line endings, indents and blanks.</summary>
+    /// <summary>Formats new values in the style of a JSON text: with the same line endings, indents and spaces.</summary>
     sealed class JsonStyle
     {
         readonly string _text, _newLine, _colon;
@@ -26,7 +26,7 @@ namespace Nowpose.Editor.Setup
 
         string Blank => _colon == ":" ? "" : " ";
 
-        /// <summary>Returns the blanks at the start of the line that contains the character at an index.</summary>
+        /// <summary>Returns the white space at the start of the line that contains the character at an index.</summary>
         public string IndentAt(int index)
         {
             var start = _text.LastIndexOf('\n', index) + 1;

@@ -69,7 +69,7 @@ namespace Nowpose.Editor.Setup
 
         /// <summary>Replaces the content of the file.</summary>
         /// <returns>Path of the backup.</returns>
-        /// <exception cref="InputException">The file is read-only, or another program has changed it after <see cref="Read"/>.</exception>
+        /// <exception cref="InputException">The file is read-only, or another program has changed it since <see cref="Read"/>.</exception>
         /// <exception cref="IOException">The file cannot be written.</exception>
         /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
         public string Write(string text)

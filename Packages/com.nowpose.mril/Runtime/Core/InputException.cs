@@ -14,7 +14,7 @@ namespace Nowpose
         public InputException(string message) : base(OneLine(message, MaxMessageLength)) { }
         public InputException(string message, Exception innerException) : base(OneLine(message, MaxMessageLength), innerException) { }
 
-        /// <summary>Returns a text from another source as one line of bounded length; line endings become blanks.</summary>
+        /// <summary>Returns a text from another source as one line of bounded length; line endings become spaces.</summary>
         internal static string OneLine(string message, int longest)
         {
             if (message == null) return null;

@@ -16,7 +16,7 @@ namespace Nowpose
             throw new InputException(SettingMessages.OutOfRange(name, value, Suffix(unit), min, max));
         }
 
-        /// <summary>Returns the end of a value with its unit; empty for a value without unit.</summary>
+        /// <summary>Returns the unit with a leading space, to be appended to a value; empty for a value without unit.</summary>
         public static string Suffix(string unit) => unit.Length == 0 ? "" : " " + unit;
 
         /// <inheritdoc cref="Require"/>

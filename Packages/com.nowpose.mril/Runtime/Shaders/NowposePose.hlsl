@@ -7,7 +7,7 @@
 #define NOWPOSE_STRIPE_METRES 0.01
 
 // Converts a position in object space to metres along the axes of the object. Call it in the vertex stage, after UNITY_SETUP_INSTANCE_ID.
-// Stripes in these coordinates move with the part, and both eyes see them at the same place.
+// Stripes in these coordinates move with the part, and both eyes see them in the same place.
 float3 NowposeMetres(float3 objectPosition)
 {
     float3x3 axes = transpose((float3x3)UNITY_MATRIX_M);

@@ -1,4 +1,4 @@
-// Writes only depth. An object with this shader at the place of a real part hides the virtual parts behind the real part. It is drawn before
+// Writes only depth. An object with this shader in the place of a real part hides the virtual parts behind the real part. It is drawn before
 // all other geometry, so the depth test of the other geometry takes it into account. Pose Appearance ignores objects whose shader has the tag
 // PoseAppearance = Ignore.
 Shader "Nowpose/Occluder"

@@ -35,8 +35,8 @@ namespace Nowpose.Unity
             + "machine. The project and the app contain it as readable text; pass it to ToSettings instead to avoid this. Empty: no token.")]
         string _token = "";
 
-        [SerializeField, Tooltip("Allow unencrypted connections to another machine. Use it only in a network in which every device is trusted. "
-            + "The status panel shows it.")]
+        [SerializeField, Tooltip("Allow unencrypted connections to another machine. Use it only on a network in which every device is trusted. "
+            + "The status panel shows that it is on.")]
         bool _insecureLan = false;
 
         [SerializeField, Tooltip("Name of this headset in its diagnostics, 1 to 128 characters; must be unique at the gateway. Empty: the "
@@ -92,12 +92,12 @@ namespace Nowpose.Unity
             + "joints follow them. Joints that do not follow their set-points are predicted.")]
         bool _followPlan = true;
 
-        [SerializeField, Tooltip("Maximum speed of the robot's programs as a percentage of the velocity limits in the URDF, percent, 1 to 100. "
-            + "No prediction is faster. Example: with a speed override of 30 percent, enter 30.")]
+        [SerializeField, Tooltip("Maximum speed of the robot's programs in percent of the URDF's velocity limits, 1 to 100. The predictor adaptive "
+            + "predicts no higher speed, unless the joint already moves faster. Example: with a speed override of 30 percent, enter 30.")]
         double _speedPercent = 100;
 
         [SerializeField, Tooltip("Maximum acceleration of revolute joints without one in the URDF, radians per second squared, 0.01 to 1000000. "
-            + "0: unknown. With both limits, moves from rest to rest are predicted with their motion profile.")]
+            + "0: unknown. If this limit and the jerk limit are known, moves from rest to rest are predicted with their motion profile.")]
         double _accelerationRadians = 0;
 
         [SerializeField, Tooltip("Maximum jerk of revolute joints without one in the URDF, radians per second cubed, 0.01 to 1000000. 0: "
@@ -114,7 +114,7 @@ namespace Nowpose.Unity
         string _clockEstimator = ClockEstimators.Default;
 
         [SerializeField, Tooltip("Time between two clock exchanges, ms, 20 to 10000. A quarter of it applies at the start and after a clock "
-            + "step, five times as much on a quiet network. 200 ms: the clock is synchronised within seconds at little network load.")]
+            + "step, up to five times as much while the offset is very accurate. 200 ms: the clock is synchronised within seconds at little network load.")]
         double _syncIntervalMs = ProtocolLimits.SyncIntervalMs;
 
         static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;

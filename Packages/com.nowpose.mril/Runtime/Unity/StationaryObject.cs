@@ -16,7 +16,7 @@ namespace Nowpose.Unity
     /// <remarks>
     /// The component that moves the object (by hand, by controller or by script) calls <see cref="BeginMove"/> and <see cref="EndMove"/>.
     /// The place is then saved in a file on the device. The gateway can publish the same file on /tf_static with its option
-    /// <c>--stationary</c>. A published pose always has priority over a saved place, so all headsets show the object at the same place.
+    /// <c>--stationary</c>. A published pose always has priority over a saved place, so all headsets show the object in the same place.
     /// </remarks>
     [AddComponentMenu("Nowpose/Stationary Object")]
     [DisallowMultipleComponent]

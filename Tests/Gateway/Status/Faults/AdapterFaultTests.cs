@@ -94,7 +94,7 @@ public class AdapterFaultTests
             (await _gateway.StateAsync()).GetProperty("events").EnumerateArray().Select(one => one.GetProperty("which").GetString()),
             Is.EqualTo(new[] { "lathe" }),
             "an adapter that has published samples was connected before");
-        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Has.Length.EqualTo(3), "the clock and the joint");
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Has.Length.EqualTo(3), "the adapter, the clock and the joint are reported");
         Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
 
         _gateway.Report("adapter/press", ("state", "connected"), ("samples", "1"), ("joint/a", $"live {_gateway.Since()} "));

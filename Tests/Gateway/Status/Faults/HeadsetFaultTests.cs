@@ -30,7 +30,7 @@ public class HeadsetFaultTests
         await _gateway.EndsAsync("headset", "goggles");
         _gateway.Time.Advance(TimeSpan.FromSeconds(4));
 
-        await Soon.BecomesAsync(() => _gateway.EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "it is lost");
+        await Soon.BecomesAsync(() => _gateway.EventAsync("headset", "goggles").Result.GetProperty("what").GetString() == "is lost", "the headset is reported as lost");
     }
 
     [TestCase("goggles", "headset", "goggles")]
@@ -84,7 +84,7 @@ public class HeadsetFaultTests
         Assert.That(async () => await receiving.Bounded(), Throws.InstanceOf<OperationCanceledException>());
         link.Dispose();
 
-        await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 0, "it has left");
+        await Soon.BecomesAsync(() => _gateway.StateAsync().Result.GetProperty("headsets").GetArrayLength() == 0, "the headset is no longer listed");
     }
 
     // Codes of RFC 6455, 7.4.1: normal closure (1000), going away (1001), none, and an unexpected condition (1011). Null: no close frame.

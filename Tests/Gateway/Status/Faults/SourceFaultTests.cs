@@ -35,7 +35,7 @@ public class SourceFaultTests
         await Soon.BecomesAsync(
             () => _gateway.StateAsync().Result.GetProperty("joints").EnumerateArray()
                 .All(joint => joint.GetProperty("state").GetString() == "refused"),
-            "both are refused");
+            "both sources are refused");
         var lines = await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable);
         Assert.That(lines, Has.Length.EqualTo(3));
         Assert.That(

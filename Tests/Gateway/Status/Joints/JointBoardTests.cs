@@ -55,7 +55,7 @@ public class JointBoardTests
         Assert.That(_joints.Joint("a").State, Is.EqualTo(JointDataState.Live));
         Assert.That(_joints.Joint("a").Since, Is.EqualTo(again));
         _joints.Send(2, "a");
-        Assert.That(_joints.Joint("a").RateHz, Is.EqualTo(20).Within(0.5), "the pause does not count as an interval");
+        Assert.That(_joints.Joint("a").RateHz, Is.EqualTo(20).Within(0.5), "the rate does not include the pause");
     }
 
     [Test]

@@ -33,14 +33,14 @@ public class PaperClaimsTests
 
         Assert.That(claims.Select(claim => claim.Holds), Is.All.True);
         Assert.That(claims.Select(claim => claim.Figure).Distinct(), Is.EqualTo(new[] { "8", "16", "17", "18" }));
-        Assert.That(claims.Select(claim => claim.Uncertainty), Is.All.Null, "of a single repeat");
+        Assert.That(claims.Select(claim => claim.Uncertainty), Is.All.Null, "a single repeat has no uncertainty");
     }
 
     [Test]
     public void Claims_OneBadNumber_OnlyItsClaimDoesNotHold()
     {
         var bad = Bad().ToList();
-        Assert.That(bad, Has.Count.EqualTo(PaperClaims.Of([Good]).Count), "one for each claim");
+        Assert.That(bad, Has.Count.EqualTo(PaperClaims.Of([Good]).Count), "each claim has one bad result");
 
         for (var i = 0; i < bad.Count; i++)
         {

@@ -47,8 +47,8 @@ public class PaperRunTests
         // Exchanges with a large error even if the clock is exact: 5.5 % are in bursts of 5 to 30 ms, and for 4.6 % of the others the jitter differs
         // by 2 ms or more between the two directions.
         var possible = runs.Average(run => FitErrors.ShareBelow(run.ExchangeErrorsMs));
-        Assert.That(possible, Is.EqualTo(0.9015).Within(0.02), "without any error of the clock");
-        Assert.That(fit.Measured, Is.EqualTo(possible).Within(0.01), "the estimator adds no error that matters");
+        Assert.That(possible, Is.EqualTo(0.9015).Within(0.02), "this is the share without any error of the clock");
+        Assert.That(fit.Measured, Is.EqualTo(possible).Within(0.01), "the estimator adds no significant error");
         Assert.That(repeats.Max(each => each.Clock.OffsetErrorMs), Is.LessThan(1), "each seed");
         Assert.That(repeats.Max(each => each.LightErrorMs), Is.LessThan(4), "each seed");
     }
@@ -60,9 +60,9 @@ public class PaperRunTests
 
         var intervals = run.Run.Exchanges.Zip(run.Run.Exchanges.Skip(1), (a, b) => (b.T1 - a.T1).TotalMilliseconds).ToList();
 
-        Assert.That(intervals.Count(ms => Math.Abs(ms - 200) < 20), Is.GreaterThan(0.9 * intervals.Count), "200 ms but for late replies");
+        Assert.That(intervals.Count(ms => Math.Abs(ms - 200) < 20), Is.GreaterThan(0.9 * intervals.Count), "the interval is 200 ms, except after late replies");
         Assert.That(run.Run.Settings.Estimator, Is.EqualTo("ransac"));
-        Assert.That(run.Swings.Phases, Has.Count.InRange(3, 5), "whole swings from 10 s on");
+        Assert.That(run.Swings.Phases, Has.Count.InRange(3, 5), "only whole swings from 10 s on are evaluated");
     }
 
     [TestCase("lan", true)]
@@ -98,7 +98,7 @@ public class PaperRunTests
     {
         var claims = PaperScene.Claims(PaperScene.Play(1, PaperScene.ProfileOf(65)));
 
-        Assert.That(Claim(claims, "8", "The offset").Holds, Is.True, "the clock has nothing to do with it");
+        Assert.That(Claim(claims, "8", "The offset").Holds, Is.True, "the clock's result does not depend on L_visu");
         Assert.That(Claim(claims, "18", "The end-to-end").Holds, Is.False, Text(claims));
         Assert.That(Claim(claims, "18", "The end-to-end").Measured, Is.EqualTo(25).Within(2), Text(claims));
     }
@@ -123,7 +123,7 @@ public class PaperRunTests
 
         var claims = PaperScene.Claims(run);
 
-        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Is.EqualTo("not measured: the clock was known only from 12.0 s on"));
+        Assert.That(Claim(claims, "8", "The skew").MeasuredText, Is.EqualTo("not measured: the clock offset was known only from 12.0 s on"));
     }
 
     // This happens, for example, if the machine paused for a moment during the first repeat.
@@ -183,8 +183,8 @@ public class PaperRunTests
             Assert.That(claim.Measured, Is.EqualTo(number).Within(1).Percent, $"seed {seed}: {claim.Claim}");
     }
 
-    // The own fit detects an error of the estimator, which is not visible with the written estimates. RANSAC selects its lines at random, so the two
-    // fits differ by up to 0.05 ms, and one exchange of a hundred can be on the other side of 1 ms.
+    // The separate fit detects an error of the estimator that would not be visible with the written estimates. RANSAC selects its lines at random, so
+    // the two fits differ by up to 0.05 ms, and one exchange of a hundred can be on the other side of 1 ms.
     [Test]
     public void Paper_FittingErrors_AgreeWithAFitToTheWrittenTimestamps([Values(1, 4)] int seed)
     {

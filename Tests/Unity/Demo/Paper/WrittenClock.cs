@@ -2,8 +2,8 @@ namespace Nowpose.Unity.Tests.Demo.Paper;
 
 /// <summary>
 /// Computes Φ*, the round-trip time and ε_i from the written timestamps of the exchanges, independently of the product's code. ε_i is computed twice:
-/// with the written γ₂ and Θ₂, and with an own fit, which uses RANSAC and a moving average with the numbers of Fig. 8. The own fit tries the lines
-/// through all pairs of exchanges where the product tries 20 random ones, and all lines of the average have equal weights, as in the paper.
+/// with the written γ₂ and Θ₂, and with a fit of its own, which uses RANSAC and a moving average with the numbers of Fig. 8. This fit tries the lines
+/// through all pairs of exchanges, whereas the product tries 20 random ones. All lines in the average have equal weights, as in the paper.
 /// </summary>
 sealed class WrittenClock
 {
@@ -30,7 +30,7 @@ sealed class WrittenClock
     /// <summary>ε_i of each exchange with the written estimates: Φ* − (γ₂−1)·t − Θ₂.</summary>
     public double[] FitErrorsMs { get; }
 
-    /// <summary>ε_i of each exchange with the own fit up to this exchange. NaN before the first line.</summary>
+    /// <summary>ε_i of each exchange with this class's own fit up to this exchange. NaN before the first line.</summary>
     public double[] OwnFitErrorsMs { get; }
 
     static double[] ErrorsOf(double[] seconds, double[] offsetsMs)
@@ -45,7 +45,9 @@ sealed class WrittenClock
         })];
     }
 
-    /// <summary>Fits a line with least squares to the points within the bound of the line through two points that has the most of them.</summary>
+    /// <summary>
+    /// Finds the line through two of the points that has the most points within the bound, and fits a line to those points by least squares.
+    /// </summary>
     static (double AtZero, double Slope) LineThrough(double[] x, double[] y)
     {
         var (most, at, steepness) = (0, 0, 0.0);

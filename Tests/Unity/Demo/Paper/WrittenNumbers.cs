@@ -36,7 +36,7 @@ sealed class WrittenNumbers
 
     IEnumerable<Dictionary<string, double>> Early => Swung.Where(frame => frame["swing_s"] is >= 0 and < Shown);
 
-    /// <summary>ε_i of the exchanges from 10 s on, ms: with an own fit, and with the written γ₂ and Θ₂.</summary>
+    /// <summary>ε_i of the exchanges from 10 s on, ms: with the fit of <see cref="WrittenClock"/>, and with the written γ₂ and Θ₂.</summary>
     public IEnumerable<(double Own, double Written)> FitErrors => _clock.OwnFitErrorsMs.Zip(_clock.FitErrorsMs, _exchanges)
         .Where(each => each.Third["time_s"] >= Settled).Select(each => (each.First, each.Second));
 

@@ -11,7 +11,7 @@ const MAX_DIFFERENCE = 0.03;
 const originOf = (joint: string): RegExp => new RegExp(`(<joint name="${joint}"[^]*?<origin) xyz="([^"]*)" rpy="([^"]*)"`);
 
 /**
- * Replaces the kinematics in the description of a UR arm by the calibrated kinematics of one arm.
+ * Replaces the kinematics in the description of a UR arm with the calibrated kinematics of one arm.
  * @returns The new description, and the maximum difference at the tool in m over several joint positions.
  * @throws Error The kinematics do not belong to the described robot.
  */

@@ -8,7 +8,7 @@ namespace Nowpose.UnityPlayer.Assets.Yaml;
 /// <summary>
 /// Writes one scalar as Unity does. A text with line breaks or characters beyond ASCII is written in double quotes with escapes, because Unity
 /// decodes escapes only there. Any other text is written plain if the same text can be read back, otherwise in single quotes. A long text is
-/// wrapped at the first blank after column 80.
+/// wrapped at the first space after column 80.
 /// </summary>
 static class ScalarText
 {
@@ -63,7 +63,7 @@ static class ScalarText
             else
             {
                 NewLine(text, continuation);
-                // Escapes a blank at the start of a line, because a reader ignores unescaped blanks there.
+                // Escapes a space at the start of a line, because a reader ignores unescaped spaces there.
                 if (value[i + 1] == ' ') text.Append('\\');
             }
         }

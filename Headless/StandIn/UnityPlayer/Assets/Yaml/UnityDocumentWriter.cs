@@ -6,7 +6,7 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>
-/// Writes objects in Unity's text format: an indent of two blanks per level, the dashes of a list at the indent of its field, references and
+/// Writes objects in Unity's text format: an indent of two spaces per level, the dashes of a list at the indent of its field, references and
 /// vectors in braces on one line, and an empty scalar as <c>name: </c>.
 /// </summary>
 sealed class UnityDocumentWriter

@@ -34,7 +34,7 @@ namespace Nowpose.Counter
         /// <summary>Reads both counters several times and keeps the reading with the shortest duration.</summary>
         /// <param name="open">Returns the counter whose counts are to be converted; throws if the platform has none.</param>
         /// <param name="target">The counter to convert to.</param>
-        /// <param name="fault">Reason of the failure, in one line; null on success.</param>
+        /// <param name="fault">Reason for the failure, in one line; null on success.</param>
         public static bool TryMeasure(Func<ICounter> open, ICounter target, out CounterPairing pairing, out string fault)
         {
             pairing = null;

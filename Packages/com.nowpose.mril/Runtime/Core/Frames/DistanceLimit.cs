@@ -4,10 +4,10 @@ namespace Nowpose.Frames
 {
     /// <summary>Limits the distance of forecasts from the line through the two newest samples.</summary>
     /// <remarks>
-    /// When a motion breaks off, for example because a vehicle stops within one sample, polynomials through the samples before and after this moment
-    /// overshoot by a multiple of their earlier errors. The line has the shortest window, so a forecast that is much further from the line than all
-    /// earlier forecasts is moved towards it. The maximum includes the forecasts that were limited, so a new kind of motion is limited for only a few
-    /// samples.
+    /// When a motion ends abruptly, for example because a vehicle stops between two samples, polynomials through samples from before and after this
+    /// moment overshoot by a multiple of their earlier errors. The line has the shortest window, so a forecast that is much further from the line
+    /// than all earlier forecasts is moved towards it. The maximum includes the forecasts that were limited, so a new kind of motion is limited for
+    /// only a few samples.
     /// </remarks>
     sealed class DistanceLimit
     {

@@ -15,7 +15,7 @@ namespace Nowpose.Messages
             $"token: would be sent unencrypted to {host}; use a pin or a device-trusted certificate";
 
         public static string PlainNotAllowed(string host) =>
-            $"host: {host} is not this machine; enter the gateway's pin, or allow unencrypted connections in a trusted network (insecure LAN)";
+            $"host: {host} is another machine; enter the gateway's pin, or, on a trusted network only, allow unencrypted connections (Insecure Lan)";
 
         public static string HeadsetName(int length, int max) => $"headset name: is {length} characters long; allowed: 1 to {max}";
         public static string UnknownClockSource(int source) => $"clock source: {source} is unknown; allowed: 0 (clock sync) and 1 (ROS time)";
@@ -29,7 +29,7 @@ namespace Nowpose.Messages
         public const string NotHttp = "the answer is not HTTP/1.1; check that host and port are those of a gateway";
 
         public static string HeadTooLong(int max) =>
-            $"the head of the answer is longer than {max} bytes; check that host and port are those of a gateway";
+            $"the HTTP header of the answer is longer than {max} bytes; check that host and port are those of a gateway";
 
         public const string ClosedBeforeAnswer = "the gateway closed the connection before it had answered; see its log";
 
@@ -80,7 +80,7 @@ namespace Nowpose.Messages
         public const string NotAWebSocket = "the server does not accept the WebSocket request; check that it is a gateway";
 
         public static string OtherVersion(string name, string version, string self, string ownVersion) =>
-            $"{name} has version {version}, {self} has {ownVersion}; install the same version";
+            $"{name} has version {version}, but {self} has {ownVersion}; install the same version of both";
 
         public const string Lost = "the connection was lost";
 

@@ -46,7 +46,7 @@ namespace Nowpose.Messages
             $"{what}: {count} numbers; allowed: x,y,z or x,y,z,roll,pitch,yaw in metres and degrees";
 
         public static string OffsetNumber(string what, int position) =>
-            $"{what}: value {position} is not a number; allowed: at most three digits, and six after the decimal point";
+            $"{what}: value {position} is not valid; allowed: a number with up to three digits before the decimal point and up to six after it";
 
         public const string UnknownKind = "pairing code: it is neither a cell code nor a token code; update Nowpose if it is older than the gateway";
 

@@ -27,6 +27,6 @@ namespace Nowpose.Messages
         public static string NotPositive(string unit) => $"must be more than 0 {unit}";
 
         public static string UnknownPredictor(string name, string allowed) =>
-            $"predictor '{name}' is unknown; allowed: {allowed}, and linear, quadratic and cubic with -h and a history, for example linear-h4";
+            $"predictor '{name}' is unknown; allowed: {allowed}, or a polynomial with another history, for example linear-h4";
     }
 }

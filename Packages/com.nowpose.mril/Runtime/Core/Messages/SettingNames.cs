@@ -5,7 +5,7 @@ namespace Nowpose.Messages
     {
         public const string MarkersOfBase = "markers of a base";
         public const string ToolSpeed = "speed of the tool";
-        public const string DeviceModel = "the name of a model";
+        public const string DeviceModel = "the model's name";
         public const string VisualisationSpread = "spread of the visualisation latency";
         public const string MaxRenderTime = "maximum render time measured";
         public const string BuildingTime = "building time per frame";
@@ -19,12 +19,12 @@ namespace Nowpose.Messages
         public const string CodeWebSocketPort = "cell code: WebSocket port";
         public const string CodeMarkerOffset = "cell code: marker offset";
         public const string MaxRecordingSize = "maximum size of the recording";
-        public const string UrdfVelocityShare = "of the URDF's velocity limit";
-        public const string Latch = "latch before the refresh";
+        public const string UrdfVelocityShare = "times the URDF's velocity limit";
+        public const string Latch = "time from a frame's deadline to its refresh";
         public const string EmptySceneRenderTime = "render time of an empty scene";
         public const string RenderTimePerVertices = "render time per million vertices";
         public const string RenderTimeScatter = "scatter of the render time";
-        public const string SlowFrameChance = "chance of a slow frame";
+        public const string SlowFrameChance = "probability of a slow frame";
         public const string VisualisationInTime = "visualisation latency of frames in time";
     }
 }

@@ -3,8 +3,8 @@ namespace Nowpose.Messages
     /// <summary>Short texts for the states of joints and of measured values.</summary>
     static class StateNames
     {
-        public const string OtherSourceLimit = "limit of another source";
+        public const string OtherSourceLimit = "limit is for another source";
         public const string RenderTimeNotMeasured = "render time not measured";
-        public const string ValuesUnusable = "values cannot be used";
+        public const string ValuesUnusable = "no usable values";
     }
 }

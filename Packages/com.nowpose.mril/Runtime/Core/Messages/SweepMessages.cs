@@ -30,7 +30,7 @@ namespace Nowpose.Messages
 
         /// <param name="loads">Number of loads with enough render times.</param>
         public static string TooFewData(string source, int loads, int minTimes) =>
-            $"too few data to determine whether {source} responds to load: the number of loads with {minTimes} or more render times is {loads}; "
+            $"too few render times to determine whether {source} responds to load: the number of loads with {minTimes} or more render times is {loads}; "
             + "3 are needed; use more loads or a longer sweep";
     }
 }

@@ -43,7 +43,7 @@ namespace Nowpose.Motion
             return positions;
         }
 
-        // Returns zero if zero is within the range with margins, because the URDF was drawn in that pose.
+        // Returns zero if zero is inside the range and not too close to its ends, because the URDF was drawn in that pose.
         static double Middle(JointLimits limits)
         {
             if (double.IsInfinity(limits.Lower) || double.IsInfinity(limits.Upper))

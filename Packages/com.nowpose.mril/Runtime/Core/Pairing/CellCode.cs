@@ -20,7 +20,7 @@ namespace Nowpose.Pairing
         const string Keys = "nhswpom";
         const int PinBytes = 32;
 
-        /// <param name="cell">Name of the cell, 1 to 40 letters, digits, blanks, hyphens, underscores and full stops.</param>
+        /// <param name="cell">Name of the cell, 1 to 40 letters, digits, spaces, hyphens, underscores and full stops.</param>
         /// <param name="host">Name or address of the gateway, in ASCII.</param>
         /// <param name="pin">The gateway's public key; null only for a gateway on the headset's own machine, which needs no TLS.</param>
         /// <param name="marker">Pose of the marker in the base frame; null if the code does not specify it.</param>

@@ -65,7 +65,7 @@ namespace Nowpose.Pairing
         internal static string Write(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 
         /// <summary>Reads a decimal number of at most three digits, with at most six decimals after a full stop.</summary>
-        /// <remarks>Rejects exponents, blanks, infinities and digits of other alphabets, which parsers treat differently.</remarks>
+        /// <remarks>Rejects exponents, spaces, infinities and digits of other alphabets, which parsers treat differently.</remarks>
         public static bool TryReadNumber(string text, out double number)
         {
             number = 0;

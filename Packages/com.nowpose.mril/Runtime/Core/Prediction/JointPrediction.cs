@@ -17,7 +17,9 @@ namespace Nowpose.Prediction
         /// <summary>The time is later than the newest sample.</summary>
         Predicted,
 
-        /// <summary>The position in the control system's plan, delayed as the joint lags behind the plan. It is not predicted.</summary>
+        /// <summary>
+        /// The position in the control system's plan, delayed by the time by which the joint lags behind the plan. It is not predicted.
+        /// </summary>
         Planned
     }
 

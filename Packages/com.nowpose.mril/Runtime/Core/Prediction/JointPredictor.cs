@@ -9,7 +9,7 @@ namespace Nowpose.Prediction
     /// <remarks>
     /// <see cref="Add"/> puts a sample into order and into the buffer, updates the state of the motion, and solves the forecaster for it. The
     /// forecast until the next sample is the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the
-    /// joint follows one, and the rest of the difference to the previous section. Times are seconds of control time since an epoch that the caller
+    /// joint follows one, and the rest of the difference from the previous section. Times are seconds of control time since an epoch that the caller
     /// selects. It must be near the samples: within 1e6 s, rounding is negligible. Not thread-safe. Allocates nothing after construction.
     /// </remarks>
     public sealed class JointPredictor

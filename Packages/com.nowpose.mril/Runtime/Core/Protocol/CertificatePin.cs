@@ -20,7 +20,7 @@ namespace Nowpose.Protocol
         /// </summary>
         public string Beginning => Convert.ToBase64String(_hash).Substring(0, ComparedCharacters) + "…";
 
-        /// <summary>Reads base64 of 32 bytes, with or without the prefix "sha256/"; ignores surrounding blanks.</summary>
+        /// <summary>Reads base64 of 32 bytes, with or without the prefix "sha256/"; ignores surrounding white space.</summary>
         /// <exception cref="InputException">The text has another form.</exception>
         public static CertificatePin Parse(string text)
         {

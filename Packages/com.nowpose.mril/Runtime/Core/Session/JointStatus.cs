@@ -34,13 +34,14 @@ namespace Nowpose.Session
         /// <summary>Whether the joint has no data, so that it is not shown as current. False for a joint that is assumed to be at rest.</summary>
         public bool IsMissing => !State.IsGood();
 
-        /// <summary>State, age and reason in one line, such as "no data since 4 s: node deleted"; allocates.</summary>
-        public string Description => DescriptionSince(Age.HasValue ? TextOf(Age.Value) : null);
+        /// <summary>State, age and reason in one line, such as "no data for 4 s: node deleted"; allocates.</summary>
+        public string Description => DescriptionWith(Age.HasValue ? " for " + TextOf(Age.Value) : "");
 
         /// <summary>Returns the description with a time in the caller's format, such as "no data since 14:03:12: node deleted"; allocates.</summary>
         /// <param name="since">Text of the time; null for none.</param>
-        public string DescriptionSince(string since) =>
-            WordsOf(State) + (since == null ? "" : " since " + since) + (string.IsNullOrEmpty(Reason) ? "" : ": " + Reason);
+        public string DescriptionSince(string since) => DescriptionWith(since == null ? "" : " since " + since);
+
+        string DescriptionWith(string time) => WordsOf(State) + time + (string.IsNullOrEmpty(Reason) ? "" : ": " + Reason);
 
         /// <summary>Formats a duration in whole seconds, minutes or hours.</summary>
         static string TextOf(TimeSpan length)

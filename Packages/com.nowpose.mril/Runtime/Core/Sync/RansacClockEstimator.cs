@@ -60,7 +60,7 @@ namespace Nowpose.Sync
         ClockLine MedianSoFar()
         {
             var newest = _points[_points.Count - 1];
-            // Half the difference to the first offset: the result is the mean of two offsets, or the only offset.
+            // Half the difference from the first offset: the result is the mean of two offsets, or the only offset.
             var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
             return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.MaxSkew / 3, _exchanges);
         }

@@ -4,8 +4,8 @@ namespace Nowpose.Unity.Messages
     static class ObjectMessages
     {
         public const string ParentUnknown = "its parent is unknown";
-        public const string ParentNotCurrent = "its parent is not current";
-        public const string PosesStopped = "its poses have stopped";
+        public const string ParentNotCurrent = "its parent's pose is not current";
+        public const string PosesStopped = "no new poses arrive";
         public const string RobotUnknown = "its robot is unknown";
 
         public static string NoLink(string robot, string link) => $"the robot '{robot}' has no link '{link}'; correct Link";

@@ -9,9 +9,9 @@ namespace Nowpose.Unity.Messages
         {
             switch (source)
             {
-                case RenderTimeSourceKind.DisplayGpuTime: return "GPU time by headset";
-                case RenderTimeSourceKind.EngineGpuTime: return "GPU time by Unity";
-                case RenderTimeSourceKind.GpuCompletion: return "trigger to GPU done";
+                case RenderTimeSourceKind.DisplayGpuTime: return "GPU time from headset";
+                case RenderTimeSourceKind.EngineGpuTime: return "GPU time from Unity";
+                case RenderTimeSourceKind.GpuCompletion: return "time to GPU completion";
                 case RenderTimeSourceKind.CameraCpu: return "camera CPU, unverified";
                 default: return "not measured";
             }

@@ -9,6 +9,6 @@ namespace Nowpose.Unity.Messages
         public const string TooFewSamples = "too few recent samples";
         public const string JointWithoutSamples = "a joint has no samples";
         public const string NoLimit = "no limit is known";
-        public const string OtherSourceLimit = "limit of another source";
+        public const string OtherSourceLimit = "limit is for another source";
     }
 }

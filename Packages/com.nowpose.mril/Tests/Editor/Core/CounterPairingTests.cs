@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core
             var count = 90 * Day * 24_000_000;
             var error = TimeSpan.FromTicks(Math.Abs(pairing.ToTarget(count) - Expected(count, 24_000_000, 0)));
             Assert.That(error, Is.LessThanOrEqualTo(pairing.Uncertainty));
-            Assert.That(error.TotalMilliseconds, Is.GreaterThan(1), "the pauses cause an error");
+            Assert.That(error.TotalMilliseconds, Is.GreaterThan(1), "the pauses increase the error");
         }
 
         [Test]

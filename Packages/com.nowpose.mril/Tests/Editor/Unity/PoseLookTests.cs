@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Unity
             var look = PoseLook.Of(PoseState.Current).Also("being placed", "a marker is moved", 0);
 
             Assert.That(look.IsHatched, Is.True);
-            Assert.That(look.Fade, Is.EqualTo(0.2f), "a part smaller than a stripe may show no stripe");
+            Assert.That(look.Fade, Is.EqualTo(0.2f), "a part smaller than a stripe may have no stripe");
         }
 
         [Test]

@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Unity
         {
             var asset = Asset().With("_host", "192.168.7.9");
 
-            Assert.That(Assert.Throws<InputException>(() => asset.ToSettings()).Message, Does.Contain("192.168.7.9").And.Contain("insecure LAN"));
+            Assert.That(Assert.Throws<InputException>(() => asset.ToSettings()).Message, Does.Contain("192.168.7.9").And.Contain("Insecure Lan"));
             Assert.That(asset.With("_insecureLan", true).ToSettings().Connection.Host, Is.EqualTo("192.168.7.9"));
         }
 
@@ -152,7 +152,7 @@ namespace Nowpose.Tests.Unity
         [TestCase("_predictor", "psychic", "predictor", "'psychic'", "quadratic-h3")]
         [TestCase("_predictor", "", "predictor", "''", "quadratic-h3")]
         [TestCase("_horizonCapMs", 5001.0, "horizon cap", "5001 ms", "0 to 5000 ms")]
-        [TestCase("_speedPercent", 0.0, "speed share", "0 of the URDF's velocity", "0.01 to 1")]
+        [TestCase("_speedPercent", 0.0, "speed share", "0 times the URDF's velocity", "0.01 to 1")]
         [TestCase("_accelerationRadians", -2.0, "acceleration limit", "-2 rad/s²", "0.01 to 1000000")]
         [TestCase("_jerkRadians", double.NaN, "jerk limit", "NaN rad/s³", "0.01 to 1000000")]
         [TestCase("_maximumGapMs", 0.5, "maximum gap", "0.5 ms", "1 to 60000 ms")]

@@ -17,7 +17,9 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Minimum excess over the limit, in sd of the median, so that the state does not alternate for a marker at the limit.</summary>
         const double MinStandardErrors = 3;
 
-        /// <summary>Maximum age of the poses. If there are fewer than the minimum number, poses up to the second age are used, too.</summary>
+        /// <summary>
+        /// Maximum age of the poses that are used; and the maximum age of the poses that are added if there are too few recent ones.
+        /// </summary>
         static readonly TimeSpan Recent = TimeSpan.FromMilliseconds(600), Oldest = TimeSpan.FromSeconds(5);
 
         readonly double[] _values = new double[Capacity * Numbers];

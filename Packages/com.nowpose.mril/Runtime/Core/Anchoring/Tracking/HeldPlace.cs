@@ -7,8 +7,8 @@ namespace Nowpose.Anchoring.Tracking
     sealed class HeldPlace
     {
         /// <summary>
-        /// A pose within the first distance of the application's origin is invalid, unless it is within the second distance of the previous
-        /// pose.
+        /// Distance from the application's origin below which a pose is invalid, unless it is closer to the previous pose than the second
+        /// distance.
         /// </summary>
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 

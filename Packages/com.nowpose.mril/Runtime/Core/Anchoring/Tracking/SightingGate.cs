@@ -9,7 +9,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Maximum relative error of the size; errors of lenses and prints are smaller.</summary>
         const double MaxSizeDeviation = 0.1;
 
-        /// <summary>Poses this close to the origin are invalid, because no marker is that close to the position of the head at the start.</summary>
+        /// <summary>Minimum distance of a valid pose from the origin: no marker is closer to the head's position at the start.</summary>
         const double OriginMetres = 0.001;
 
         /// <summary>Maximum time by which a sighting may be in the future: the clocks of engine and headset are read one after the other.</summary>

@@ -8,7 +8,7 @@ namespace Nowpose.Prediction.Candidates
     /// </summary>
     /// <remarks>
     /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
-    /// compared grid point. The forgetting lets the last half second decide, so that one dwell is distinguished from another. The positions of
+    /// compared grid point. The last half second therefore counts most, which distinguishes one dwell from another. The positions of
     /// an endless joint are unwrapped, so a cycle that ends one or more turns away from its start is not recognised. Allocates nothing after
     /// construction.
     /// </remarks>

@@ -9,8 +9,8 @@ namespace Nowpose.Prediction.Forecasting
         const double MinPivot = 1e-12;
 
         /// <param name="matrix">
-        /// Row-major n×n matrix. Only its lower triangle is read. Receives the factor L, with the inverse of its diagonal: multiplications take
-        /// less time than divisions.
+        /// Row-major n×n matrix. Only its lower triangle is read. Receives the factor L with the reciprocals of its diagonal elements, because
+        /// multiplications take less time than divisions.
         /// </param>
         public static void Factor(double[] matrix, int n)
         {

@@ -42,7 +42,7 @@ namespace Nowpose.Prediction.Forecasting
             for (var k = 0; k < powers.Length; k++) coefficients[k] += coefficient * powers[k];
         }
 
-        // Replaces the previous polynomial by the next one. Returns its squared norm.
+        // Replaces the previous polynomial with the next one. Returns its squared norm.
         double Next(double[] times, int count, double norm, double ratio)
         {
             var square = Next(times, count, _values, _valuesBefore, norm, ratio, _valuesBefore, out var centre);

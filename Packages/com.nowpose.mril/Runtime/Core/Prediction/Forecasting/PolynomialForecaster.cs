@@ -10,7 +10,7 @@ namespace Nowpose.Prediction.Forecasting
     /// <remarks>
     /// For fewer than h + 1 samples, or coinciding stamps, it uses the highest degree that they determine. Degree 0 is hold.
     /// Times are relative to the newest sample and scaled by a power of two near the window's span; positions are relative to
-    /// the newest one. So neither the epoch nor the unit affects the accuracy, and the scaling causes no rounding.
+    /// the newest one. Thus neither the epoch nor the unit affects the accuracy, and the scaling causes no rounding.
     /// </remarks>
     sealed class PolynomialForecaster : Forecaster
     {

@@ -65,7 +65,7 @@ namespace Nowpose.Prediction.Forecasting
         // Position where the rest began.
         double _anchor;
 
-        /// <summary>Whether the joint is at rest: its positions scatter, or it moves very slowly compared with its recent motion.</summary>
+        /// <summary>Whether the joint is at rest: its positions only scatter, or it moves very slowly compared with its recent motion.</summary>
         public bool IsAtRest { get; private set; }
 
         /// <summary>Whether the joint is at rest and the differences of its samples are only noise.</summary>

@@ -4,7 +4,7 @@ namespace Nowpose.Sync.Envelope
 {
     /// <summary>
     /// The default estimator. The offset lies between the lower bounds from requests and the upper bounds from replies, and the
-    /// bounds of the packets with the shortest delays lie close to it. The estimate is half-way between two curves along these
+    /// bounds of the packets with the shortest delays lie close to it. The estimate is halfway between two curves along these
     /// bounds. It needs no outlier rejection, and its accuracy increases with the number of exchanges.
     /// </summary>
     /// <remarks>

@@ -3,7 +3,7 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Fits one curve with one height for each side of the corridor. The offset is half-way between the two heights. A prior determines
+    /// Fits one curve with one height for each side of the corridor. The offset is halfway between the two heights. A prior determines
     /// slope and bend if the data do not.
     /// </summary>
     sealed class EnvelopeFit

@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             Assert.That(Judge(head: RigidTransform.FromXyzRpy(0.5, 0, 3.6, 0, 90 * Degree, 0)), Is.EqualTo(SightingFault.TooFar));
             Assert.That(Judge(head: RigidTransform.FromXyzRpy(-0.6, 0, 1.5, 0, 0, 0)), Is.EqualTo(SightingFault.TooOblique));
-            Assert.That(Judge(head: RigidTransform.FromXyzRpy(0.3, 0, 0, 0, -90 * Degree, 0)), Is.EqualTo(SightingFault.TooOblique), "from below");
+            Assert.That(Judge(head: RigidTransform.FromXyzRpy(0.3, 0, 0, 0, -90 * Degree, 0)), Is.EqualTo(SightingFault.TooOblique), "the head is below the marker");
             Assert.That(Judge(head: RigidTransform.FromXyzRpy(1, 0, 2, 0, -20 * Degree, 0)), Is.EqualTo(SightingFault.Behind));
         }
 

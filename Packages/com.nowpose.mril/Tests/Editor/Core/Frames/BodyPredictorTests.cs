@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Frames
                 if (k > 10) worst = Math.Max(worst, predictor.At(time).AngleTo(PoseOf(motion(time))));
             }
 
-            Assert.That(worst, Is.LessThan(1e-3), "rad; a turn is 6.28");
+            Assert.That(worst, Is.LessThan(1e-3), "rad; a full turn is 6.28 rad");
         }
 
         // Rounding differs with the sign, and the mixture amplifies the difference.

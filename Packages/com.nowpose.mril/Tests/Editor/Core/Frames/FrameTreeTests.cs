@@ -128,7 +128,7 @@ namespace Nowpose.Tests.Core.Frames
             tree.Evaluate(At(0));
 
             Assert.That((FrameOf(tree, "a").World.X, FrameOf(tree, "b").World.X), Is.EqualTo((-1.0, 1.0)));
-            Assert.That(FrameOf(tree, "c").State, Is.EqualTo(FrameState.Orphan), "no robot without a namespace is there");
+            Assert.That(FrameOf(tree, "c").State, Is.EqualTo(FrameState.Orphan), "no robot without a namespace exists");
         }
 
         [Test]
@@ -208,7 +208,7 @@ namespace Nowpose.Tests.Core.Frames
             tree.Add(Pose(0, "world", "fixture", 1), isStationary: true);
             tree.Add(Pose(0, "world", "part"), isStationary: false);
             tree.Evaluate(At(0.1));
-            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "the first pose of all says nothing of the speed");
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "a single pose does not determine a speed");
 
             tree.Add(Pose(0.2, "fixture", "part", 0.5), isStationary: false);
             tree.Evaluate(At(0.3));
@@ -217,7 +217,7 @@ namespace Nowpose.Tests.Core.Frames
             tree.Evaluate(At(0.45));
             Assert.That(FrameOf(tree, "part").World.X, Is.EqualTo(1.5).Within(1e-9));
             tree.Evaluate(At(0.55));
-            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "0.35 s are more than the horizon cap");
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held), "0.35 s exceeds the horizon cap");
         }
 
         [Test]

@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Frames
                 if (detector.HasLeft) left++;
             }
 
-            Assert.That(left, Is.Positive, "in motion");
+            Assert.That(left, Is.Positive, "motions are detected");
         }
 
         /// <summary>

@@ -76,7 +76,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
             Assert.That(before, Is.Not.Null);
             Assert.That(watch.Present, Is.Null);
-            Assert.That(watch.Found, Has.Count.EqualTo(1), "the finding is kept");
+            Assert.That(watch.Found, Has.Count.EqualTo(1), "the list keeps the joint");
         }
 
         [Test]

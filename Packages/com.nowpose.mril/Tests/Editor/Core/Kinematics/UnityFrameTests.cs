@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Kinematics
 
                 var (s, c) = (Math.Sin(q / 2), Math.Cos(q / 2));
                 var expected = Numbers(UnityFrame.ToUnity(poses[model.IndexOfLink("b")]));
-                Assert.That(new[] { 0, 0, 0, s * about.X, s * about.Y, s * about.Z, c }, Is.EqualTo(expected).Within(Tolerance), "turned");
+                Assert.That(new[] { 0, 0, 0, s * about.X, s * about.Y, s * about.Z, c }, Is.EqualTo(expected).Within(Tolerance), "the rotation is the same");
                 expected = Numbers(UnityFrame.ToUnity(poses[model.IndexOfLink("c")]));
                 Assert.That(
                     new[] { q * direction.X, q * direction.Y, q * direction.Z, 0, 0, 0, 1 }, Is.EqualTo(expected).Within(Tolerance), "slid");

@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Pairing
             _pairing.Frame(Token);
             Assert.That(_pairing.Flow.Words, Does.Contain("now look at the robot's marker"));
             _pairing.Frame(Cell);
-            Assert.That(_pairing.Sent, Is.Empty, "the wearer has not agreed yet");
+            Assert.That(_pairing.Sent, Is.Empty, "nothing is sent before the wearer agrees");
 
             _pairing.Flow.Accept();
             _pairing.Frame();

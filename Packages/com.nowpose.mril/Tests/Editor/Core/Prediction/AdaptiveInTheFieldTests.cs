@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Prediction
             var soon = Rms(40, 80);
             var later = Rms(80, 140);
 
-            Assert.That(soon, Is.LessThan(0.03), "hold errs by 0.3");
+            Assert.That(soon, Is.LessThan(0.03), "the error of hold is 0.3");
             Assert.That(later, Is.LessThan(0.006));
         }
 
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction
             var worst = joint.Play(k => new JointSample(TimeOf(k), Motion(TimeOf(k))), 0, 60)
                 .Where(frame => frame.At > 20).Max(frame => Math.Abs(frame.Shown.Position - Motion(frame.At)));
 
-            Assert.That(worst, Is.LessThan(0.08), "hold errs by 0.3");
+            Assert.That(worst, Is.LessThan(0.08), "the error of hold is 0.3");
         }
 
         [Test]

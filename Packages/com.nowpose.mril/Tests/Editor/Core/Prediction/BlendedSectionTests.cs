@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Core.Prediction
                 last = shown;
             }
 
-            Assert.That(kinds, Is.EqualTo(2), "to the plan and back");
+            Assert.That(kinds, Is.EqualTo(2), "the kind changes to planned and back");
             Assert.That(max, Is.LessThan(1.05 * (1 + beside / TimeConstant) * step));
             Assert.That(last.Position, Is.EqualTo(1.1 + 0.6 - step).Within(1e-3));
         }

@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Prediction
                 if (k > 10) worst = Math.Max(worst, Math.Abs(off));
             }
 
-            Assert.That(worst, Is.LessThan(0.01), "a turn is 6.28");
+            Assert.That(worst, Is.LessThan(0.01), "a full turn is 6.28 rad");
         }
 
         [Test]

@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction
             var accelerations = Each(t => 20 * Math.Pow(t, 3) - 24 * t * t + 2);
 
             Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities, accelerations), motion), Is.LessThan(1e-12));
-            Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities), motion), Is.GreaterThan(1e-3), "cubics are not");
+            Assert.That(MaxError(new PlannedPath(Times, Each(motion), velocities), motion), Is.GreaterThan(1e-3), "cubics are not exact");
         }
 
         [Test]
@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Prediction
         [Test]
         public void EndsAtRest_LastVelocity_DeterminesTheResult()
         {
-            Assert.That(new PlannedPath(Times, Each(t => t)).EndsAtRest, Is.True, "no velocity shows that it moves on");
+            Assert.That(new PlannedPath(Times, Each(t => t)).EndsAtRest, Is.True, "a plan without velocities ends at rest");
             Assert.That(new PlannedPath(Times, Each(t => t), Each(t => t - 2)).EndsAtRest, Is.True);
             Assert.That(new PlannedPath(Times, Each(t => t), Each(_ => 1)).EndsAtRest, Is.False);
         }

@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Prediction
             queue.DropFirst();
 
             Assert.That(Values(queue), Is.EqualTo(new[] { 3 }));
-            Assert.That(queue.Append(), Is.SameAs(second), "the element dropped last");
+            Assert.That(queue.Append(), Is.SameAs(second), "the element that was dropped last is reused");
             Assert.That(queue.Append(), Is.SameAs(first));
         }
 

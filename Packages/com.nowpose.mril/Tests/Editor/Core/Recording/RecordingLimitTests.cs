@@ -130,7 +130,7 @@ namespace Nowpose.Tests.Core.Recording
             var text = System.Text.Encoding.UTF8.GetString(bytes);
             Assert.That(bytes.Length, Is.EqualTo(recorder.Bytes).And.LessThanOrEqualTo(room));
             var lines = text.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries).Select(JObject.Parse).ToList();
-            Assert.That(lines.Count, room < 1000 ? Is.EqualTo(0) : Is.GreaterThan(30), "the lines that fitted are in the file");
+            Assert.That(lines.Count, room < 1000 ? Is.EqualTo(0) : Is.GreaterThan(30), "the file contains the lines that fitted into it");
         }
 
         [Test]

@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(samples.Select(s => (long)s["arrival_ns"]), Is.EqualTo(taken.Select(a => a.At.Nanoseconds)));
             Assert.That(
                 samples.SelectMany(s => s["position"].Select(p => (double)p)), Is.EqualTo(taken.SelectMany(a => a.Message.Positions)),
-                "to the last digit");
+                "all digits are written");
             Assert.That(run.Of("sync").Select(s => (long)s["t1_ns"]), Is.EqualTo(exchanges.Select(e => e.T1.Nanoseconds)));
             Assert.That(run.Of("sync").Select(s => (long)s["t3_ns"]), Is.EqualTo(exchanges.Select(e => e.T3.Nanoseconds)));
             var lines = run.Of("frame");
@@ -209,13 +209,13 @@ namespace Nowpose.Tests.Core.Recording
             var plans = run.Of("plan");
             Assert.That(
                 plans.Select(p => (string)p["dropped"]), Is.EqualTo(new[] { "unknown_joint", null, "stamp_in_future" }),
-                "the plan with an unknown joint is judged on arrival");
+                "the plan with an unknown joint is checked on arrival");
             var plan = plans[1];
             Assert.That((long)plan["arrival_ns"], Is.EqualTo((Start - Lengths.Ms(3)).Nanoseconds));
             Assert.That((long)plan["stamp_ns"], Is.EqualTo(stamp.Nanoseconds));
             Assert.That(plan["names"].Select(n => (string)n), Is.EqualTo(new[] { "elbow" }));
             Assert.That(plan["points"].Select(p => (long)p["time_from_start_ns"]), Is.EqualTo(new[] { 0, 123_456_700 }));
-            Assert.That((double)plan["points"][0]["position"][0], Is.EqualTo(1 / 3.0), "to the last digit");
+            Assert.That((double)plan["points"][0]["position"][0], Is.EqualTo(1 / 3.0), "all digits are written");
             Assert.That((double?)plan["points"][0]["velocity"][0], Is.Null);
             Assert.That(plan["points"][0]["acceleration"], Is.Null);
             Assert.That((double)plan["points"][1]["acceleration"][0], Is.EqualTo(-2e-7));

@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Session
             var difference = Math.Abs(hindcast.Rms - 1000 * Rms(run.Errors));
 
             Assert.That(difference, Is.LessThan(hindcast.TruthUncertainty + hindcast.ClockUncertainty), "seed 6");
-            Assert.That(hindcast.TruthUncertainty, Is.LessThan(0.3 * hindcast.Rms), "a larger uncertainty would be meaningless");
+            Assert.That(hindcast.TruthUncertainty, Is.LessThan(0.3 * hindcast.Rms), "the stated uncertainty is much smaller than the error");
         }
 
         // Each window of ten seconds contains different moves. Nevertheless, the uncertainty intervals of more than 85 % of the windows

@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(outside.Range, Is.EqualTo(RangeState.Outside));
             AssertWithheld(outside, ErrorWithheldReason.OutsideRange);
             Assert.That((after.ErrorMm.HasValue, after.ErrorWithheld), Is.EqualTo((true, ErrorWithheldReason.None)),
-                "the error of the frames inside the range");
+                "the error is that of the frames inside the range");
             Assert.That(
                 (after.ToolErrorOfRun, after.ErrorOfRunWithheld), Is.EqualTo(((DisplayedError?)null, ErrorWithheldReason.OutsideRange)),
                 "part of this run cannot be scored");

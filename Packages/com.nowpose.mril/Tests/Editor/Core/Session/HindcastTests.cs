@@ -171,7 +171,7 @@ namespace Nowpose.Tests.Core.Session
             // The error bound of the clock times the RMS speed of 1/√2 m/s.
             Assert.That(values["error_mm_clock"], Is.EqualTo(0.71 * values["error_bound_us"] / 1000).Within(10).Percent);
             Assert.That(values["error_hold/shoulder"], Is.EqualTo(0.071).Within(0.005), "rad");
-            Assert.That(values["reduction/shoulder"], Is.EqualTo(values["reduction"]).Within(0.01), "the shoulder alone moves");
+            Assert.That(values["reduction/shoulder"], Is.EqualTo(values["reduction"]).Within(0.01), "only the shoulder moves");
             Assert.That(values.ContainsKey("reduction/elbow"), Is.False, "a joint at rest has no error to reduce");
         }
     }

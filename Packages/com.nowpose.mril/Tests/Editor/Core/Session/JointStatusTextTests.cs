@@ -11,12 +11,12 @@ namespace Nowpose.Tests.Core.Session
         static JointStatus Status(string joint, JointDataState state, double? seconds, string reason = "") => new JointStatus(
             joint, state, null, seconds.HasValue ? Lengths.Seconds(seconds.Value) : (TimeSpan?)null, reason);
 
-        [TestCase(JointDataState.Rest, 12.9, "", "assumed at rest since 12 s")]
-        [TestCase(JointDataState.Fault, 4, "node deleted", "no data since 4 s: node deleted")]
-        [TestCase(JointDataState.Stale, 119.9, "", "no data since 119 s")]
-        [TestCase(JointDataState.Stale, 120, "", "no data since 2 min")]
-        [TestCase(JointDataState.Stale, 7200, "", "no data since 2 h")]
-        [TestCase(JointDataState.Refused, 0, "NaN", "values cannot be used since 0 s: NaN")]
+        [TestCase(JointDataState.Rest, 12.9, "", "assumed at rest for 12 s")]
+        [TestCase(JointDataState.Fault, 4, "node deleted", "no data for 4 s: node deleted")]
+        [TestCase(JointDataState.Stale, 119.9, "", "no data for 119 s")]
+        [TestCase(JointDataState.Stale, 120, "", "no data for 2 min")]
+        [TestCase(JointDataState.Stale, 7200, "", "no data for 2 h")]
+        [TestCase(JointDataState.Refused, 0, "NaN", "no usable values for 0 s: NaN")]
         [TestCase(JointDataState.Missing, null, null, "no value")]
         public void Description_EachState_ContainsDurationAndReason(JointDataState state, double? seconds, string reason, string expected) =>
             Assert.That(Status("a3", state, seconds, reason).Description, Is.EqualTo(expected));
@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Session
             });
 
             Assert.That(text, Is.EqualTo(
-                "joint a1: assumed at rest since 9 s; joints a2, a3: no data since 4 s; joint a4: no data since 4 s: node deleted"));
+                "joint a1: assumed at rest for 9 s; joints a2, a3: no data for 4 s; joint a4: no data for 4 s: node deleted"));
         }
 
         [Test]

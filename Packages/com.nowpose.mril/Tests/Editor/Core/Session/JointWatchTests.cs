@@ -126,7 +126,7 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(states, Is.All.EqualTo(PoseState.Current));
             Assert.That(joint.IsMissing, Is.False);
-            Assert.That(joint.Description, Is.EqualTo("assumed at rest since 12 s"));
+            Assert.That(joint.Description, Is.EqualTo("assumed at rest for 12 s"));
         }
 
         [Test]
@@ -205,7 +205,7 @@ namespace Nowpose.Tests.Core.Session
 
             Report(simulated, "grip", JointDataState.Stale);
 
-            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "a gripper may send samples only when it moves");
+            Assert.That(StatesOf(simulated, 0.5), Is.All.EqualTo(PoseState.Current), "a joint of the gripper without samples does not make the pose stale");
             Assert.That(StatisticsOf(simulated).JointStatuses.Single().State, Is.EqualTo(JointDataState.Stale));
             Assert.That(DiagnosticsOf(simulated)["missing_joints"], Is.EqualTo("grip"));
         }
@@ -235,8 +235,8 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(before["missing_joints"], Is.Empty);
             Assert.That(after["pose"], Is.EqualTo("held"));
             Assert.That(after["missing_joints"], Is.EqualTo("elbow"));
-            Assert.That(after["joint_status/elbow"], Is.EqualTo("no data since 6 s"));
-            Assert.That(after["joint_status/shoulder"], Is.EqualTo("assumed at rest since 12 s"));
+            Assert.That(after["joint_status/elbow"], Is.EqualTo("no data for 6 s"));
+            Assert.That(after["joint_status/shoulder"], Is.EqualTo("assumed at rest for 12 s"));
             Assert.That(double.Parse(after["current_share"], System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0.43).Within(0.06));
         }
 

@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Session
             });
 
             Assert.That(kinds.Where(k => k.At > 12.05 && k.At < 13.05).Select(k => k.Kind), Is.All.EqualTo(PredictionKind.Planned));
-            Assert.That(errors.Where(e => e.At > 12 && e.At < 13).Max(e => e.Error), Is.LessThan(0.01), "as planned");
+            Assert.That(errors.Where(e => e.At > 12 && e.At < 13).Max(e => e.Error), Is.LessThan(0.01), "the displayed motion follows the plan");
             Assert.That(kinds.Where(k => k.At > 13.25).Select(k => k.Kind), Has.None.EqualTo(PredictionKind.Planned));
             Assert.That(errors.Where(e => e.At > 13.5).Max(e => e.Error), Is.LessThan(0.01), "the robot stands still");
         }

@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(taken.Last(), Is.EqualTo(stamp));
             Assert.That(frame.Horizon.Value, Is.EqualTo(TimeSpan.FromMilliseconds(40)).Within(TimeSpan.FromMilliseconds(1)),
-                "equals the display latency");
+                "the value equals the display latency");
         }
 
         [Test]
@@ -82,7 +82,7 @@ namespace Nowpose.Tests.Core.Session
                 simulated.Run(0.001, (frame, light) => states.Add(frame.State));
             }
 
-            Assert.That(states.Skip(10), Is.All.EqualTo(PoseState.Current), "three of four samples repeat a stamp");
+            Assert.That(states.Skip(10), Is.All.EqualTo(PoseState.Current), "the pose is current although three of four samples repeat a stamp");
         }
 
         [Test]

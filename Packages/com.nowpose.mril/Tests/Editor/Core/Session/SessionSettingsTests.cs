@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Session
     {
         [TestCase("", "host: ''")]
         [TestCase("not a host", "host: 'not a host'")]
-        [TestCase("192.168.0.5", "is not this machine")]
+        [TestCase("192.168.0.5", "is another machine")]
         public void ConnectionSettings_InvalidHost_ThrowsWithTheValue(string host, string named)
         {
             var error = Assert.Throws<InputException>(() => new ConnectionSettings(host));

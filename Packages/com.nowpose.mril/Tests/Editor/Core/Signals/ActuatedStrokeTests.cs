@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Signals
             stroke.Change(1, At(10));
 
             Assert.That(stroke.At(At(10)), Is.EqualTo(0.01).Within(1e-12));
-            Assert.That(stroke.At(At(10.2)), Is.EqualTo(0.03).Within(1e-9), "half-way after half of the time");
+            Assert.That(stroke.At(At(10.2)), Is.EqualTo(0.03).Within(1e-9), "halfway after half of the time");
             Assert.That(stroke.At(At(10.399)), Is.LessThan(0.05));
             Assert.That(stroke.At(At(10.4 + 1e-6)), Is.EqualTo(0.05).Within(1e-12));
             for (var t = 0.0; t < 0.2; t += 0.01)

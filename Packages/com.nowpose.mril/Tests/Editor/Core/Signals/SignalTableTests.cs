@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Signals
                 Assert.That(table.Add(At(0), new SignalValue("s" + i, i)), Is.EqualTo(DropReason.None));
 
             Assert.That(table.Add(At(0), new SignalValue("one more", 1)), Is.EqualTo(DropReason.TooManySignals));
-            Assert.That(table.Add(At(1), new SignalValue("s7", 1)), Is.EqualTo(DropReason.None), "a known one");
+            Assert.That(table.Add(At(1), new SignalValue("s7", 1)), Is.EqualTo(DropReason.None), "a known signal is still accepted");
             Assert.That(table.Count, Is.EqualTo(ProtocolLimits.Signals));
         }
 

@@ -154,7 +154,7 @@ namespace Nowpose.Tests.Core.Simulation
 
             Assert.That(slow.Visualisation.TotalMilliseconds, Is.EqualTo(Steady.PlateauMs + Steady.RefreshMs).Within(1e-4));
             Assert.That(behind.Visualisation, Is.EqualTo(slow.Visualisation), "the next frame waited in the queue");
-            Assert.That(behind.IsReplacedBy(afterwards), Is.True, "the frame after it is done for the same refresh");
+            Assert.That(behind.IsReplacedBy(afterwards), Is.True, "the next frame is finished for the same refresh");
             Assert.That(slow.IsReplacedBy(behind), Is.False);
             Assert.That(later.Visualisation.TotalMilliseconds, Is.EqualTo(Steady.PlateauMs).Within(1e-4));
         }
@@ -177,7 +177,7 @@ namespace Nowpose.Tests.Core.Simulation
             var mean = sum / (frames - slow);
             Assert.That(mean, Is.EqualTo(1).Within(0.001));
             Assert.That(Math.Sqrt(squares / (frames - slow) - mean * mean), Is.EqualTo(0.03).Within(0.001));
-            Assert.That(slow, Is.EqualTo(frames / 100).Within(45), "three sigma");
+            Assert.That(slow, Is.EqualTo(frames / 100).Within(45), "the number is within three standard deviations");
         }
 
         [TestCase(double.NaN)]

@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Simulation
             var delays = DelaysMs(LinkProfile.Lossy, Lengths.Ms(50));
 
             Assert.That(delays.Average(delay => delay > 60 ? 1 : 0), Is.InRange(0.01, 0.05));
-            Assert.That(delays.Average(delay => delay > 200 ? 1 : 0), Is.LessThan(0.003), "only if the retransmission is lost, too");
+            Assert.That(delays.Average(delay => delay > 200 ? 1 : 0), Is.LessThan(0.003), "a delay above 200 ms requires that the retransmission is also lost");
         }
 
         [Test]

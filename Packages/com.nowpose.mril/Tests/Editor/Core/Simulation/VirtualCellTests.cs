@@ -127,7 +127,7 @@ namespace Nowpose.Tests.Core.Simulation
         public void Clock_SteppedAndFaster_IsFollowedByTheSession()
         {
             var run = new VirtualCellRun(VirtualCellRun.Settings()).Run(20);
-            Assert.That(run.Statistics.Clock.Skew, Is.EqualTo(-37e-6).Within(5e-6), "the headset clock is the slower one");
+            Assert.That(run.Statistics.Clock.Skew, Is.EqualTo(-37e-6).Within(5e-6), "the headset clock is slower");
 
             run.Clock.Set(run.Now, TimeSpan.FromSeconds(-2000), 200e-6);
             run.Run(2);

@@ -156,8 +156,8 @@ namespace Nowpose.Tests.Unity.Robot
             Assert.That(bars.Length, Is.EqualTo(2));
             foreach (var (bar, end) in bars.Zip(new[] { new Vector3(0, 0.4f, 0), new Vector3(0, 0, 0.3f) }, ValueTuple.Create))
             {
-                Assert.That(Vector3.Distance(bar.TransformPoint(Vector3.up), end), Is.LessThan(1e-6), "one end");
-                Assert.That(bar.TransformPoint(Vector3.down).magnitude, Is.LessThan(1e-6), "the other end");
+                Assert.That(Vector3.Distance(bar.TransformPoint(Vector3.up), end), Is.LessThan(1e-6), "the bar begins at the child");
+                Assert.That(bar.TransformPoint(Vector3.down).magnitude, Is.LessThan(1e-6), "the bar ends at the parent");
             }
         }
 

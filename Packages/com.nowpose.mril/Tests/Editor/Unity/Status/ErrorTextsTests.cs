@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(ErrorWithheldReason.None, "–|")]
         [TestCase(ErrorWithheldReason.OutsideRange, "–|outside range")]
         [TestCase(ErrorWithheldReason.BeyondMeasured, "–|beyond measured range")]
-        [TestCase(ErrorWithheldReason.OtherSource, "–|limit of another source")]
+        [TestCase(ErrorWithheldReason.OtherSource, "–|limit is for another source")]
         [TestCase(ErrorWithheldReason.NoRenderTime, "–|render time not measured")]
         public void Update_ErrorIsWithheld_ShowsTheReasonBesideTheMissingError(object reason, string expected)
         {

@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(MessageOf(Statistics(0, silent)), Is.Empty);
             Assert.That(MessageOf(Statistics(1, silent)), Is.EqualTo("! joint a1: no value"));
             Assert.That(MessageOf(Statistics(0, silent, Joint("a2", JointDataState.Refused, 8, "NaN"))),
-                Is.EqualTo("! joint a2: values cannot be used since 11:59:52: NaN"));
+                Is.EqualTo("! joint a2: no usable values since 11:59:52: NaN"));
         }
 
         [Test]

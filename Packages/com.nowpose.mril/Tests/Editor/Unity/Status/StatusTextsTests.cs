@@ -185,9 +185,9 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(row[1], Is.EqualTo("rendering takes too long"));
         }
 
-        [TestCase(RenderTimeSourceKind.DisplayGpuTime, "9.5 ms|GPU time by headset")]
-        [TestCase(RenderTimeSourceKind.EngineGpuTime, "9.5 ms|GPU time by Unity")]
-        [TestCase(RenderTimeSourceKind.GpuCompletion, "9.5 ms|trigger to GPU done")]
+        [TestCase(RenderTimeSourceKind.DisplayGpuTime, "9.5 ms|GPU time from headset")]
+        [TestCase(RenderTimeSourceKind.EngineGpuTime, "9.5 ms|GPU time from Unity")]
+        [TestCase(RenderTimeSourceKind.GpuCompletion, "9.5 ms|time to GPU completion")]
         [TestCase(RenderTimeSourceKind.CameraCpu, "9.5 ms|camera CPU, unverified")]
         public void Update_RenderTime_NamesItsSource(RenderTimeSourceKind source, string expected)
         {
@@ -200,7 +200,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RangeState.Unknown, RangeUnknownReason.NoRenderTime, "–|not measured")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.TooFewFrames, "–|measuring")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|beyond measured range")]
-        [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|limit of another source")]
+        [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|limit is for another source")]
         public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
         {
             Assert.That(Row(StatusRow.Range, new SessionStatistics { Range = range, RangeUnknownReason = (RangeUnknownReason)reason }), Is.EqualTo(expected));
@@ -284,7 +284,7 @@ namespace Nowpose.Tests.Unity.Status
                         }
                     }
 
-            Assert.That(values.Max(v => LetterWidths.Of(v)), Is.LessThanOrEqualTo(9.3f), "the column is 9.6 font sizes wide");
+            Assert.That(values.Max(v => LetterWidths.Of(v)), Is.LessThanOrEqualTo(9.3f), "each value fits into the column of 9.6 font sizes");
             Assert.That(notes.Max(n => LetterWidths.Of(n)), Is.LessThanOrEqualTo(PanelCells.NoteWidth));
         }
     }

@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(double.NaN, 1.1, "HoloLens 2", 60, 300, 15, 15, "visualisation latency: NaN ms is out of range; allowed: 0 to 500 ms")]
         [TestCase(501, 1.1, "HoloLens 2", 60, 300, 15, 15, "visualisation latency: 501 ms is out of range; allowed: 0 to 500 ms")]
         [TestCase(40, -1, "HoloLens 2", 60, 300, 15, 15, "spread of the visualisation latency: -1 ms is out of range; allowed: 0 to 500 ms")]
-        [TestCase(40, 1, "Holo\nLens", 60, 300, 15, 15, "device: the name of a model must be one line of up to 128 characters")]
+        [TestCase(40, 1, "Holo\nLens", 60, 300, 15, 15, "device: the model's name must be one line of up to 128 characters")]
         [TestCase(40, 1, "HoloLens 2", -60, 300, 15, 15, "display rate: -60 Hz is out of range; allowed: 0 to 1000 Hz")]
         [TestCase(40, 1, "HoloLens 2", 60, -1, 15, 15, "measurements: -1 is out of range; allowed: 0 to 2147483647")]
         [TestCase(40, 1, "HoloLens 2", 60, 300, 0, 15, "render time limit: 0 ms is out of range; allowed: 0.1 to 1000 ms")]

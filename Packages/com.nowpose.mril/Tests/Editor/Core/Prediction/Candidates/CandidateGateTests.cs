@@ -96,7 +96,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
             Assert.That(_gate.ErrorRatio(isStill: false), Is.EqualTo(0.01).Within(1e-9));
             Assert.That(worse.ErrorRatio(isStill: false), Is.EqualTo(0.04).Within(1e-9));
-            Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity), "forecasts made at a standstill have a record of their own");
+            Assert.That(_gate.ErrorRatio(isStill: true), Is.EqualTo(double.PositiveInfinity), "forecasts made at a standstill are recorded separately");
         }
 
         [Test]

@@ -199,7 +199,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             joint.Add(2, 2);
 
             Assert.That(joint.Add(1, 1.5), Is.EqualTo(DropReason.None));
-            Assert.That(joint.At(3).Position, Is.EqualTo(3).Within(1e-12), "it may still be of a clock that went back");
+            Assert.That(joint.At(3).Position, Is.EqualTo(3).Within(1e-12), "the sample is not dropped, because the clock may have gone back");
             Assert.That(joint.Hold, Is.EqualTo(2));
         }
 

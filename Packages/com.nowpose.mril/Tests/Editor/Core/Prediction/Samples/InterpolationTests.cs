@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             var predictor = Of(motion, history: 4);
             var bare = TestPredictors.Polynomial(2, 4).Fed(Times, motion);
             var newest = Times[Times.Length - 1];
-            Assert.That(Math.Abs(bare.At(newest).Position - motion(newest)), Is.GreaterThan(0.02), "there is a jump");
+            Assert.That(Math.Abs(bare.At(newest).Position - motion(newest)), Is.GreaterThan(0.02), "without blending, the forecast jumps");
 
             Assert.That(predictor.At(newest + 1e-9).Position, Is.EqualTo(predictor.At(newest).Position).Within(1e-5));
             Assert.That(predictor.At(newest + 0.05).Position, Is.EqualTo(bare.At(newest + 0.05).Position).Within(1e-4));

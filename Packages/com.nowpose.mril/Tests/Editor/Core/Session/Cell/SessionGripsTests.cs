@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 1, _ =>
             {
                 Assert.That(grip.Held, Is.Null);
-                Assert.That(Distance(Find(cell, "box").World, Tool(Shoulder(Open))), Is.LessThan(1e-6), "although its source repeats the old pose");
+                Assert.That(Distance(Find(cell, "box").World, Tool(Shoulder(Open))), Is.LessThan(1e-6), "the object stays although its source repeats the old pose");
                 Assert.That(cell.Session.Frames.StateOf(Find(cell, "box")), Is.EqualTo(PoseState.Current));
             });
         }
@@ -176,7 +176,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Send("grip", Close, 1);
             Until(cell, Close + 1);
 
-            Assert.That(grip.Held, Is.Null, "its source attaches it to the tool");
+            Assert.That(grip.Held, Is.Null, "the gripper does not hold an object that its source attaches to the tool");
             Assert.That(Distance(ToolOf(cell).Inverse * Find(cell, "box").World, At(0.01, 0)), Is.LessThan(1e-9));
         }
 
