@@ -1,7 +1,7 @@
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Mixing;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Sync;
@@ -48,7 +48,7 @@ sealed class VirtualSession
 
     public static JointPredictor[] CreatePredictors(PredictionSettings prediction)
     {
-        var shared = new SharedWeights();
+        var shared = new SharedForecasters();
         return [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits, shared))];
     }
 

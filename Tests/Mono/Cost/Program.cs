@@ -3,7 +3,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Linq;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Mono.Cost
 {
@@ -106,7 +106,7 @@ namespace Nowpose.Mono.Cost
             /// <returns>Number of garbage collections during the measured samples.</returns>
             public int Run(double interval)
             {
-                var shared = new SharedWeights();
+                var shared = new SharedForecasters();
                 var joints = Enumerable.Range(0, Joints).Select(_ => Predictors.Create(_predictor, new PredictionLimits(), 0.014, shared)).ToArray();
                 var displayed = double.NaN;
                 var first = (int)(SecondsSeen / interval);

@@ -1,7 +1,7 @@
 using System;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Frames
 {
@@ -42,7 +42,7 @@ namespace Nowpose.Frames
         /// <exception cref="InputException">The name is unknown.</exception>
         public BodyPredictor(string predictor, PredictionLimits limits, double blend = 0)
         {
-            var shared = new SharedWeights();
+            var shared = new SharedForecasters();
             _position = Create(predictor, limits, blend, shared);
             _angles = Create(predictor, limits, blend, shared);
             _horizonCap = limits.HorizonCap;
@@ -128,7 +128,7 @@ namespace Nowpose.Frames
 
         static RigidTransform PoseOf(in UnitQuaternion rotation, in Vector3D position) => rotation.At(position.X, position.Y, position.Z);
 
-        static VectorMixture Create(string predictor, PredictionLimits limits, double blend, SharedWeights shared)
+        static VectorMixture Create(string predictor, PredictionLimits limits, double blend, SharedForecasters shared)
         {
             if (predictor == Predictors.Default)
                 return new VectorMixture(

@@ -14,18 +14,20 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class RotationHistory
     {
-        /// <summary>Maximum number of samples: more than the longest history of a forecaster.</summary>
+        /// <summary>Maximum number of samples: more than the longest history of a forecaster. The number is a power of two, for a mask.</summary>
         const int Capacity = 128;
 
         /// <summary>Rotations below this, in rad, are rounding errors.</summary>
         const double Rounding = 1e-14;
 
-        readonly Entry[] _newestFirst = new Entry[Capacity];
+        // A ring: the entry of an age is at (_newest + age) & (Capacity - 1).
+        readonly Entry[] _ring = new Entry[Capacity];
+        int _newest;
 
         public int Count { get; private set; }
 
         /// <summary>Rotation of the newest sample; the identity before the first.</summary>
-        public UnitQuaternion Newest => Count > 0 ? _newestFirst[0].Rotation : UnitQuaternion.Identity;
+        public UnitQuaternion Newest => Count > 0 ? At(0).Rotation : UnitQuaternion.Identity;
 
         /// <summary>Adds a sample. Samples may be added in any order.</summary>
         /// <param name="order">Sort key, s.</param>
@@ -33,11 +35,11 @@ namespace Nowpose.Frames
         public Vector3D Add(double order, in UnitQuaternion rotation)
         {
             var age = 0;
-            while (age < Count && _newestFirst[age].Order > order) age++;
+            while (age < Count && At(age).Order > order) age++;
             if (IsAsOld(age - 1, order)) age--;
-            if (IsAsOld(age, order)) return AnglesRelativeTo(_newestFirst[age], rotation);
+            if (IsAsOld(age, order)) return AnglesRelativeTo(At(age), rotation);
             // Computes the angles relative to the newer neighbour, so that the angles between the newest samples are exact, even after a late one.
-            var angles = Count == 0 ? default : AnglesRelativeTo(_newestFirst[Math.Max(age - 1, 0)], rotation);
+            var angles = Count == 0 ? default : AnglesRelativeTo(At(Math.Max(age - 1, 0)), rotation);
             if (age < Capacity) Insert(age, new Entry(order, rotation, angles));
             return angles;
         }
@@ -46,15 +48,17 @@ namespace Nowpose.Frames
         public UnitQuaternion RotationOf(in Vector3D angles, double time)
         {
             var age = 0;
-            while (age + 1 < Count && _newestFirst[age].Order > time) age++;
-            ref readonly var near = ref _newestFirst[age];
+            while (age + 1 < Count && At(age).Order > time) age++;
+            ref readonly var near = ref At(age);
             return UnitQuaternion.Exp(angles - near.Angles) * near.Rotation;
         }
 
         /// <summary>Discards all rotations.</summary>
         public void Clear() => Count = 0;
 
-        bool IsAsOld(int age, double order) => age >= 0 && age < Count && JointSample.IsSameTime(_newestFirst[age].Order, order);
+        bool IsAsOld(int age, double order) => age >= 0 && age < Count && JointSample.IsSameTime(At(age).Order, order);
+
+        ref Entry At(int age) => ref _ring[(_newest + age) & (Capacity - 1)];
 
         // A repeated sample gets exactly the angles of the first one.
         static Vector3D AnglesRelativeTo(in Entry entry, in UnitQuaternion rotation)
@@ -66,8 +70,9 @@ namespace Nowpose.Frames
         void Insert(int age, in Entry entry)
         {
             if (Count < Capacity) Count++;
-            Array.Copy(_newestFirst, age, _newestFirst, age + 1, Count - 1 - age);
-            _newestFirst[age] = entry;
+            _newest = (_newest - 1) & (Capacity - 1);
+            for (var i = 0; i < age; i++) At(i) = At(i + 1);
+            At(age) = entry;
         }
 
         readonly struct Entry

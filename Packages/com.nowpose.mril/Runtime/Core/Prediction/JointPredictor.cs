@@ -29,6 +29,9 @@ namespace Nowpose.Prediction
         readonly PlanFollower _plan = new PlanFollower();
         bool _isSolved;
 
+        // Time and position of the newest sample of the history, in which angles are unwrapped; negative infinity and 0 before the first sample.
+        double _newestTime, _newestPosition;
+
         // Jump from the end of the curve, which is the newest sample, to the forecast at that time. It is subtracted from the forecast and decays.
         double _jump;
 
@@ -80,7 +83,8 @@ namespace Nowpose.Prediction
         public DropReason Add(in JointSample sample, double displayed = double.NaN)
         {
             var restarts = Restarts;
-            var reason = _arrivals.Add(sample, _buffer.History.Oldest);
+            // The oldest sample is not in the processor's cache, and only late samples are compared with it.
+            var reason = _arrivals.Add(sample, _buffer.IsNewer(sample) ? double.NegativeInfinity : _buffer.History.Oldest);
             if (Restarts != restarts) Restart();
             foreach (ref readonly var ready in _arrivals.Ready) Use(ready, displayed);
             return reason;
@@ -184,11 +188,13 @@ namespace Nowpose.Prediction
             _motion.Reset();
             _forecaster.Reset();
             _isSolved = false;
+            (_newestTime, _newestPosition) = (double.NegativeInfinity, 0);
             _jump = _residual = 0;
         }
 
         void Solve()
         {
+            (_newestTime, _newestPosition) = (_buffer.History.NewestTime, _buffer.History.NewestPosition);
             _isSolved = _forecaster.Solve(_motion);
             _jump = _isSolved && _interpolates ? _forecaster.At(0) : 0;
         }
@@ -208,7 +214,7 @@ namespace Nowpose.Prediction
         // The displayed position of an endless joint with all its turns: the section, the plan if there is one, and the rest of the residual.
         JointPrediction UnwrappedAt(double time)
         {
-            if (_buffer.History.Count == 0) return default;
+            if (double.IsNegativeInfinity(_newestTime)) return default;
             var section = SectionAt(time);
             var prediction = _plan.HasPlan ? WithPlan(section, time) : section;
             var position = _residual == 0 ? prediction.Position : prediction.Position + _residual * _blend.RemainderAt(time);
@@ -224,7 +230,7 @@ namespace Nowpose.Prediction
         }
 
         JointPrediction SectionAt(double time) =>
-            _interpolates && time <= _buffer.History.NewestTime && _motion.ConnectedSamples > 1 ? InterpolatedAt(time) : ForecastAt(time);
+            _interpolates && time <= _newestTime && _motion.ConnectedSamples > 1 ? InterpolatedAt(time) : ForecastAt(time);
 
         JointPrediction InterpolatedAt(double time)
         {
@@ -236,9 +242,9 @@ namespace Nowpose.Prediction
         // The paper's polynomials are used before their newest sample too.
         JointPrediction ForecastAt(double time)
         {
-            var hold = new JointPrediction(_buffer.History.NewestPosition, PredictionKind.Held);
+            var hold = new JointPrediction(_newestPosition, PredictionKind.Held);
             if (!_isSolved || double.IsNaN(time)) return hold;
-            var ahead = time - _buffer.History.NewestTime;
+            var ahead = time - _newestTime;
             var kind = ahead <= 0 ? PredictionKind.Interpolated : PredictionKind.Predicted;
             var furthest = Math.Min(_limits.HorizonCap, _forecaster.Span);
             if (ahead > furthest) (ahead, kind) = (furthest, PredictionKind.Held);

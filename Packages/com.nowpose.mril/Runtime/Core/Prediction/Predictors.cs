@@ -50,11 +50,11 @@ namespace Nowpose.Prediction
         /// </param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public static JointPredictor Create(string name, PredictionLimits limits, double blend = 0) =>
-            Create(name, limits, blend, new SharedWeights());
+            Create(name, limits, blend, new SharedForecasters());
 
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
-        /// <param name="shared">Weights that this predictor shares with those of the robot's other joints.</param>
-        internal static JointPredictor Create(string name, PredictionLimits limits, double blend, SharedWeights shared)
+        /// <param name="shared">Forecasters that this predictor shares with those of the robot's other joints.</param>
+        internal static JointPredictor Create(string name, PredictionLimits limits, double blend, SharedForecasters shared)
         {
             if (name == "adaptive") return Adaptive(limits, PredictionParts.All, shared, blend);
             if (name == "gp") return new JointPredictor(new CalibratedProcess(), Kept, PredictionParts.Samples, limits, blend);
@@ -64,26 +64,34 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
-        /// <param name="shared">Weights that this predictor shares with those of other joints; null for its own.</param>
+        /// <param name="shared">Forecasters that this predictor shares with those of other joints; null for its own.</param>
         /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
         internal static JointPredictor Adaptive(
-            PredictionLimits limits, PredictionParts parts, SharedWeights shared = null, double blend = 0, params Forecaster[] more)
+            PredictionLimits limits, PredictionParts parts, SharedForecasters shared = null, double blend = 0, params Forecaster[] more)
         {
-            shared ??= new SharedWeights();
             bool Has(PredictionParts part) => (parts & part) != 0;
-            var forecasters = new List<MixedForecaster>();
-            if (Has(PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new LinearForecaster(shared.Quadratic)));
-            if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new LinearForecaster(shared.Cubic)));
-            if (Has(PredictionParts.Process))
-                forecasters.Add(new MixedForecaster(new LinearForecaster(shared.Process, stopsAtReversal: true), 1 - LinePrior, 1 - ReportedPrior));
-            if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ReportedPrior));
-            foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
+            shared ??= new SharedForecasters();
+            var forecasters = more.Length > 0 ? Mixed(parts, more) : shared.Mixed ??= Mixed(parts, more);
             var candidates = new List<CandidateGate>();
             var search = Has(PredictionParts.DenseSearch) ? SearchDensity.Dense : SearchDensity.Sparse;
             if (Has(PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits, search), TemplateGate));
             if (Has(PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new CandidateGate(new ProfileForecaster(limits), ProfileGate));
-            return new JointPredictor(new Mixer(limits, parts, forecasters.ToArray(), candidates.ToArray()), Kept, parts, limits, blend);
+            return new JointPredictor(new Mixer(limits, parts, forecasters, candidates.ToArray()), Kept, parts, limits, blend);
+        }
+
+        static MixedForecasters Mixed(PredictionParts parts, Forecaster[] more)
+        {
+            bool Has(PredictionParts part) => (parts & part) != 0;
+            var forecasters = new List<MixedForecaster>();
+            if (Has(PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new LinearForecaster(new PolynomialWeights(2, 4))));
+            if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new LinearForecaster(new PolynomialWeights(3, 3))));
+            if (Has(PredictionParts.Process))
+                forecasters.Add(new MixedForecaster(
+                    new LinearForecaster(new GaussianProcess(), stopsAtReversal: true), 1 - LinePrior, 1 - ReportedPrior));
+            if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ReportedPrior));
+            foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
+            return new MixedForecasters(forecasters.ToArray(), Has(PredictionParts.ChangePoints));
         }
 
         // Accepts valid pairs of degree and history; a history is at most the maximum of a forecaster.

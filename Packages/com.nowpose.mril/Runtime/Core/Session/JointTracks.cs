@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Mixing;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -28,7 +28,7 @@ namespace Nowpose.Session
             _robot = robot;
             var count = robot.MovingJoints.Count;
             _joints = new JointPredictor[count];
-            var shared = new SharedWeights();
+            var shared = new SharedForecasters();
             for (var i = 0; i < count; i++) _joints[i] = settings.Create(BoundsOf(robot.MovingJoints[i], settings), shared);
             _positions = new double[count];
             _held = new double[count];

@@ -3,7 +3,7 @@ using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
 using Nowpose.Prediction;
-using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.Mixing;
 
 namespace Nowpose.Session
 {
@@ -81,11 +81,11 @@ namespace Nowpose.Session
 
         /// <summary>Creates a predictor for one joint with the given limits.</summary>
         /// <param name="limits">Result of <see cref="Bounded"/>.</param>
-        public JointPredictor Create(in JointLimits limits) => Create(limits, new SharedWeights());
+        public JointPredictor Create(in JointLimits limits) => Create(limits, new SharedForecasters());
 
         /// <inheritdoc cref="Create(in JointLimits)"/>
         /// <param name="shared">Weights that the predictors of one robot's joints share.</param>
-        internal JointPredictor Create(in JointLimits limits, SharedWeights shared) =>
+        internal JointPredictor Create(in JointLimits limits, SharedForecasters shared) =>
             Predictors.Create(Predictor, LimitsOf(limits), IsHold ? 0 : ClockTicks.Seconds(Blend), shared);
 
         /// <summary>Creates a predictor for an object of the cell, which has no limits.</summary>

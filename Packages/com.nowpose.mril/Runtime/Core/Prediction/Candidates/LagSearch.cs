@@ -22,12 +22,24 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Maximum lag, in s: cycles of up to two minutes.</summary>
         const double MaxLag = 120;
 
+        /// <summary>Maximum distance from the origin; larger ones count as this one, so that squares do not overflow.</summary>
+        const double MaxDistance = 1e15;
+
+        /// <summary>Is added to each cost at each comparison, because arithmetic with numbers near the smallest one is many times slower.</summary>
+        const float MinCost = 1e-30f;
+
         readonly MotionHistory _history;
         readonly SearchDensity _density;
 
         // Costs of the lags, preceded by an infinite cost, which is never a minimum.
-        readonly double[] _costs;
-        readonly double[] _lagCosts = new double[Kept];
+        readonly float[] _costs;
+        readonly float[] _lagCosts = new float[Kept];
+
+        // The history relative to its first position. Grid points one lag step apart are in the same row, a ring with the newest first, because many
+        // joints together exceed the processor's cache: a pass reads neighbours, a fourth to a tenth of the memory that it would read in the history.
+        readonly float[] _rows = new float[MotionHistory.Capacity];
+        int _rowLength;
+        double _origin;
         long _taken;
 
         // Grid steps between two compared lags and between two compared points, and the forgetting factor.
@@ -39,7 +51,7 @@ namespace Nowpose.Prediction.Candidates
             (_history, _density) = (history, density);
             // A step of whole grid steps is at least half of the density's step, so there are at most twice as many lags.
             var maxLags = (int)(2 * MaxLag / density.LagStep) + 1;
-            _costs = new double[maxLags + 1];
+            _costs = new float[maxLags + 1];
         }
 
         /// <summary>The best lags, the best first. Only the first <see cref="Count"/> elements are valid.</summary>
@@ -51,11 +63,12 @@ namespace Nowpose.Prediction.Candidates
         public void Start()
         {
             Array.Clear(_costs, 0, _costs.Length);
-            _costs[0] = double.PositiveInfinity;
+            _costs[0] = float.PositiveInfinity;
             _taken = 0;
             Count = 0;
             if (!(_history.Step > 0)) return;
             _step = Math.Max(1, (int)(_density.LagStep / _history.Step + 1e-6));
+            _rowLength = MotionHistory.Capacity / _step;
             _stride = (int)Math.Ceiling(_density.CompareInterval / _history.Step - 1e-6);
             _forgettingFactor = Math.Exp(-_stride * _history.Step / Forgetting);
         }
@@ -65,25 +78,35 @@ namespace Nowpose.Prediction.Candidates
         public void Update(int minLag)
         {
             for (; _taken < _history.Count; _taken++)
-                if (_taken % _stride == 0) Compare(_taken, minLag);
+            {
+                if (_taken == 0) _origin = _history[0];
+                _rows[PlaceOf(_taken)] = FromOrigin(_history[_taken]);
+                if (_taken % _stride == 0 && _taken >= minLag) Compare(_taken, minLag);
+            }
         }
+
+        float FromOrigin(double position) => (float)Math.Max(-MaxDistance, Math.Min(MaxDistance, position - _origin));
+
+        int PlaceOf(long point) => (int)(point % _step) * _rowLength + _rowLength - 1 - (int)(point / _step % _rowLength);
 
         // Adds the squared differences at all lags to their costs, and finds the best local minima.
         void Compare(long newest, int minLag)
         {
             Count = 0;
             var longest = (int)Math.Min(Math.Min(MaxLag / _history.Step, MotionHistory.Capacity - 1), newest);
-            var lags = Math.Max(0, (longest - minLag) / _step + 1);
-            var (points, costs, now, forgettingFactor, step, worst) = (_history.Points, _costs, _history[newest], _forgettingFactor, _step, Worst);
-            var point = (int)newest - minLag;
+            var lags = (longest - minLag) / _step + 1;
+            var (rows, costs, now) = (_rows, _costs, FromOrigin(_history[newest]));
+            var (forgettingFactor, step, worst) = ((float)_forgettingFactor, _step, Worst);
+            var place = PlaceOf(newest - minLag);
+            var end = ((int)((newest - minLag) % step) + 1) * _rowLength;
             // The costs of the two previous lags are in local variables, because the runtime checks each access of an array.
             var (before, last) = (costs[0], costs[0]);
             for (var i = 1; i <= lags; i++)
             {
-                var difference = now - points[point & MotionHistory.Mask];
-                var cost = forgettingFactor * costs[i] + difference * difference;
+                var difference = now - rows[place];
+                var cost = forgettingFactor * costs[i] + difference * difference + MinCost;
                 costs[i] = cost;
-                point -= step;
+                if (++place == end) place -= _rowLength;
                 // The first lag has no lower neighbour, and the history must cover the neighbourhood of the last one.
                 if (last < worst && last < cost && last <= before && i > 2)
                 {
@@ -96,9 +119,9 @@ namespace Nowpose.Prediction.Candidates
         }
 
         // Cost below which a further lag is kept.
-        double Worst => Count < Kept ? double.PositiveInfinity : _lagCosts[Kept - 1];
+        float Worst => Count < Kept ? float.PositiveInfinity : _lagCosts[Kept - 1];
 
-        void Keep(int lag, double cost)
+        void Keep(int lag, float cost)
         {
             if (Count < Kept) Count++;
             var place = Count - 1;

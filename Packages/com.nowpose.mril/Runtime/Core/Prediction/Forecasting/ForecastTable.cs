@@ -73,8 +73,13 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         /// <summary>Returns a position of a table.</summary>
-        /// <param name="table">An array that contains the table from <paramref name="start"/> on.</param>
-        public double Read(double[] table, int start) => _weightBefore * table[start + _before] + _weight * table[start + _cell]
-            + _weightNext * table[start + _cell + 1] + _weightAfter * table[start + _after];
+        public double Read(double[] table) =>
+            _weightBefore * table[_before] + _weight * table[_cell] + _weightNext * table[_cell + 1] + _weightAfter * table[_after];
+
+        /// <summary>Returns a position of one of several tables that are stored point by point.</summary>
+        /// <param name="count">Number of tables.</param>
+        public double Read(float[] tables, int table, int count) =>
+            _weightBefore * tables[_before * count + table] + _weight * tables[_cell * count + table]
+            + _weightNext * tables[(_cell + 1) * count + table] + _weightAfter * tables[_after * count + table];
     }
 }

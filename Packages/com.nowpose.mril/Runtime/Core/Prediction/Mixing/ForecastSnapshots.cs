@@ -3,6 +3,9 @@ using Nowpose.Prediction.Forecasting;
 namespace Nowpose.Prediction.Mixing
 {
     /// <summary>Stores past forecasts until the samples of their times have arrived.</summary>
+    /// <remarks>
+    /// They have single precision: the snapshots of many joints exceed the processor's cache, and reading them takes longer than the arithmetic.
+    /// </remarks>
     sealed class ForecastSnapshots
     {
         /// <summary>Capacity for the maximum horizon at the minimum sampling interval: 0.45 s at 180 Hz are 81.</summary>
@@ -28,10 +31,12 @@ namespace Nowpose.Prediction.Mixing
         /// <returns>False if all snapshots are younger.</returns>
         public bool TryFind(double time, out Snapshot older, out Snapshot younger)
         {
-            var i = Count - 1;
-            while (i >= 0 && _snapshots[i].Time > time + JointSample.SameSeconds) i--;
-            (older, younger) = (i < 0 ? null : _snapshots[i], i + 1 < Count ? _snapshots[i + 1] : null);
-            for (; i > 0; i--) _snapshots.DropFirst();
+            (older, younger) = (null, Count > 0 ? _snapshots[0] : null);
+            while (younger != null && younger.Time <= time + JointSample.SameSeconds)
+            {
+                if (older != null) _snapshots.DropFirst();
+                (older, younger) = (younger, Count > 1 ? _snapshots[1] : null);
+            }
             return older != null;
         }
 
@@ -39,13 +44,15 @@ namespace Nowpose.Prediction.Mixing
 
         public sealed class Snapshot
         {
-            readonly bool[] _hasForecast;
+            readonly int _forecasts;
 
-            public Snapshot(int forecasts)
-            {
-                Tables = new double[forecasts * ForecastTable.Points];
-                _hasForecast = new bool[forecasts];
-            }
+            // Point by point, so that the four points that a comparison needs are together in memory. Without hold, whose table is zero.
+            readonly float[] _values;
+
+            // One bit per forecast.
+            uint _withForecast;
+
+            public Snapshot(int forecasts) => (_forecasts, _values) = (forecasts - 1, new float[(forecasts - 1) * ForecastTable.Points]);
 
             /// <summary>Time of the sample that was the newest when the forecast was made, in s.</summary>
             public double Time { get; set; }
@@ -62,14 +69,23 @@ namespace Nowpose.Prediction.Mixing
             /// <summary>Whether the joint stood still (<see cref="RestDetector.StillSamples"/>).</summary>
             public bool WasStill { get; set; }
 
-            /// <summary>The tables of <see cref="ForecastTable"/>, one after another.</summary>
-            public double[] Tables { get; }
+            /// <summary>Stores tables of <see cref="ForecastTable"/>, one after another, with single precision.</summary>
+            /// <param name="points">Number of points of each table that are used.</param>
+            /// <param name="withForecast">One bit per table that contains a forecast.</param>
+            public void Store(double[] tables, int points, uint withForecast)
+            {
+                _withForecast = withForecast;
+                for (int point = 0, i = 0; point < points; point++)
+                    for (int forecast = 0, from = ForecastTable.Points + point; forecast < _forecasts; forecast++, from += ForecastTable.Points)
+                        _values[i++] = (float)tables[from];
+            }
 
-            /// <summary>Whether a candidate had a forecast.</summary>
-            public ref bool HasForecast(int forecast) => ref _hasForecast[forecast];
+            /// <summary>Returns whether a candidate had a forecast.</summary>
+            public bool HasForecast(int forecast) => (_withForecast & 1u << forecast) != 0;
 
             /// <summary>Returns a forecast position, in the samples' unit.</summary>
-            public double At(int forecast, in TableTime time) => Position + time.Read(Tables, forecast * ForecastTable.Points);
+            public double At(int forecast, in TableTime time) =>
+                forecast == MixedForecasters.Hold ? Position : Position + time.Read(_values, forecast - 1, _forecasts);
         }
     }
 }

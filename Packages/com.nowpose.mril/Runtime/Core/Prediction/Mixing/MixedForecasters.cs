@@ -19,6 +19,7 @@ namespace Nowpose.Prediction.Mixing
     }
 
     /// <summary>The forecasters of a mixture: hold, whose table is zero, a line, and others. Fills their tables after a sample.</summary>
+    /// <remarks>Several joints use them in turn if no forecaster keeps a state from sample to sample (<see cref="SharedForecasters"/>).</remarks>
     sealed class MixedForecasters
     {
         public const int Hold = 0, Line = 1;
@@ -31,6 +32,7 @@ namespace Nowpose.Prediction.Mixing
         readonly MixedForecaster[] _mixed;
         readonly double[] _priorWhenReported;
         readonly bool _usesChangePoints;
+        double[] _tables = Array.Empty<double>();
 
         /// <param name="mixed">Forecasters in addition to hold and line. The prior weight of the line is one minus the weights of the others.</param>
         /// <param name="usesChangePoints">Whether samples before a change point are left out.</param>
@@ -54,6 +56,14 @@ namespace Nowpose.Prediction.Mixing
         public void Reset()
         {
             foreach (var one in _mixed) one.Forecaster.Reset();
+        }
+
+        /// <summary>Returns memory for a number of tables, whose contents are valid until the next joint's sample.</summary>
+        public double[] TablesFor(int forecasts)
+        {
+            var length = forecasts * ForecastTable.Points;
+            if (_tables.Length < length) _tables = new double[length];
+            return _tables;
         }
 
         /// <param name="points">Number of points of each table that are used.</param>

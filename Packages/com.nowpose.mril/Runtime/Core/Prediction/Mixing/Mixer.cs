@@ -36,27 +36,30 @@ namespace Nowpose.Prediction.Mixing
         readonly CandidateGate[] _candidates;
         readonly ForecastSnapshots _snapshots;
         readonly double[] _errors;
-        readonly double[] _standstill = new double[ForecastTable.Points];
-        readonly int _points;
 
-        // The displayed forecast: one table of the newest snapshot.
-        double[] _section;
-        int _sectionStart;
+        // The tables of all forecasts, which are valid only during a solve.
+        readonly double[] _tables;
+
+        // The displayed forecast.
+        readonly double[] _section = new double[ForecastTable.Points];
+        readonly int _points;
 
         /// <param name="limits">Limits of the drive.</param>
         /// <param name="parts">The parts of the mixer to use.</param>
-        /// <param name="mixed">Forecasters in addition to hold and line, which are always included.</param>
+        /// <param name="forecasters">Forecasters of the mixture, which other joints may use in turn.</param>
         /// <param name="candidates">Forecasters that may replace the mixture.</param>
-        public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecaster[] mixed, CandidateGate[] candidates)
+        public Mixer(PredictionLimits limits, PredictionParts parts, MixedForecasters forecasters, CandidateGate[] candidates)
         {
             _limits = limits;
             _candidates = candidates;
             // The spline reads two points beyond the horizon cap; later times are never displayed.
             _points = (int)Math.Min(ForecastTable.Points, Math.Ceiling(limits.HorizonCap / ForecastTable.Step) + 3);
-            _forecasters = new MixedForecasters(mixed, (parts & PredictionParts.ChangePoints) != 0);
+            _forecasters = forecasters;
             _weights = new WeightSelector(_forecasters, parts);
             _errors = new double[_forecasters.Count];
-            _snapshots = new ForecastSnapshots(_forecasters.Count + 1 + candidates.Length);
+            var forecasts = _forecasters.Count + 1 + candidates.Length;
+            _tables = forecasters.TablesFor(forecasts);
+            _snapshots = new ForecastSnapshots(forecasts);
             Reset();
         }
 
@@ -83,7 +86,7 @@ namespace Nowpose.Prediction.Mixing
             return motion.ConnectedSamples >= 2;
         }
 
-        public override double At(double ahead) => new TableTime(ahead).Read(_section, _sectionStart);
+        public override double At(double ahead) => new TableTime(ahead).Read(_section);
 
         public override void Reset()
         {
@@ -91,7 +94,7 @@ namespace Nowpose.Prediction.Mixing
             _forecasters.Reset();
             _snapshots.Clear();
             _weights.Reset();
-            (_section, _sectionStart) = (_standstill, 0);
+            Array.Clear(_section, 0, _section.Length);
         }
 
         // Fills all tables of a snapshot and selects the one that is displayed.
@@ -102,15 +105,15 @@ namespace Nowpose.Prediction.Mixing
             snapshot.ChangePoints = motion.ChangePoints.Count;
             snapshot.WasAtRest = motion.Rest.IsAtRest;
             snapshot.WasStill = motion.Rest.StillSamples > 0;
-            _forecasters.Fill(motion, snapshot.Tables, _points);
-            FillMixture(motion, snapshot.Tables);
-            FillCandidates(motion, snapshot);
-            (_section, _sectionStart) = (snapshot.Tables, Select(snapshot) * ForecastTable.Points);
+            _forecasters.Fill(motion, _tables, _points);
+            FillMixture(motion);
+            snapshot.Store(_tables, _points, FillCandidates(motion));
+            Array.Copy(_tables, Select(snapshot) * ForecastTable.Points, _section, 0, _points);
         }
 
-        void FillMixture(MotionState motion, double[] tables)
+        void FillMixture(MotionState motion)
         {
-            var (start, weights) = (Mixture * ForecastTable.Points, _weights.Values);
+            var (tables, start, weights) = (_tables, Mixture * ForecastTable.Points, _weights.Values);
             Array.Clear(tables, start, _points);
             for (var i = MixedForecasters.Line; i < Mixture; i++)
             {
@@ -121,14 +124,18 @@ namespace Nowpose.Prediction.Mixing
             if (motion.ConnectedSamples >= 2) ForecastTable.Limit(tables, start, _points, motion.Speed, motion.Interval, _limits);
         }
 
-        void FillCandidates(MotionState motion, ForecastSnapshots.Snapshot snapshot)
+        // Returns one bit per table that contains a candidate's forecast.
+        uint FillCandidates(MotionState motion)
         {
+            var filled = 0u;
             for (var i = 0; i < _candidates.Length; i++)
             {
-                var table = CandidateTable(i);
-                snapshot.HasForecast(table) = _candidates[i].Forecaster.Solve(motion);
-                if (snapshot.HasForecast(table)) _candidates[i].Forecaster.Fill(snapshot.Tables, table * ForecastTable.Points, _points);
+                var (forecaster, table) = (_candidates[i].Forecaster, CandidateTable(i));
+                if (!forecaster.Solve(motion)) continue;
+                forecaster.Fill(_tables, table * ForecastTable.Points, _points);
+                filled |= 1u << table;
             }
+            return filled;
         }
 
         // Returns the table of the mixture, or of the candidate with the smallest error among those that may replace the mixture.
@@ -186,6 +193,8 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < Mixture; i++)
             {
                 var error = snapshot.At(i, time) - truth;
+                // The product of two such errors would overflow.
+                if (!(Math.Abs(error) < JointSample.MaxMagnitude)) return;
                 _errors[i] = error > threshold ? threshold : error < -threshold ? -threshold : error;
             }
             _weights.Learn(_errors, snapshot.WasAtRest, forgettingFactor);

@@ -30,11 +30,10 @@ namespace Nowpose.Prediction.Mixing
 
         readonly int _count;
         readonly double _regularisation;
-        readonly double[] _products;
-        readonly double[] _gradient;
 
-        // The product Gw. It is updated with each change, so that it need not be computed for each solve.
-        readonly double[] _weighted;
+        // The matrix G, and in the last row the product Gw. It is updated with each change, so that it need not be computed for each solve.
+        readonly double[] _products;
+        readonly int _weighted;
 
         /// <param name="regularisation">λ relative to the minimum mean square among the forecasts.</param>
         /// <param name="prior">The weights without evidence, one per forecast.</param>
@@ -42,9 +41,8 @@ namespace Nowpose.Prediction.Mixing
         {
             _count = prior.Length;
             _regularisation = regularisation;
-            _products = new double[_count * _count];
-            _gradient = new double[_count];
-            _weighted = new double[_count];
+            _weighted = _count * _count;
+            _products = new double[_weighted + _count];
             Values = (double[])prior.Clone();
         }
 
@@ -70,7 +68,7 @@ namespace Nowpose.Prediction.Mixing
                 // The matrix is symmetric.
                 for (int j = 0, mirrored = i; j <= i; j++, mirrored += _count)
                     products[mirrored] = products[row + j] = forgettingFactor * products[row + j] + error * errors[j];
-                _weighted[i] = forgettingFactor * _weighted[i] + error * mixture;
+                products[_weighted + i] = forgettingFactor * products[_weighted + i] + error * mixture;
             }
             Evidence = forgettingFactor * Evidence + gain;
         }
@@ -81,27 +79,27 @@ namespace Nowpose.Prediction.Mixing
         public void Solve(double[] prior, double gain)
         {
             var min = double.PositiveInfinity;
-            for (var i = 0; i < _products.Length; i += _count + 1)
+            for (var i = 0; i < _weighted; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
             min += Tiny;
             var lambda = _regularisation * min * (1 + PriorSamples * gain / Math.Max(Evidence, Positive));
-            for (var i = 0; i < _gradient.Length; i++) _gradient[i] = _weighted[i] + lambda * (Values[i] - prior[i]);
+            Span<double> gradient = stackalloc double[_count];
+            for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
-                if (!(MoveBestPair(lambda) > MinGain * min)) return;
+                if (!(MoveBestPair(gradient, lambda) > MinGain * min)) return;
         }
 
         public void Reset(double[] prior)
         {
             Array.Clear(_products, 0, _products.Length);
-            Array.Clear(_weighted, 0, _count);
             Array.Copy(prior, Values, _count);
             Evidence = 0;
         }
 
         // Moves weight from the forecast with the largest gradient to the one with the smallest. Returns the reduction of the cost.
-        double MoveBestPair(double lambda)
+        double MoveBestPair(Span<double> gradient, double lambda)
         {
-            var (products, gradient, values) = (_products, _gradient, Values);
+            var (products, values) = (_products, Values);
             int to = 0, from = -1;
             double least = gradient[0], largest = double.NegativeInfinity;
             for (var i = 0; i < gradient.Length; i++)
@@ -121,7 +119,7 @@ namespace Nowpose.Prediction.Mixing
             {
                 var change = move * (products[toRow + i] - products[fromRow + i]);
                 gradient[i] += change;
-                _weighted[i] += change;
+                products[_weighted + i] += change;
             }
             gradient[to] += lambda * move;
             gradient[from] -= lambda * move;

@@ -48,8 +48,10 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Compares a sample with the plan.</summary>
         public void Add(double time, double position)
         {
-            var (plan, at) = (PlanAt(time), time - _delay.Delay);
-            if (plan.IsNone || at < plan.Start || at > plan.End + Settling) return;
+            var plan = PlanAt(time);
+            if (plan.IsNone) return;
+            var at = time - _delay.Delay;
+            if (at < plan.Start || at > plan.End + Settling) return;
             var difference = position - plan.At(at, out var velocity) - _delay.Offset;
             var verdict = _delay.Add(time, difference, velocity, plan.Range);
             if (verdict == PlanVerdict.NotFollowed) _agreements = 0;

@@ -25,8 +25,7 @@ namespace Nowpose.Prediction.Samples
         const int NoiseWindow = 8;
 
         readonly bool _isEndless;
-        readonly double[] _orders = new double[Capacity];
-        readonly double[] _positions = new double[Capacity];
+        readonly (double Order, double Position)[] _samples = new (double, double)[Capacity];
         int _next;
         int _count;
 
@@ -35,8 +34,7 @@ namespace Nowpose.Prediction.Samples
 
         public void Add(in JointSample sample)
         {
-            _orders[_next] = sample.Order;
-            _positions[_next] = sample.Position;
+            _samples[_next] = (sample.Order, sample.Position);
             _next = (_next + 1) % Capacity;
             if (_count < Capacity) _count++;
         }
@@ -45,7 +43,7 @@ namespace Nowpose.Prediction.Samples
         public bool TryFind(double order, out double position)
         {
             var i = IndexAt(order);
-            position = i >= 0 ? _positions[i] : double.NaN;
+            position = i >= 0 ? _samples[i].Position : double.NaN;
             return i >= 0;
         }
 
@@ -57,14 +55,14 @@ namespace Nowpose.Prediction.Samples
         {
             var same = IndexAt(sample.Order);
             if (same >= 0)
-                return IsElsewhere(sample.Position, _positions[same], 0, Math.Max(DisplacementFrom(same, -1), DisplacementFrom(same, 1)));
+                return IsElsewhere(sample.Position, _samples[same].Position, 0, Math.Max(DisplacementFrom(same, -1), DisplacementFrom(same, 1)));
             var before = Neighbour(sample.Order, -1);
             var after = Neighbour(sample.Order, 1);
             if (before < 0 || after < 0) return false;
-            var displacement = Difference(_positions[after], _positions[before]);
-            var onLine = displacement * (sample.Order - _orders[before]) / (_orders[after] - _orders[before]);
+            var displacement = Difference(_samples[after].Position, _samples[before].Position);
+            var onLine = displacement * (sample.Order - _samples[before].Order) / (_samples[after].Order - _samples[before].Order);
             var largest = Math.Max(Math.Abs(displacement), Math.Max(DisplacementFrom(before, -1), DisplacementFrom(after, 1)));
-            return IsElsewhere(sample.Position, _positions[before], onLine, largest);
+            return IsElsewhere(sample.Position, _samples[before].Position, onLine, largest);
         }
 
         public void Clear() => _next = _count = 0;
@@ -82,14 +80,14 @@ namespace Nowpose.Prediction.Samples
         int IndexAt(double order)
         {
             var i = _count - 1;
-            while (i >= 0 && !JointSample.IsSameTime(_orders[i], order)) i--;
+            while (i >= 0 && !JointSample.IsSameTime(_samples[i].Order, order)) i--;
             return i;
         }
 
         double DisplacementFrom(int index, int direction)
         {
-            var next = Neighbour(_orders[index], direction);
-            return next < 0 ? 0 : Math.Abs(Difference(_positions[next], _positions[index]));
+            var next = Neighbour(_samples[index].Order, direction);
+            return next < 0 ? 0 : Math.Abs(Difference(_samples[next].Position, _samples[index].Position));
         }
 
         // Maximum second difference of the newest samples: large for noise at rest, small in a smooth motion.
@@ -111,7 +109,7 @@ namespace Nowpose.Prediction.Samples
                 double minimum = 0, maximum = 0;
                 for (var i = 1; i < _count; i++)
                 {
-                    var difference = Difference(_positions[i], _positions[0]);
+                    var difference = Difference(_samples[i].Position, _samples[0].Position);
                     minimum = Math.Min(minimum, difference);
                     maximum = Math.Max(maximum, difference);
                 }
@@ -119,7 +117,7 @@ namespace Nowpose.Prediction.Samples
             }
         }
 
-        double Newest(int age) => _positions[(_next - 1 - age + Capacity) % Capacity];
+        double Newest(int age) => _samples[(_next - 1 - age + Capacity) % Capacity].Position;
 
         double Difference(double a, double b) => _isEndless ? a - b - SampleBuffer.WholeTurns(a - b) : a - b;
 
@@ -129,8 +127,8 @@ namespace Nowpose.Prediction.Samples
             var nearest = -1;
             for (var i = 0; i < _count; i++)
             {
-                var distance = direction * (_orders[i] - order);
-                if (distance > 0 && (nearest < 0 || distance < direction * (_orders[nearest] - order))) nearest = i;
+                var distance = direction * (_samples[i].Order - order);
+                if (distance > 0 && (nearest < 0 || distance < direction * (_samples[nearest].Order - order))) nearest = i;
             }
             return nearest;
         }

@@ -22,11 +22,10 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Initial mean, and the mean below which the line is not used: with noise, the mean fluctuates about 0.</summary>
         const double InitialMean = 0.2, MinMean = -0.05;
 
-        const int Kept = 4;
+        const int Kept = 4, Reported = 0, OnLine = Kept, Positions = 2 * Kept;
 
-        readonly double[] _reported = new double[Kept];
-        readonly double[] _onLine = new double[Kept];
-        readonly double[] _positions = new double[Kept];
+        // The newest samples, newest first: the reported stamps, followed by the times on the line and the positions.
+        readonly double[] _values = new double[3 * Kept];
         int _count;
         double _mean;
 
@@ -37,18 +36,11 @@ namespace Nowpose.Prediction.Samples
 
         public void Add(double reported, double onLine, double position)
         {
-            for (var i = Kept - 1; i > 0; i--)
-            {
-                _reported[i] = _reported[i - 1];
-                _onLine[i] = _onLine[i - 1];
-                _positions[i] = _positions[i - 1];
-            }
-            _reported[0] = reported;
-            _onLine[0] = onLine;
-            _positions[0] = position;
+            for (var i = _values.Length - 1; i > 0; i--) _values[i] = _values[i - 1];
+            (_values[Reported], _values[OnLine], _values[Positions]) = (reported, onLine, position);
             if (_count < Kept) _count++;
             if (_count < Kept) return;
-            double errorReported = ErrorOf(_reported), errorOnLine = ErrorOf(_onLine);
+            double errorReported = ErrorOf(Reported), errorOnLine = ErrorOf(OnLine);
             if (!(errorReported > 0 && errorOnLine > 0)) return;
             var vote = Math.Log10(errorReported / errorOnLine);
             _mean += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _mean);
@@ -61,14 +53,14 @@ namespace Nowpose.Prediction.Samples
         }
 
         // Distance of sample 0 from the quadratic through samples 1 to 3, in Lagrange form; NaN or infinite if two times coincide.
-        double ErrorOf(double[] t)
+        double ErrorOf(int times)
         {
-            var error = 0.0;
+            var (values, error) = (_values, 0.0);
             for (var i = 1; i < Kept; i++)
             {
-                var term = _positions[i] - _positions[0];
+                var term = values[Positions + i] - values[Positions];
                 for (var j = 1; j < Kept; j++)
-                    if (j != i) term *= (t[0] - t[j]) / (t[i] - t[j]);
+                    if (j != i) term *= (values[times] - values[times + j]) / (values[times + i] - values[times + j]);
                 error += term;
             }
             return Math.Abs(error);

@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Returns a mixer of hold and a straight line.
         static Mixer Mixer(params CandidateGate[] candidates) => new Mixer(
-            PredictionLimits.Unlimited, PredictionParts.All, Array.Empty<MixedForecaster>(), candidates);
+            PredictionLimits.Unlimited, PredictionParts.All, new MixedForecasters(Array.Empty<MixedForecaster>(), usesChangePoints: true), candidates);
 
         void Feed(int from, int to)
         {
