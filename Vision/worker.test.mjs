@@ -58,7 +58,7 @@ function started() {
   };
 }
 
-// All tests use the same two workers, because a worker is slow at its first pictures.
+// All tests use the same two workers, because each worker is slow with its first pictures.
 const workers = [started(), started()];
 
 /** Returns the answers of one worker to all requests, in their order. */

@@ -3,7 +3,7 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Failures and errors of the command <c>demo</c>, with remedies.</summary>
 static class DemoMessages
 {
-    const string Report = "this is a fault of Nowpose; report it with the command line and the version";
+    const string Report = "this is a bug in Nowpose; report it with the command line and the version";
 
     public static string ToolNotFinite(int frame) => $"frame {frame}: the position of the displayed tool is not finite; {Report}";
     public static string GhostNotFinite(int frame) => $"frame {frame}: the position of the ghost's tool is not finite; {Report}";

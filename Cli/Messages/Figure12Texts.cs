@@ -4,8 +4,8 @@ namespace Nowpose.Cli.Messages;
 static class Figure12Texts
 {
     public const string Claim =
-        "A position profile of seven phases with limited velocity, acceleration and jerk, as usual for servo drives, is sampled every T_s "
-        + "and displayed L later. Both values may be inaccurate.";
+        "A position profile of seven phases with limited velocity, acceleration and jerk, as is usual for servo drives, is sampled every T_s "
+        + "and displayed L later. T_s and L may both be inaccurate.";
 
     public static string Conditions(double velocity, double acceleration, double jerk) =>
         FormattableString.Invariant($"500 mm with limits of {velocity:0} mm/s, {acceleration:0} mm/s² and {jerk:0} mm/s³. The limits are ours, ")

@@ -15,7 +15,7 @@ static class PaperFigureTexts
 
     public static string Clock(string network, int exchanges, string offset, string exchangeErrors) =>
         $"{network}, an exchange every 200 ms, {exchanges} exchanges. RANSAC over 100 exchanges with 20 hypotheses, moving average of 20. t "
-        + $"and the offsets count from the first exchange, whose Φ* is {offset}. Θ₂ is the offset at t = 0. RTT includes the time at the "
+        + $"and the offsets are relative to the first exchange, whose Φ* is {offset}. Θ₂ is the offset at t = 0. RTT includes the time at the "
         + $"server, as in the paper.{exchangeErrors}";
 
     public static string FirstOffset(double seconds) => FormattableString.Invariant($"{seconds:0.000} s: the clocks started at different times");

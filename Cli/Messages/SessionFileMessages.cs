@@ -33,7 +33,7 @@ static class SessionFileMessages
         FormattableString.Invariant($"is {lower}; it must not exceed the upper limit {upper}");
     public static string Limit(double value) => FormattableString.Invariant($"is {value}; a limit must be more than 0");
     public static string PointOrder(int point) =>
-        $"of point {point} is not later than that of the previous point or the time stamp; times must increase";
+        $"of point {point} is negative, or not later than that of the previous point; times must increase";
 
     public const string NotARotation = "is not a rotation; it must be a unit quaternion x, y, z, w";
 }

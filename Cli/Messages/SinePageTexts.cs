@@ -19,10 +19,10 @@ static class SinePageTexts
     public const string Correlation = "Correlation as a function of the lag";
 
     public const string CorrelationNote =
-        "The peak is at the total latency. A least-squares fit of the robot's position and speed finds it more finely than the camera's interval.";
+        "The peak is at the total latency. A least-squares fit of the robot's position and speed locates it more finely than the camera's frame interval.";
 
     public static string Compensated(double usedMs) =>
-        FormattableString.Invariant($"compensated: the remaining lag is the error of the {usedMs:0.##} ms that the headset used");
+        FormattableString.Invariant($"compensated: the remaining lag is the error of the latency of {usedMs:0.##} ms that the headset used");
 
     public static string NotCompensated(double applicationMs, double halfSamplingMs) =>
         FormattableString.Invariant($"not compensated: L_app {applicationMs:0.##} ms and half of T_s, {halfSamplingMs:0.##} ms, are subtracted");

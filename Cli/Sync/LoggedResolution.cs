@@ -15,7 +15,8 @@ static class LoggedResolution
     const long MinNs = 100_000, MaxNs = 20_000_000;
 
     /// <summary>
-    /// Minimum ratio of the control clock's resolution to the headset clock's. In a synthetic log, both can be rounded without a cycle.
+    /// Minimum ratio of the control clock's resolution to the headset clock's. In a synthetic log, both clocks may be rounded to the same
+    /// unit although there is no cycle.
     /// </summary>
     const int FinerHeadsetClock = 10;
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Counts the samples of one source in the last seconds, by how well their stamps match the clocks. Not thread-safe.</summary>
+/// <summary>Counts the samples of one source in the last few seconds, by how well their stamps match the clocks. Not thread-safe.</summary>
 sealed class SourceStamps
 {
     readonly Second[] _seconds = new Second[StampWatch.Seconds];

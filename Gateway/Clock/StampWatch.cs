@@ -62,7 +62,7 @@ sealed class StampWatch(
     /// <summary><see cref="Found"/> as text.</summary>
     public string Warning => Found?.Text;
 
-    /// <summary>Whether most samples of a source in the last seconds cannot be used with the control clock.</summary>
+    /// <summary>Whether most of a source's samples in the last few seconds cannot be used with the control clock.</summary>
     public bool IsContradicted => Found is { IsContradiction: true };
 
     /// <summary>

@@ -59,7 +59,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
         }
     }
 
-    // Replaces all waiting messages with the newest values of their names.
+    // Replaces each waiting message with the newest value of its name.
     void ReadAgain(long from)
     {
         var waiting = new List<long>();

@@ -32,7 +32,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return false;
     }
 
-    /// <summary>Refuses and answers a request that may not control the recorder and pair headsets.</summary>
+    /// <summary>Checks that a client may control the recorder and pair headsets, and answers its request with an error if it may not.</summary>
     /// <returns>False if the request was refused.</returns>
     public async Task<bool> AdmitOperatorAsync(HttpContext context)
     {

@@ -33,7 +33,7 @@ sealed class SourceTrack
         Joints.AddRange(other.Joints);
     }
 
-    /// <summary>Gets the samples of the last seconds.</summary>
+    /// <summary>Gets the samples of the last few seconds.</summary>
     public (long At, TimeSpan Age)[] Recent(long now) =>
         [.. _ring.Take(_count).Where(sample => Stopwatch.GetElapsedTime(sample.At, now) < Span)];
 }

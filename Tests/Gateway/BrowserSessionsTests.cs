@@ -24,7 +24,7 @@ public class BrowserSessionsTests
     }
 
     [Test]
-    public void Open_TooManySessions_EndsTheSessionThatIsIdleLongest()
+    public void Open_TooManySessions_EndsTheSessionThatHasBeenIdleLongest()
     {
         var time = new SteppedTime();
         var sessions = new BrowserSessions(time);

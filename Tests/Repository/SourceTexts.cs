@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Nowpose.Headless.Tests.Repository;
 
-/// <summary>Finds the texts of a C# source file: sums of strings, with 0 in place of each inserted value.</summary>
+/// <summary>Finds the texts of a C# source file. Concatenated strings are one text, with 0 in place of each interpolated value.</summary>
 /// <remarks>Skips comments and attributes. A text within an inserted value or an argument is a separate text.</remarks>
 sealed partial class SourceTexts
 {

@@ -111,7 +111,7 @@ public class SessionFileReaderTests
         Assert.That(line.Dropped, Is.Null);
     }
 
-    [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is not later than that of the previous point")]
+    [TestCase("500000000", "0", "field 'time_from_start_ns' of point 2 is negative, or not later than that of the previous point")]
     [TestCase("[0.5,0.75]", "[0.5]", "field 'position' has 1 numbers; it must have 2")]
     [TestCase("\"points\":[", "\"points\":[7,", "field 'points' is 7; it must be an object")]
     [TestCase("\"points\"", "\"dots\"", "field 'points' is missing")]

@@ -45,7 +45,7 @@ async function answer(request: Request): Promise<Answer> {
   return { width: picture.width, height: picture.height, codes: isMirrored ? [] : codes, isMirrored };
 }
 
-/** Returns whether the codes of the mirrored picture agree clearly better. A mirrored code agrees with an upright one in up to 82 % of its steps. */
+/** Returns whether the mirrored picture contains a clearly better match. A mirrored code matches an upright one in up to 82 % of its steps. */
 function isFitBetter(codes: Found[], ofMirrored: () => Found[]): boolean {
   const best = (found: Found[]) => Math.max(0, ...found.map(({ share }) => share));
   return best(codes) < 0.85 && best(ofMirrored()) > best(codes) + 0.1;

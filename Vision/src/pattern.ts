@@ -26,8 +26,8 @@ export enum Cell {
 }
 
 /**
- * Expected change of the light from a cell to its neighbour, for each value of the code: none, a rise by the code's
- * light, or either a rise or a fall by the code's light.
+ * Expected change in brightness from a cell to its neighbour, whatever the code's value: none, an increase by the
+ * brightness of a lit cell, or either an increase or a decrease by that amount.
  */
 export enum Expected {
   Level,

@@ -65,7 +65,7 @@ export const minShareOfStart = 0.35;
 /** Minimum lead of the best kind and orientation over the second-best, in the share of agreeing steps. Two kinds differ in 8 % of the steps. */
 const minLead = 0.02;
 
-/** Moves the corners of a quad to the best fit of any kind of code. The picture must be smooth at the size of a cell. */
+/** Moves the corners of a quad to where they best fit a code of any kind. The picture must be smooth at the scale of a cell. */
 export class Refiner {
   readonly #matcher: Matcher;
   readonly #isFilled: boolean[];

@@ -5,7 +5,7 @@ using Nowpose.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;
 
-/// <summary>A quarter turn of the youBot's first axis with extended arm, and back: a motion like that of the paper's Fig. 16.</summary>
+/// <summary>A quarter turn of the youBot's first axis with the arm extended, and back: a motion like that of the paper's Fig. 16.</summary>
 /// <remarks>
 /// The paper states neither the stroke nor the limits of the motion. Here, the maximum speed is 90 % of the URDF's limit and is reached
 /// within 0.3 s, as in the profile of Figs 12 to 14. A move then takes 1.4 s, the duration shown in the paper's Fig. 18.

@@ -32,7 +32,7 @@ export async function check(test, path, env) {
   return { status: await run.ended, out: run.out, lines: run.err.trim().split('\n') };
 }
 
-/** Waits until `holds` returns a true value, and returns this value. After the timeout it throws an error with the description `what`. */
+/** Waits until `holds` returns a truthy value, and returns that value. After the timeout it throws an error with the description `what`. */
 export async function until(holds, what) {
   const end = performance.now() + PATIENCE_MS;
   for (;;) {

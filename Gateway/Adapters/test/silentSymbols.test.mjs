@@ -51,7 +51,7 @@ describe('silent symbols', () => {
     assert.ok(cell.confirmed.length >= 10, `${cell.confirmed.length} in 1 s`);
   });
 
-  it('Symbols_SlowRead_AreConfirmedAtTheStartOfTheRead', async () => {
+  it('Symbols_SlowRead_AreConfirmedAsOfTheStartOfTheRead', async () => {
     const cell = plc(), { actions } = cell.symbols, { read } = actions;
     actions.read = joint => {
       cell.now += 40;

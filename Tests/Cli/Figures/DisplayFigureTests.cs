@@ -152,7 +152,7 @@ public class DisplayFigureTests
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
-    // Two of three groups beyond the limit scatter. Together they meet the criteria, and the result names the third group.
+    // Of the three groups beyond the limit, two scatter. Together they meet the criteria, and the result names the third group.
     [Test]
     public void Figure11_OneGroupIsConstantBeyondTheLimit_NamesTheGroup()
     {

@@ -81,7 +81,7 @@ public class StationaryFramesTests
     }
 
     [Test]
-    public async Task Publish_FrameOfTheFileByAClient_IsRefused()
+    public async Task Publish_ClientSendsAFrameOfTheFile_IsRefused()
     {
         Save(Frame("belt"));
         await using var gateway = await Gateways.StartAsync();

@@ -40,7 +40,7 @@ sealed class RecorderCell : IDisposable
         new GatewayOptions { Recordings = Folder, Cell = "press 1", Time = time ?? TimeProvider.System }, Hub, Clock, Plant, Drops,
         line => { lock (_log) _log.Add(line); }, open, maxBytes);
 
-    /// <summary>Publishes samples as if they had arrived over the last seconds. Each sample was 80 ms old on arrival.</summary>
+    /// <summary>Publishes samples as if they had arrived over the last few seconds. Each sample was 80 ms old on arrival.</summary>
     public void Publish(int count, params string[] names)
     {
         for (var i = 0; i < count; i++)

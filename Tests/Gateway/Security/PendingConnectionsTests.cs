@@ -41,7 +41,7 @@ public class PendingConnectionsTests
     }
 
     [Test]
-    public void CompleteHandshake_TooManyOfOneAddress_EvictsTheOldestOfTheAddress()
+    public void CompleteHandshake_TooManyFromOneAddress_EvictsTheOldestFromThatAddress()
     {
         var evicted = new List<string>();
         var pending = new PendingConnections(2);

@@ -29,7 +29,7 @@ public class OverallStatusTests
     }
 
     [Test]
-    public void Of_ObjectsButNoJointsInACellWithRobot_IsAWarning() =>
+    public void Of_ObjectsButNoJointsInACellWithARobot_IsAWarning() =>
         Assert.That(LevelOf([Frame("live")], [Signal("live")], hasRobot: true), Is.EqualTo("warning"));
 
     [Test]

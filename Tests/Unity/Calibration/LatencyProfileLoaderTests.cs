@@ -149,7 +149,7 @@ public sealed class LatencyProfileLoaderTests
         Assert.That(before, Is.EqualTo(51), "the rate is not compared while it is unknown");
         Assert.That(VisuMs, Is.EqualTo(40));
         Assert.That(_loader.Problem, Does.EndWith(
-            "latency profile was measured at 60 Hz, but this display shows 90 Hz; calibrate at this refresh rate"));
+            "latency profile was measured at 60 Hz, but this display runs at 90 Hz; calibrate at this refresh rate"));
     }
 
     [Test]

@@ -10,7 +10,7 @@ public sealed partial class ManualTests
 {
     const string Index = "index.md";
 
-    /// <summary>Units on the pages, by the word in the label of a field that stands for the unit.</summary>
+    /// <summary>Units on the pages, by the word that stands for the unit in the label of a field.</summary>
     static readonly Dictionary<string, string> Units = new()
     {
         ["Ms"] = "ms", ["Seconds"] = "s", ["Metres"] = "m", ["Degrees"] = "degrees", ["Megabytes"] = "MB", ["Percent"] = "%", ["Radians"] = "rad",

@@ -85,7 +85,7 @@ describe('the operations page with faults', () => {
     }
   });
 
-  it('lists an uncertain rest with its reason, but not a certain one', async () => {
+  it('lists a joint whose rest is uncertain with the reason, but not one whose rest is certain', async () => {
     const why = 'the stop itself was not observed';
     Object.assign(gateway.state.joints[0], { state: 'rest', reason: 'no change is reported', uncertain: why });
     Object.assign(gateway.state.joints[1], { state: 'rest', reason: 'no change is reported' });

@@ -145,7 +145,7 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
 }
 
 /**
- * Reports the values of nodes that the server does not have, so that the other nodes can be read.
+ * Reports the configured values whose nodes the server does not have, so that the other nodes can still be read.
  * @throws Refused The server does not have the time variable, or none of the values.
  */
 function refuseUnknown(context: AdapterContext, { nodes, valueNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {

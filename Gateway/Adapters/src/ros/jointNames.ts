@@ -33,7 +33,7 @@ export class JointNames {
 
   readonly isOpen: boolean;
 
-  /** Gets a joint by its name at the robot; undefined if it is not forwarded. */
+  /** Gets a joint by the name that the robot uses for it; undefined if the joint is not forwarded. */
   find(source: unknown): OutJoint | undefined {
     if (typeof source !== 'string') return undefined;
     const known = this.#known.get(source);

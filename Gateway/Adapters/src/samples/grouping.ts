@@ -10,7 +10,7 @@ export interface Sample {
 
 /** Samples with one common stamp. */
 export interface Group {
-  /** Middle between the first and the last stamp of the samples. Its error is at most half the tolerance. */
+  /** Midpoint between the first and the last stamp of the samples. Its error is at most half the tolerance. */
   stamp: Nanoseconds;
   samples: Sample[];
 }

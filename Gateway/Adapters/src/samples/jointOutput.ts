@@ -29,7 +29,7 @@ export interface JointValue {
 }
 
 export interface JointOutputOptions {
-  /** Maximum difference of stamps that belong to the same sample. */
+  /** Maximum difference between stamps that belong to the same sample. */
   tolerance: Nanoseconds;
   oldest: Nanoseconds;
   /**
@@ -60,7 +60,7 @@ export class JointOutput {
   readonly #rule: StampRule;
   readonly #resting: RestingSamples;
   readonly #ends: EndOfData[];
-  /** Joints whose end of data was already judged since their last sample. */
+  /** Joints whose end of data has already been judged since their last sample. */
   readonly #judged = new Set<number>();
   /** Joints whose data ended during a motion. Only a newer sample ends this state, because a new connection starts with the last value again. */
   readonly #ended = new Set<number>();

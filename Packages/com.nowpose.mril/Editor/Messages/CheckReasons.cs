@@ -39,7 +39,7 @@ namespace Nowpose.Editor.Messages
             + "components are not compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.";
 
         public const string NearClip =
-            "The headset stabilises the picture with a 16-bit depth. A closer near clip plane makes the steps of the depth larger: at a distance "
+            "The headset stabilises the picture with a 16-bit depth buffer. A closer near clip plane makes the depth steps larger: at a distance "
             + "of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m, as in MRTK3's rig.";
 
         public const string OpenXrLoader = "Without OpenXR, the app is a flat window in front of the wearer.";

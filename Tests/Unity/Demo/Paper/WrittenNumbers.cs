@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Tests.Demo.Paper;
 
 /// <summary>
 /// Computes the number of each claim only from <c>frames.csv</c> and <c>exchanges.csv</c>, independently of the product's code: it uses positions
-/// where the product uses angles, and its own velocity of a motion profile with seven phases (0.1 s of jerk, 0.1 s of constant acceleration).
+/// where the product uses angles, and computes the velocity of its own seven-phase motion profile (0.1 s of jerk, 0.1 s of constant acceleration).
 /// </summary>
 sealed class WrittenNumbers
 {

@@ -28,7 +28,7 @@ readonly struct AssetReference : IEquatable<AssetReference>
 
     public long FileId { get; }
 
-    /// <summary>GUID of the other file with 32 hexadecimal digits; null for an object of the same file.</summary>
+    /// <summary>GUID of the other file, as 32 hexadecimal digits; null for an object in the same file.</summary>
     public string Guid { get; }
 
     public int Type { get; }

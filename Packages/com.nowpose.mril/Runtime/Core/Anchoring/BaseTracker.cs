@@ -164,7 +164,7 @@ namespace Nowpose.Anchoring
 
         /// <summary>Processes one frame.</summary>
         /// <param name="sightings">Sightings of all sources; sightings of other codes are ignored.</param>
-        /// <param name="head">Viewer's head in the room frame, x forward; null when unknown, which omits the checks that depend on it.</param>
+        /// <param name="head">Viewer's head in the room frame, x forward; null when unknown; the checks that depend on it are then skipped.</param>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {

@@ -153,7 +153,7 @@ namespace Nowpose.Frames
             _isChanged = false;
         }
 
-        // The former structure gives the poses from which the frames continue.
+        // Evaluates the frames in the former structure first, because each frame continues from its pose there.
         void HandOver(double time)
         {
             EvaluateAll(time);

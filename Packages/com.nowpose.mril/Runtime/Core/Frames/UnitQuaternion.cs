@@ -11,7 +11,7 @@ namespace Nowpose.Frames
     /// </remarks>
     readonly struct UnitQuaternion
     {
-        /// <summary>Maximum difference of an input quaternion's length from one: rounding to three decimals, for example.</summary>
+        /// <summary>Maximum difference of an input quaternion's length from one. Allows, for example, for components with three decimals.</summary>
         public const double LengthTolerance = 1e-3;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

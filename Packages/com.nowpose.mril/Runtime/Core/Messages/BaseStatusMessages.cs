@@ -15,7 +15,7 @@ namespace Nowpose.Messages
 
         public const string Lost = "the headset has lost the position of the base: look around";
 
-        public static string TooFar(string maxMetres) => $"is too far away: go within {maxMetres} m";
+        public static string TooFar(string maxMetres) => $"is too far away: move to within {maxMetres} m of it";
 
         public const string TooOblique = "is seen too obliquely: stand in front of it";
         public const string Behind = "is behind you: look at it";

@@ -7,7 +7,7 @@ namespace Nowpose.Messages
             $"latency profile was measured on device '{calibrated}', but this device is '{actual}'; calibrate this device";
 
         public static string OtherRate(string calibrated, string actual) =>
-            $"latency profile was measured at {calibrated} Hz, but this display shows {actual} Hz; calibrate at this refresh rate";
+            $"latency profile was measured at {calibrated} Hz, but this display runs at {actual} Hz; calibrate at this refresh rate";
 
         public static string Other(string label, string calibrated, string actual, string place) =>
             $"latency profile was measured with {label} '{calibrated}', but this device has '{actual}'; calibrate again, or restore "

@@ -1,9 +1,9 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Reasons why the performance counter of Windows cannot be used.</summary>
+    /// <summary>Reasons why the Windows performance counter cannot be used.</summary>
     static class CounterMessages
     {
-        public static string Missing(string reason) => $"this platform has no performance counter of Windows ({reason}); disable Display Time";
+        public static string Missing(string reason) => $"this platform does not have the Windows performance counter ({reason}); disable Display Time";
         public static string WentBack(int readings) => $"the performance counter went back in all {readings} readings; restart the device";
 
         public static string NotWorking(string frequency) =>

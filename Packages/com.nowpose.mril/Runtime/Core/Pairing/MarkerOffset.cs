@@ -38,7 +38,7 @@ namespace Nowpose.Pairing
 
         /// <summary>Reads numbers separated by commas: x,y,z in metres and roll,pitch,yaw in degrees, or only the first three.</summary>
         /// <param name="what">Name of the value in messages.</param>
-        /// <exception cref="InputException">The text has another form.</exception>
+        /// <exception cref="InputException">The text does not have this form.</exception>
         public static MarkerOffset Parse(string text, string what)
         {
             var words = (text ?? "").Split(',');

@@ -60,7 +60,7 @@ namespace Nowpose.Prediction
 
         /// <summary>
         /// Maximum interval between consecutive samples of one motion, s. Samples before a
-        /// longer interval are not used, because a polynomial through a pause of the transmission overshoots.
+        /// longer interval are not used, because a polynomial fitted across a pause in the transmission overshoots.
         /// </summary>
         public double MaximumGap { get; }
 

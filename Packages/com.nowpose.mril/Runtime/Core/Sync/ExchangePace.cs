@@ -21,7 +21,7 @@ namespace Nowpose.Sync
         /// </summary>
         const int QuickAtStart = 100, QuickAfterSilence = 25;
 
-        /// <summary>Maximum number of quick exchanges before synchronisation: 50 s for an interval of 200 ms.</summary>
+        /// <summary>Maximum number of quick exchanges before synchronisation. They take 50 s if the interval is otherwise 200 ms.</summary>
         const int QuickUntilSynchronised = 1000;
 
         /// <summary>

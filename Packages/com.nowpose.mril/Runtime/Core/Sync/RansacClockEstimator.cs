@@ -12,7 +12,8 @@ namespace Nowpose.Sync
         const int MinForLine = 3;
 
         /// <summary>
-        /// Number of exchanges after which the standard error of the skew is used. A burst of late replies can tilt an earlier line.
+        /// Number of exchanges after which the standard error of the skew is used. A burst of late replies can tilt a line
+        /// through fewer exchanges.
         /// </summary>
         const int MatureExchanges = 50;
 

@@ -66,7 +66,7 @@ namespace Nowpose.Unity.Rendering
             Show(look, opacity);
         }
 
-        /// <summary>Changes the part to the look of an ended session. A hidden part stays hidden.</summary>
+        /// <summary>Gives the part the look of an ended session. A hidden part stays hidden.</summary>
         public void ShowNoSession(float opacity) => Show(PoseLook.NoSession, opacity);
 
         /// <summary>Restores the original look of the renderer.</summary>

@@ -36,7 +36,7 @@ namespace Nowpose.Prediction.Candidates
         Record _still;
         double _maxSquare;
 
-        /// <param name="forecaster">The candidate; neither scored nor used if it cannot solve.</param>
+        /// <param name="forecaster">The candidate; neither scored nor used while it has no forecast.</param>
         /// <param name="maxErrorRatio">
         /// Maximum ratio, 0 to 1, of the candidate's mean square error to the mixture's mean square error at which the candidate is used.
         /// </param>

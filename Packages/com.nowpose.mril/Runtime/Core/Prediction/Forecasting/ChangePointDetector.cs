@@ -5,8 +5,8 @@ namespace Nowpose.Prediction.Forecasting
     /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
     /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all other
-    /// changes in the last seconds. If it increased the speed, and the next sample confirms the new speed, all samples are used again: the samples of
-    /// a joint at rest do not impair the forecast of its start.
+    /// changes in the last few seconds. If it increased the speed, and the next sample confirms the new speed, all samples are used again: the
+    /// samples of a joint at rest do not impair the forecast of its start.
     /// </remarks>
     sealed class ChangePointDetector
     {

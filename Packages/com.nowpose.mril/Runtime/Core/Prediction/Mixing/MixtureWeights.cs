@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Number of samples whose evidence has the same weight as the prior.</summary>
         const double PriorSamples = 5;
 
-        /// <summary>Thresholds below which weights and evidence, and squares, count as zero.</summary>
+        /// <summary>Threshold below which weights and evidence count as zero, and its square, for squares.</summary>
         const double Positive = 1e-9, Tiny = 1e-18;
 
         readonly int _count;

@@ -67,7 +67,7 @@ namespace Nowpose.Prediction.Samples
 
         public void Clear() => _next = _count = 0;
 
-        // Without any motion so far, no sample is elsewhere.
+        // Returns whether a sample is too far from the expected position. Before the first motion, no sample is.
         bool IsElsewhere(double position, double reference, double displacement, double largest)
         {
             var distance = Math.Abs(Difference(position, reference) - displacement);

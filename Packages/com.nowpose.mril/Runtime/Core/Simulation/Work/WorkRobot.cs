@@ -58,10 +58,10 @@ namespace Nowpose.Simulation.Work
         /// <summary>Pose of a gripped workpiece in the link of the tool.</summary>
         public RigidTransform InTool { get; }
 
-        /// <summary>Pose in the world of a workpiece when it is taken.</summary>
+        /// <summary>World pose of a workpiece when it is taken.</summary>
         public RigidTransform Taken { get; }
 
-        /// <summary>Pose in the world of a workpiece when it is put down.</summary>
+        /// <summary>World pose of a workpiece when it is put down.</summary>
         public RigidTransform Placed { get; }
 
         /// <summary>Pose of <see cref="Fixture"/> in the world.</summary>

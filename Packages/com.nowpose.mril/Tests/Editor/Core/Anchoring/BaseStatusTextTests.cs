@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Anchoring
         public void Words_UnsuitableView_StateTheRemedy()
         {
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 3, 0, 1.5, 0));
-            Assert.That(Words(), Is.EqualTo("marker 'a' is too far away: go within 2.5 m"));
+            Assert.That(Words(), Is.EqualTo("marker 'a' is too far away: move to within 2.5 m of it"));
             Report(RigidTransform.FromXyzRpy(-0.3, -0.4, -0.5, 0, 0, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' is seen too obliquely: stand in front of it"));
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));

@@ -141,7 +141,7 @@ namespace Nowpose.Tests.Core.Frames
             AxisPredictor inOrder = AtRest(10, "quadratic"), late = AtRest(10, "quadratic");
             for (var k = 10; k < 13; k++) Add(inOrder, k, k == 11 ? 0.7 : Motion(k, 10));
 
-            // Sample 11 has the value of the rest, and overtakes the change before it.
+            // Sample 11 has the value at rest, and overtakes the change before it.
             Assert.That(Add(late, 11, 0.7), Is.EqualTo(DropReason.None));
             Assert.That(Add(late, 10, Motion(10, 10)), Is.EqualTo(DropReason.None));
             Assert.That(late.Hold, Is.EqualTo(0.7), "the newest sample");

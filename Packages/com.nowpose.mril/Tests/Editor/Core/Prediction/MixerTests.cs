@@ -90,7 +90,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Add_OvertakenSample_PredictsAsInOrder()
+        public void Add_OvertakenSample_PredictsNearlyAsIfInOrder()
         {
             var inOrder = Mixed();
             var overtaken = Mixed();

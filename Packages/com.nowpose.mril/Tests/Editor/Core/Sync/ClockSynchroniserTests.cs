@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Sync
         SyncRun NewRun() => new SyncRun(ClockEstimators.Create(_estimator));
 
         [Test]
-        public void State_FromTheStart_PassesAllStatesInOrder()
+        public void State_FromTheStart_PassesThroughAllStatesInOrder()
         {
             var run = NewRun();
 

@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase("", 0, null)]
         [TestCase(null, double.NaN, null)]
         [TestCase("Quest 3", 60, "latency profile was measured on device 'HoloLens 2', but this device is 'Quest 3'; calibrate this device")]
-        [TestCase("HoloLens 2", 72, "latency profile was measured at 60 Hz, but this display shows 72 Hz; calibrate at this refresh rate")]
+        [TestCase("HoloLens 2", 72, "latency profile was measured at 60 Hz, but this display runs at 72 Hz; calibrate at this refresh rate")]
         public void RefusalFor_OtherDeviceOrRate_NamesBothValues(string device, double displayHz, string refusal)
         {
             Assert.That(Profile().RefusalFor(device, displayHz), Is.EqualTo(refusal));

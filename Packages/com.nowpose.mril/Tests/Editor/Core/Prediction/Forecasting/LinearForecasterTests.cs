@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
         [TestCase("quadratic")]
         [TestCase("process")]
-        public void Fill_WeightsSharedByJoints_EqualsThatOfOwnWeights(string name)
+        public void Fill_WeightsSharedByJoints_GivesTheSameTableAsSeparateWeights(string name)
         {
             var shared = New(name);
             foreach (var seed in new[] { 1, 2, 1, 3 })
