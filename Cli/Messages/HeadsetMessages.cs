@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Messages;
 static class HeadsetMessages
 {
     public static string NoRobot(double seconds, string reason) =>
-        $"--robot: missing, and the gateway did not describe a robot within {seconds} s ({reason}); specify youbot, ur5 or a .urdf file";
+        $"--robot: missing, and the gateway did not describe a robot within {seconds} s ({reason}); use youbot, ur5 or a .urdf file";
 
     public static string NoClock(string reason) => $"the clock was never synchronised: {reason}; run longer (--seconds), or check the connection to the gateway";
     public static string NoJoints(string reason) => $"no joint positions arrived: {reason}; check that a source publishes them to the gateway";

@@ -12,7 +12,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Tests that connecting and disconnecting do not block the main thread for long, whatever the state of the gateway.</summary>
+/// <summary>Tests that connecting and disconnecting do not block the main thread for long in any state of the gateway.</summary>
 public class SessionNonBlockingTests
 {
     /// <summary>

@@ -26,7 +26,7 @@ export enum Cell {
 }
 
 /**
- * Expected change in brightness from a cell to its neighbour, whatever the code's value: none, an increase by the
+ * Expected change in brightness from a cell to its neighbour, for every value of the code: none, an increase by the
  * brightness of a lit cell, or either an increase or a decrease by that amount.
  */
 export enum Expected {
