@@ -111,7 +111,12 @@ public class PathRunTests
 
     static double MaxErrorUnchangedMs(string link) => link switch
     {
-        "clean" => 0.04, "wifi" => 0.15, "lossy" => 0.21, "cellular" => 0.11, "bad" => 0.3, _ => 0.2,
+        "clean" => 0.04,
+        "wifi" => 0.15,
+        "lossy" => 0.21,
+        "cellular" => 0.11,
+        "bad" => 0.3,
+        _ => 0.2,
     };
 
     /// <summary>
