@@ -16,7 +16,7 @@ static class LoggedResolution
 
     /// <summary>
     /// Minimum ratio of the control clock's resolution to the headset clock's. In a synthetic log, both clocks may be rounded to the same
-    /// unit although there is no cycle.
+    /// unit without a cycle of the control system.
     /// </summary>
     const int FinerHeadsetClock = 10;
 

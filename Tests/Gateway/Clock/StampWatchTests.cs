@@ -215,7 +215,7 @@ public class StampWatchTests
 
         Run(2, () => System, () => System + ahead);
         Assert.That(_watch.Ahead, Is.EqualTo(new[] { ("second", by) }));
-        Assert.That(_watch.IsContradicted, Is.False, "stamps that are slightly ahead are no contradiction");
+        Assert.That(_watch.IsContradicted, Is.False, "stamps that are slightly ahead do not contradict the clock");
 
         Run(StampWatch.Seconds, () => System, () => System);
         Assert.That(_watch.Ahead, Is.Empty, "the clock of the source was set");

@@ -30,6 +30,7 @@ namespace Nowpose.Prediction
         bool _isSolved;
 
         // Time and position of the newest sample of the history, in which angles are unwrapped; negative infinity and 0 before the first sample.
+        // A copy, because a frame would otherwise read the history, which is not in the processor's cache.
         double _newestTime, _newestPosition;
 
         // Jump from the end of the curve, which is the newest sample, to the forecast at that time. It is subtracted from the forecast and decays.

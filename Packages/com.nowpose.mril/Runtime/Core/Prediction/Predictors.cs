@@ -69,30 +69,30 @@ namespace Nowpose.Prediction
         internal static JointPredictor Adaptive(
             PredictionLimits limits, PredictionParts parts, SharedForecasters shared = null, double blend = 0, params Forecaster[] more)
         {
-            bool Has(PredictionParts part) => (parts & part) != 0;
             shared ??= new SharedForecasters();
             var forecasters = more.Length > 0 ? Mixed(parts, more) : shared.Mixed ??= Mixed(parts, more);
             var candidates = new List<CandidateGate>();
-            var search = Has(PredictionParts.DenseSearch) ? SearchDensity.Dense : SearchDensity.Sparse;
-            if (Has(PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits, search), TemplateGate));
-            if (Has(PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
+            var search = Has(parts, PredictionParts.DenseSearch) ? SearchDensity.Dense : SearchDensity.Sparse;
+            if (Has(parts, PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits, search), TemplateGate));
+            if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new CandidateGate(new ProfileForecaster(limits), ProfileGate));
             return new JointPredictor(new Mixer(limits, parts, forecasters, candidates.ToArray()), Kept, parts, limits, blend);
         }
 
         static MixedForecasters Mixed(PredictionParts parts, Forecaster[] more)
         {
-            bool Has(PredictionParts part) => (parts & part) != 0;
             var forecasters = new List<MixedForecaster>();
-            if (Has(PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new LinearForecaster(new PolynomialWeights(2, 4))));
-            if (Has(PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new LinearForecaster(new PolynomialWeights(3, 3))));
-            if (Has(PredictionParts.Process))
+            if (Has(parts, PredictionParts.Quadratic)) forecasters.Add(new MixedForecaster(new LinearForecaster(new PolynomialWeights(2, 4))));
+            if (Has(parts, PredictionParts.Cubic)) forecasters.Add(new MixedForecaster(new LinearForecaster(new PolynomialWeights(3, 3))));
+            if (Has(parts, PredictionParts.Process))
                 forecasters.Add(new MixedForecaster(
                     new LinearForecaster(new GaussianProcess(), stopsAtReversal: true), 1 - LinePrior, 1 - ReportedPrior));
-            if (Has(PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ReportedPrior));
+            if (Has(parts, PredictionParts.Reported)) forecasters.Add(new MixedForecaster(new ParabolaForecaster(), 0, ReportedPrior));
             foreach (var forecaster in more) forecasters.Add(new MixedForecaster(forecaster));
-            return new MixedForecasters(forecasters.ToArray(), Has(PredictionParts.ChangePoints));
+            return new MixedForecasters(forecasters.ToArray(), Has(parts, PredictionParts.ChangePoints));
         }
+
+        static bool Has(PredictionParts parts, PredictionParts part) => (parts & part) != 0;
 
         // Accepts valid pairs of degree and history; a history is at most the maximum of a forecaster.
         static bool TryReadPolynomial(string name, out int degree, out int history)

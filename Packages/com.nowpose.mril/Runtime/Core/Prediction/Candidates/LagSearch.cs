@@ -80,8 +80,9 @@ namespace Nowpose.Prediction.Candidates
             for (; _taken < _history.Count; _taken++)
             {
                 if (_taken == 0) _origin = _history[0];
-                _rows[PlaceOf(_taken)] = FromOrigin(_history[_taken]);
-                if (_taken % _stride == 0 && _taken >= minLag) Compare(_taken, minLag);
+                var position = FromOrigin(_history[_taken]);
+                _rows[PlaceOf(_taken)] = position;
+                if (_taken % _stride == 0 && _taken >= minLag) Compare(_taken, position, minLag);
             }
         }
 
@@ -89,21 +90,20 @@ namespace Nowpose.Prediction.Candidates
 
         int PlaceOf(long point) => (int)(point % _step) * _rowLength + _rowLength - 1 - (int)(point / _step % _rowLength);
 
-        // Adds the squared differences at all lags to their costs, and finds the best local minima.
-        void Compare(long newest, int minLag)
+        // Adds the squared differences of a position at all lags to their costs, and finds the best local minima.
+        void Compare(long newest, float position, int minLag)
         {
             Count = 0;
             var longest = (int)Math.Min(Math.Min(MaxLag / _history.Step, MotionHistory.Capacity - 1), newest);
             var lags = (longest - minLag) / _step + 1;
-            var (rows, costs, now) = (_rows, _costs, FromOrigin(_history[newest]));
-            var (forgettingFactor, step, worst) = ((float)_forgettingFactor, _step, Worst);
+            var (rows, costs, forgettingFactor, step, worst) = (_rows, _costs, (float)_forgettingFactor, _step, Worst);
             var place = PlaceOf(newest - minLag);
             var end = ((int)((newest - minLag) % step) + 1) * _rowLength;
             // The costs of the two previous lags are in local variables, because the runtime checks each access of an array.
             var (before, last) = (costs[0], costs[0]);
             for (var i = 1; i <= lags; i++)
             {
-                var difference = now - rows[place];
+                var difference = position - rows[place];
                 var cost = forgettingFactor * costs[i] + difference * difference + MinCost;
                 costs[i] = cost;
                 if (++place == end) place -= _rowLength;

@@ -5,8 +5,8 @@ namespace Nowpose.Prediction.Forecasting
     /// <summary>Weights of the polynomial of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
     /// <remarks>
     /// The weight of sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over the polynomials φ that are orthogonal on the sample times
-    /// (<see cref="OrthogonalFit"/>). Unlike <see cref="PolynomialForecaster"/>, it needs all h + 1 samples, and samples less than a millisecond apart reduce its
-    /// precision.
+    /// (<see cref="OrthogonalFit"/>). Unlike <see cref="PolynomialForecaster"/>, it needs all h + 1 samples, and samples less than a millisecond
+    /// apart reduce its precision.
     /// </remarks>
     sealed class PolynomialWeights : PositionWeights
     {

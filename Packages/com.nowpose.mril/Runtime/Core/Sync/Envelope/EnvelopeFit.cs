@@ -59,13 +59,14 @@ namespace Nowpose.Sync.Envelope
             Curve = start;
             var slopeWeight = 1 / (slopePriorError * slopePriorError);
             const double bendWeight = 1 / (BendPrior * BendPrior);
+            var groupVariance = step.Deviation * step.Deviation / 2;
             for (var i = 0; i < Iterations; i++)
             {
                 _below.Weigh(Curve, scatter, unsampled);
                 _above.Weigh(Curve, scatter, unsampled);
                 _xx = _xz = _zz = _xy = _zy = 0;
-                _heightBelow = Gather(_below, step.X, step.Deviation * step.Deviation / 2);
-                _heightAbove = Gather(_above, step.X, step.Deviation * step.Deviation / 2);
+                _heightBelow = Gather(_below, step.X, groupVariance);
+                _heightAbove = Gather(_above, step.X, groupVariance);
                 var (xx, zz, xy) = (_xx + slopeWeight, _zz + bendWeight, _xy + slopeWeight * slopePrior);
                 var determinant = xx * zz - _xz * _xz;
                 Curve = new OffsetCurve((xy * zz - _zy * _xz) / determinant, (xx * _zy - _xz * xy) / determinant);
@@ -73,16 +74,13 @@ namespace Nowpose.Sync.Envelope
             EstimateErrors(slopePrior, slopeWeight, bendWeight);
         }
 
-        // Computes sums relative to the weighted means of the blocks before and after the step, which eliminates the unknown heights. The
-        // heights of both groups may be wrong by half of the variance of the step. The difference of their means is one more measurement.
+        // The heights before and after the step may both be wrong by half of its variance. The difference of the two means is one more measurement.
         Height Gather(EnvelopeSide side, double stepX, double groupVariance)
         {
-            var (after, before) = (MeanOf(side, stepX, true), MeanOf(side, stepX, false));
-            for (var i = 0; i < side.Count; i++)
-            {
-                var mean = side.X(i) >= stepX ? after : before;
-                Sum(side.Weight(i), side.X(i) - mean.X, side.X(i) * side.X(i) - mean.Z, side.Y(i) - mean.Y);
-            }
+            // The newest block comes first.
+            var split = 0;
+            while (split < side.Count && side.X(split) >= stepX) split++;
+            var (after, before) = (Gather(side, 0, split), Gather(side, split, side.Count));
             if (before.IsEmpty) return after;
             if (after.IsEmpty) return before;
             var earlier = 1 / (before.Variance + groupVariance);
@@ -92,19 +90,23 @@ namespace Nowpose.Sync.Envelope
             return Height.Mean(before, after, share);
         }
 
-        static Height MeanOf(EnvelopeSide side, double stepX, bool isAfter)
+        // Computes sums relative to the weighted means of the blocks, which eliminates the unknown height.
+        Height Gather(EnvelopeSide side, int from, int to)
         {
+            if (from == to) return default;
             double weights = 0, x = 0, z = 0, y = 0;
-            for (var i = 0; i < side.Count; i++)
+            for (var i = from; i < to; i++)
             {
-                if (side.X(i) >= stepX != isAfter) continue;
                 var weight = side.Weight(i);
                 weights += weight;
                 x += weight * side.X(i);
                 z += weight * side.X(i) * side.X(i);
                 y += weight * side.Y(i);
             }
-            return weights == 0 ? default : new Height(1 / weights, x / weights, z / weights, y / weights);
+            var height = new Height(1 / weights, x / weights, z / weights, y / weights);
+            for (var i = from; i < to; i++)
+                Sum(side.Weight(i), side.X(i) - height.X, side.X(i) * side.X(i) - height.Z, side.Y(i) - height.Y);
+            return height;
         }
 
         void Sum(double weight, double dx, double dz, double dy)
@@ -157,14 +159,12 @@ namespace Nowpose.Sync.Envelope
 
             /// <param name="share">Weight of the second value.</param>
             public static Height Mean(in Height first, in Height second, double share) => new Height(
-                Square(1 - share) * first.Variance + Square(share) * second.Variance, Mix(first.X, second.X, share),
+                (1 - share) * (1 - share) * first.Variance + share * share * second.Variance, Mix(first.X, second.X, share),
                 Mix(first.Z, second.Z, share), Mix(first.Y, second.Y, share));
 
             public double At(OffsetCurve curve) => Y - curve.Slope * X - curve.Bend * Z;
 
             static double Mix(double first, double second, double share) => first + share * (second - first);
-
-            static double Square(double value) => value * value;
         }
     }
 }
