@@ -50,10 +50,13 @@ public class PlantEndToEndTests
             new SessionSettings(ConnectionTo(gateway), new VisualisationLatency(Visualisation)), robot, clock);
         session.Connect();
         await Soon.BecomesAsync(() => session.Tick(clock.Now).State == PoseState.Current, () => $"a current pose; the gateway wrote {gateway.All}");
+        var steps = session.Statistics(clock.Now).ClockSteps;
         var score = new PlantScore(plant, robot, Visualisation);
 
         await Task.Factory.StartNew(
             () => score.Play(session, clock, TimeSpan.FromSeconds(6)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        // The plant's clock did not step, although the gateway corrects its estimate of it.
+        Assert.That(session.Statistics(clock.Now).ClockSteps, Is.EqualTo(steps), score.ToString());
         return score;
     }
 

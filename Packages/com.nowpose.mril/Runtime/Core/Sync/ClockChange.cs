@@ -5,7 +5,7 @@ namespace Nowpose.Sync
     {
         None,
 
-        /// <summary>The exchange is inconsistent with earlier exchanges. One or two more exchanges are needed to determine the cause.</summary>
+        /// <summary>The exchange is inconsistent with earlier exchanges. More exchanges are needed to determine the cause.</summary>
         Suspected,
 
         /// <summary>
@@ -13,6 +13,12 @@ namespace Nowpose.Sync
         /// fits both the new and the earlier exchanges.
         /// </summary>
         Resolution,
+
+        /// <summary>
+        /// The server corrected its estimate of the control clock, by no more than the error bounds that it stated. The control clock, and with it
+        /// the stamps of the samples, did not change.
+        /// </summary>
+        ServerCorrection,
 
         /// <summary>A clock stepped by less than a round-trip time. The clocks still belong to the same machines.</summary>
         ShortStep,

@@ -13,12 +13,15 @@ namespace Nowpose.Sync
         /// <summary>Number of consecutive exchanges that must contradict earlier exchanges and agree with each other to indicate a change.</summary>
         const int InARow = 3;
 
+        /// <summary>As <see cref="InARow"/>, for a correction of the server: as many as a usable line needs, so that the pose stays current.</summary>
+        const int InARowAfterCorrection = ClockSynchroniser.ExchangesToBeCoarse;
+
         readonly TimeSpan _margin;
         readonly OffsetEnvelope _suspected;
         readonly OffsetShiftWatch _shift = new OffsetShiftWatch();
-        readonly List<SyncExchange> _suspects = new List<SyncExchange>(InARow);
+        readonly List<SyncExchange> _suspects = new List<SyncExchange>(InARowAfterCorrection);
         TimeSpan _resolution;
-        bool _hasContradicted;
+        bool _hasContradicted, _isWithinServerError = true;
 
         /// <param name="skewUncertainty">See <see cref="OffsetEnvelope"/>.</param>
         public ClockStepDetector(TimeSpan margin, double skewUncertainty)
@@ -33,16 +36,28 @@ namespace Nowpose.Sync
         /// <summary>Maximum violation of an earlier bound by recent exchanges that are in use: a possible additional error of the clock.</summary>
         public TimeSpan Suspicion => _shift.Suspicion;
 
+        /// <summary>
+        /// Whether the error bounds that the server stated explain all contradictions of the suspected exchanges; true without such an exchange.
+        /// </summary>
+        public bool IsServerCorrection => _isWithinServerError;
+
         /// <summary>Classifies an exchange that is not yet in the envelope and the line.</summary>
         public ClockChange Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {
             if (line.Exchanges == 0) _resolution = exchange.Resolution;
             var isContradiction = !envelope.Allows(exchange, line, _margin);
-            if (isContradiction || IsOther(exchange.Resolution, _resolution)) return Suspect(exchange, isContradiction);
+            var hasOtherResolution = IsOther(exchange.Resolution, _resolution);
+            if (isContradiction || hasOtherResolution)
+            {
+                if (!AgreesWithSuspects(exchange)) ClearSuspects();
+                _hasContradicted |= isContradiction;
+                _isWithinServerError &= !hasOtherResolution && envelope.Allows(exchange, line, _margin, includeServerError: true);
+                return Suspect(exchange);
+            }
             ClearSuspects();
             if (!_shift.Judge(exchange, line, envelope)) return ClockChange.None;
             _suspects.AddRange(_shift.Since);
-            return ClockChange.ShortStep;
+            return Suspicion > envelope.ServerErrorBound() + exchange.ServerErrorBound ? ClockChange.ShortStep : ClockChange.ServerCorrection;
         }
 
         /// <summary>Makes the suspected exchanges the reference for later exchanges.</summary>
@@ -53,18 +68,17 @@ namespace Nowpose.Sync
             _shift.Reset();
         }
 
-        ClockChange Suspect(in SyncExchange exchange, bool isContradiction)
+        ClockChange Suspect(in SyncExchange exchange)
         {
-            if (!AgreesWithSuspects(exchange)) ClearSuspects();
             _suspects.Add(exchange);
             _suspected.Add(exchange);
-            _hasContradicted |= isContradiction;
-            if (_suspects.Count < InARow) return ClockChange.Suspected;
+            if (_suspects.Count < (_isWithinServerError ? InARowAfterCorrection : InARow)) return ClockChange.Suspected;
+            if (_isWithinServerError) return ClockChange.ServerCorrection;
             return _hasContradicted ? ClockChange.LongStep : ClockChange.Resolution;
         }
 
         bool AgreesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0
-            || (_suspected.Allows(exchange, default, _margin) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
+            || (_suspected.Allows(exchange, default, _margin, _isWithinServerError) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
 
         // A resolution that the server estimates varies by less than half of its value; a difference below the margin has no effect.
         bool IsOther(TimeSpan one, TimeSpan other)
@@ -78,6 +92,7 @@ namespace Nowpose.Sync
             _suspects.Clear();
             _suspected.Reset();
             _hasContradicted = false;
+            _isWithinServerError = true;
         }
     }
 }

@@ -7,15 +7,15 @@ namespace Nowpose.Sync
     sealed class ClockSynchroniser
     {
         /// <summary>Minimum number of exchanges of a coarse clock. Fewer exchanges do not show the scatter of their delays.</summary>
-        const int ExchangesToBeCoarse = 5;
+        internal const int ExchangesToBeCoarse = 5;
 
         /// <summary>Number of contradicting exchanges after which the state is converging. A single contradicting exchange may be an error.</summary>
         const int SuspectsToConverge = 2;
 
         /// <summary>
-        /// Standard deviations of the change of the skew: with the same clocks (a clock was set, or its resolution changed), after a long
-        /// step (another machine may provide the control clock), and after a long time without exchanges (the headset slept and cooled
-        /// down).
+        /// Standard deviations of the change of the skew: with the same clocks (a clock was set, its resolution changed, or a server corrected
+        /// it), after a long step (another machine may provide the control clock), and after a long time without exchanges (the headset slept and
+        /// cooled down).
         /// </summary>
         const double SkewUncertaintyOfSameClocks = 1e-6, SkewUncertaintyAfterStep = 50e-6, SkewUncertaintyAfterSilence = 5e-6;
 
@@ -105,9 +105,10 @@ namespace Nowpose.Sync
             switch (_detector.Judge(exchange, _estimator.Line, _envelope))
             {
                 case ClockChange.Suspected:
-                    WidenBound(exchange, _detector.Suspects.Count >= SuspectsToConverge || _estimator.Line.Exchanges == 0);
+                    WidenBound(exchange, IsSerious());
                     return SyncVerdict.SetAside;
                 case ClockChange.Resolution:
+                case ClockChange.ServerCorrection:
                     Restart(exchange, SkewUncertaintyOfSameClocks, stepped: false);
                     return SyncVerdict.Consistent;
                 case ClockChange.ShortStep:
@@ -145,6 +146,9 @@ namespace Nowpose.Sync
             _coarse.Reset();
             _synchronised.Reset();
         }
+
+        // The estimated error includes the server's error bound, so it remains valid while the server corrects its clock within this bound.
+        bool IsSerious() => _estimator.Line.Exchanges == 0 || (_detector.Suspects.Count >= SuspectsToConverge && !_detector.IsServerCorrection);
 
         // Keeps the old line with a bound that includes the contradiction. A serious contradiction changes the state to converging.
         void WidenBound(in SyncExchange exchange, bool isSerious)

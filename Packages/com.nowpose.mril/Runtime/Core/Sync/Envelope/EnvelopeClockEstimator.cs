@@ -175,7 +175,8 @@ namespace Nowpose.Sync.Envelope
         ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unsampled)
         {
             var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
-            var skew = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
+            var slope = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
+            var skew = Math.Max(-ClockLine.MaxSkew, Math.Min(ClockLine.MaxSkew, slope));
             var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
             // The time constant is at most half of the elapsed time.
             var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewTimeConstant, running / 2)));
@@ -184,7 +185,9 @@ namespace Nowpose.Sync.Envelope
             // Slope error if the offset is wrong by half of the unsampled part at one end and by minus half at the other. A third of this
             // error is taken as the standard error.
             var hidden = unsampled / Math.Max(1e-3, span) / 3;
-            var skewError = Math.Min(ClockLine.MaxSkew / 3, _fit.SlopeError + Math.Abs(skew - _steadySkew) + hidden);
+            var skewError = Math.Min(
+                (ClockLine.MaxSkew + Math.Abs(skew)) / 3,
+                _fit.SlopeError + Math.Abs(skew - _steadySkew) + Math.Abs(slope - skew) + hidden);
             _steadySkewError += (skewError - _steadySkewError) * share;
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
             var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;

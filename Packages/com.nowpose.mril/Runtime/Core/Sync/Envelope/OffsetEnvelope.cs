@@ -30,11 +30,16 @@ namespace Nowpose.Sync.Envelope
         public void Reset() => _history.Clear();
 
         /// <summary>Returns whether an exchange is consistent with recent exchanges within a margin; false after a clock step.</summary>
-        public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
+        /// <param name="includeServerError">
+        /// Whether each exchange counts as uncertain by the error bound that the server stated in it. The result is then also true after a
+        /// correction of the server's clock within these bounds.
+        /// </param>
+        public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin, bool includeServerError = false)
         {
             var bounds = new OffsetBounds(exchange);
-            var (lower, upper) = At(exchange.T4, line, includeServerError: false);
-            return bounds.Lower - bounds.HalfResolution <= upper + margin.Ticks && bounds.Upper + bounds.HalfResolution >= lower - margin.Ticks;
+            var (lower, upper) = At(exchange.T4, line, includeServerError ? ServerError.AsStated : ServerError.Ignored);
+            var allowed = bounds.HalfResolution + margin.Ticks + (includeServerError ? bounds.ServerErrorBound : 0);
+            return bounds.Lower - allowed <= upper && bounds.Upper + allowed >= lower;
         }
 
         /// <summary>
@@ -43,7 +48,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         public TimeSpan MaxError(in ClockLine line)
         {
-            var (lower, upper) = At(line.Reference, line, includeServerError: true);
+            var (lower, upper) = At(line.Reference, line, ServerError.AsStatedSince);
             var offset = line.Offset.HeadsetMinusControl.Ticks;
             return new TimeSpan(Math.Max(Math.Abs(upper - offset), Math.Abs(offset - lower)));
         }
@@ -67,22 +72,45 @@ namespace Nowpose.Sync.Envelope
             for (var i = newest; i < _history.Count; i++) corridor.Add(line, _history[i]);
         }
 
-        /// <param name="includeServerError">Whether the interval includes the error of the server's own clock.</param>
-        (long Lower, long Upper) At(HeadsetTime now, in ClockLine line, bool includeServerError)
+        (long Lower, long Upper) At(HeadsetTime now, in ClockLine line, ServerError included)
         {
             var skewError = line.Exchanges == 0 ? ClockLine.MaxSkew : 3 * line.SkewError + _skewUncertainty;
+            if (included == ServerError.AsStated) skewError += SkewErrorOfServer();
             // Half of the range of long, so that adding a margin to an end without a bound does not overflow.
-            long lower = long.MinValue / 2, upper = long.MaxValue / 2, serverError = 0;
+            long lower = long.MinValue / 2, upper = long.MaxValue / 2, maxServerError = 0;
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var bounds = ref _history[i];
-                // The newest exchange comes first: if the server states a larger error now, its error may have been as large at the earlier exchanges.
-                if (includeServerError) serverError = Math.Max(serverError, bounds.ServerErrorBound);
-                var margin = bounds.HalfResolution + serverError;
+                // The newest exchange comes first.
+                maxServerError = Math.Max(maxServerError, bounds.ServerErrorBound);
+                var margin = bounds.HalfResolution
+                    + (included == ServerError.AsStatedSince ? maxServerError : included == ServerError.AsStated ? bounds.ServerErrorBound : 0);
                 lower = Math.Max(lower, Extrapolated(bounds.Lower, now - bounds.Sent, line.Skew, -skewError) - margin);
                 upper = Math.Min(upper, Extrapolated(bounds.Upper, now - bounds.Received, line.Skew, skewError) + margin);
             }
             return (lower, upper);
+        }
+
+        /// <summary>Error of the server's own clock by which the bounds are widened.</summary>
+        enum ServerError
+        {
+            Ignored,
+
+            /// <summary>The error bound in the same exchange.</summary>
+            AsStated,
+
+            /// <summary>
+            /// The maximum error bound in the same exchange or later: if the server states a larger error now, its error may have been as large before.
+            /// </summary>
+            AsStatedSince,
+        }
+
+        // The server's clock may have been wrong by its error bound at the oldest exchange, and by the opposite at the newest.
+        double SkewErrorOfServer()
+        {
+            if (_history.Count < 2) return 0;
+            var error = _history[0].ServerErrorBound + _history[_history.Count - 1].ServerErrorBound;
+            return error / (double)(_history[0].Received - _history[_history.Count - 1].Received).Ticks;
         }
 
         static long Extrapolated(long bound, TimeSpan age, double skew, double widening) =>

@@ -55,6 +55,83 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
+        // Simulates a gateway whose first estimate of the plant's clock is wrong by 4 ms.
+        [TestCase(ClockEstimators.Default)]
+        [TestCase(ClockEstimators.Ransac)]
+        public void Steps_ServerCorrectsItsClockOnce_StayZero(string estimator)
+        {
+            RequireUsable(estimator, "once", s => s < 40 ? (4, 4.5) : (0.2, 0.5), run => Assert.That(run.PercentileMs(70, 1), Is.LessThan(0.8)));
+        }
+
+        // Simulates a gateway that estimates the plant's clock over a busy path: each new estimate moves the clock that it serves.
+        [Test]
+        public void Steps_ServerCorrectsItsClockRepeatedly_StayZero()
+        {
+            RequireUsable(ClockEstimators.Default, "back and forth", s => (s % 20 < 10 ? 2 : -2, 2.5), run => { });
+            RequireUsable(ClockEstimators.Default, "by chance", s => (6 * new Random((int)s).NextDouble() - 3, 3.5), run => { });
+        }
+
+        static void RequireUsable(string estimator, string name, Func<double, (double AheadMs, double StatedMs)> server, Action<SyncRun> require)
+        {
+            foreach (var network in new[] { NetworkProfile.Lan, NetworkProfile.Wifi })
+                for (var seed = 70; seed < 74; seed++)
+                {
+                    var run = new SyncRun(ClockEstimators.Create(estimator));
+
+                    run.Run(new SimulatedLink(network, seed, 40) { Server = server }, 0, 90);
+
+                    var label = network.Name + " " + name + ", seed " + seed;
+                    Assert.That(run.Clock.Steps, Is.EqualTo(0), label);
+                    var later = run.Instants.Where(i => i.At > 3).ToList();
+                    Assert.That(
+                        later.Select(i => i.Model.State).Distinct(), Is.SubsetOf(new[] { ClockState.Synchronised, ClockState.Coarse }), label);
+                    Assert.That(later.Count(i => Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0), label);
+                    var beyond = later.Count(i => Math.Abs(i.ErrorMs) > i.Model.EstimatedError.TotalMilliseconds);
+                    Assert.That(beyond, Is.LessThanOrEqualTo(0.01 * later.Count), label);
+                    require(run);
+                }
+        }
+
+        // While a gateway suspects a step of the plant's clock, it states an error bound that includes the step.
+        [TestCase(50)]
+        [TestCase(-50)]
+        public void Step_ServerStatesALargerErrorBoundMeanwhile_IsCounted(double stepMs)
+        {
+            for (var seed = 80; seed < 84; seed++)
+            {
+                var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+                var link = new SimulatedLink(NetworkProfile.Wifi, seed, 40)
+                {
+                    Server = s => s >= 40 && s < 41 ? (0, Math.Abs(stepMs) + 3) : (0, 3),
+                };
+                run.Run(link, 0, 41);
+                link.Step = Lengths.Ms(stepMs);
+
+                run.Run(link, 41, 60);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed " + seed);
+            }
+        }
+
+        // Without exchanges, the uncertain skew would explain a step of 10 ms, but the gateway states that its clock is accurate.
+        [TestCase(0)]
+        [TestCase(0.1)]
+        public void Step_AfterSilenceWithAnAccurateServer_IsCounted(double statedMs)
+        {
+            for (var seed = 90; seed < 94; seed++)
+            {
+                var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+                var link = new SimulatedLink(NetworkProfile.Wifi, seed, 40) { Server = s => (0, statedMs) };
+                run.Run(link, 0, 60);
+                run.Run(link, 60, 85, exchange: false);
+                link.Step = Lengths.Ms(10);
+
+                run.Run(link, 85, 100);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed " + seed);
+            }
+        }
+
         [Test]
         public void State_ServerErrorBoundPeaksOnce_IsSynchronisedAgainImmediately()
         {
