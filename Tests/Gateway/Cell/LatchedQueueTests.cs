@@ -70,7 +70,7 @@ public class LatchedQueueTests
     {
         using var source = _hub.OpenSource();
         using var subscription = new Subscription(_hub, RosTopics.Signals, default, 16, _drops);
-        var sending = SentAsync(subscription, "s=9", isReaderSlow: false);
+        var sending = SentAsync(subscription, "t=9", isReaderSlow: false);
 
         for (var i = 1; i <= 9; i++)
         {
@@ -80,8 +80,12 @@ public class LatchedQueueTests
 
         var sent = await sending;
 
-        Assert.That(sent.Where(text => text[0] == 's').Select(text => int.Parse(text[2..])), Is.Ordered);
-        Assert.That(sent[^1], Is.EqualTo("s=9"));
+        foreach (var name in "st")
+        {
+            var values = sent.Where(text => text[0] == name).Select(text => int.Parse(text[2..])).ToList();
+            Assert.That(values, Is.Ordered);
+            Assert.That(values[^1], Is.EqualTo(9));
+        }
     }
 
     [Test]
