@@ -4,7 +4,7 @@ namespace Nowpose.Benchmarks;
 
 /// <summary>
 /// Measures a frame of a scene with 50 robots and all components of the prefab. The scene runs on the stand-in engine, so Unity's own work
-/// is not included. Each robot receives a sample every 50 ms. The simulated plants that send the samples are also measured alone.
+/// is not included. Each robot receives a sample every 50 ms. The simulated plants that send the samples are also measured separately.
 /// </summary>
 public class SceneBenchmarks : IDisposable
 {

@@ -43,7 +43,7 @@ sealed class VirtualSession
     /// <summary>t_k of the newest sample, converted to headset time.</summary>
     public HeadsetTime NewestSample { get; private set; }
 
-    /// <summary>Creates quadratic predictors like those of the session, so that they can be measured alone.</summary>
+    /// <summary>Creates quadratic predictors like those of the session, so that they can be measured separately.</summary>
     public static JointPredictor[] CreatePredictors() => CreatePredictors(Quadratic);
 
     public static JointPredictor[] CreatePredictors(PredictionSettings prediction)
@@ -52,7 +52,7 @@ sealed class VirtualSession
         return [.. SevenJointArm.Model.MovingJoints.Select(joint => prediction.Create(joint.Limits, shared))];
     }
 
-    /// <summary>Creates a session with the default predictor whose history is full.</summary>
+    /// <summary>Creates a session whose default predictor has a full history.</summary>
     public static VirtualSession Experienced()
     {
         var session = new VirtualSession(PredictionSettings.Default);

@@ -2,7 +2,7 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli;
 
-/// <summary>Writes files and folders that an option names. An error is one line with the option, the path and the reason.</summary>
+/// <summary>Writes the files and folders that options specify. An error message is one line with the option, the path and the reason.</summary>
 static class OutputPath
 {
     /// <summary>Creates a folder and calls a function that prepares it.</summary>

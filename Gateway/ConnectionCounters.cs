@@ -11,7 +11,9 @@ public sealed class ConnectionCounters
     public long Accepted => Interlocked.Read(ref _accepted);
     public long this[Closure closure] => Interlocked.Read(ref _closures[(int)closure]);
 
-    /// <summary>Counts a connection as open if fewer than <paramref name="limit"/> are open. <see cref="Leave"/> ends it.</summary>
+    /// <summary>
+    /// Counts a connection as open if fewer than <paramref name="limit"/> are open. It counts as open until <see cref="Leave"/> is called.
+    /// </summary>
     /// <param name="isFinal">Whether a connection beyond the limit counts as refused; false if the caller may try again.</param>
     /// <returns>False if the limit was reached.</returns>
     internal bool TryEnter(int limit, bool isFinal = true)

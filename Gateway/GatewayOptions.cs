@@ -44,7 +44,7 @@ public sealed record GatewayOptions
     /// <summary>The paired headsets, which may connect as observers; null for a gateway without pairing.</summary>
     public HeadsetList Headsets { get; init; }
 
-    /// <summary>Name of the cell, proposed on the pairing page; null for none.</summary>
+    /// <summary>Name of the cell, proposed on the pairing page; null if the cell has no name.</summary>
     public string Cell { get; init; }
 
     /// <summary>The folder for recordings; null for a gateway that does not record.</summary>
@@ -54,8 +54,8 @@ public sealed record GatewayOptions
     public bool ExpectsSources { get; init; }
 
     /// <summary>
-    /// The time source for pairing codes, logins, names in use, repeated log lines and names of recordings. Sockets and clocks use the
-    /// system's time.
+    /// The time source of the gateway, for example for pairing codes, logins, the status and the names of recordings. Only sockets and clocks use the
+    /// system's time instead.
     /// </summary>
     public TimeProvider Time { get; init; } = TimeProvider.System;
 
@@ -143,7 +143,7 @@ public sealed record GatewayOptions
 
     internal bool IsLoopback => IPAddress.IsLoopback(Bind);
 
-    /// <summary>Checks the settings in combination.</summary>
+    /// <summary>Checks each setting and the combination of the settings.</summary>
     /// <exception cref="InputException">
     /// A setting is out of range, two settings contradict each other, or tokens or joint positions would be sent unencrypted.
     /// </exception>
@@ -179,7 +179,7 @@ public sealed record GatewayOptions
             throw new InputException(AddressOptionMessages.Rate(option, perSecond, MaxRate));
     }
 
-    // The option to name in the message: the one without its default value.
+    // The option to name in the message: the one whose value is not the default.
     string OptionOfTheSamePort => WebSocketPort == ProtocolLimits.WebSocketPort ? "--sync-port" : "--ws-port";
 
     static void CheckPort(string option, int port)

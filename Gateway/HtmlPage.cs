@@ -6,7 +6,7 @@ using Nowpose.Gateway.Security;
 namespace Nowpose.Gateway;
 
 /// <summary>A page from the folder Web. It may be missing, because a gateway can be built without Node.js.</summary>
-/// <param name="html">Null if the page was not built.</param>
+/// <param name="html">The page; null if it was not built.</param>
 sealed partial class HtmlPage(string html)
 {
     /// <summary>Message that is sent instead of a missing page.</summary>
@@ -24,7 +24,7 @@ sealed partial class HtmlPage(string html)
         response.ContentType = "text/html; charset=utf-8";
         response.ContentLength = _page.Length;
         response.Headers.CacheControl = "no-store";
-        // Closes the connection, because a client without a token must not occupy the place of one with a token.
+        // Closes the connection, so that a client without a token does not keep a connection that a client with a token needs.
         response.Headers.Connection = "close";
         response.Headers.ContentSecurityPolicy = _policy;
         return response.Body.WriteAsync(_page).AsTask();

@@ -17,8 +17,8 @@ static class PortListener
         {
             listener = new TcpListener(bind, port);
             if (bind.Equals(IPAddress.IPv6Any)) listener.Server.DualMode = true;
-            // Does not set SO_REUSEADDR: on Unix, .NET already sets the option for a bind, so that a restart need not wait until old connections
-            // time out. Setting it here would also let two gateways share the port.
+            // Does not set the option ReuseAddress. On Unix, .NET sets SO_REUSEADDR when it binds, so a restart need not wait until old connections
+            // time out. ReuseAddress also has the effect of SO_REUSEPORT, which would let two gateways share the port.
             listener.Start();
             return listener;
         }

@@ -11,11 +11,11 @@ sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyLi
     public double WhiteShare { get; init; }
 
     /// <summary>
-    /// Residual of the light at the edges of the cells that a tenth of the edges exceeds, relative to the light of a lit cell.
+    /// 90th percentile of the residuals of the light model at the edges between cells, relative to the light of a lit cell.
     /// </summary>
     public double Residual { get; init; }
 
-    /// <summary>Whether a better match of this kind exists, so that this one can be another object.</summary>
+    /// <summary>Whether a better match of this kind exists and this match is weak, so that it may be an object other than a code.</summary>
     public bool IsWeak { get; init; }
 
     /// <summary>Centre of the code, px: the intersection of the diagonals, which is correct even in perspective.</summary>
@@ -33,7 +33,7 @@ sealed record FoundCode(CodeKind Kind, IReadOnlyList<double> Levels, IReadOnlyLi
     /// <summary>Mean length of the four sides, px.</summary>
     public double Side => Enumerable.Range(0, 4).Average(i => Distance(Corners[i], Corners[(i + 1) % 4]));
 
-    /// <summary>Gets the vertical position in the picture of a point of the code, px from the top.</summary>
+    /// <summary>Returns the vertical position of a point of the code in the picture, px from the top.</summary>
     /// <param name="column">Position in cells, from 0 at the left edge of the code to <see cref="TimestampCode.Side"/> at the right edge.</param>
     public double HeightOf(double column, double row)
     {

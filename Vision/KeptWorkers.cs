@@ -1,8 +1,8 @@
 namespace Nowpose.Vision;
 
 /// <summary>
-/// Workers that their pools no longer need. Loading OpenCV and compiling its hot functions takes as long as reading three pictures, so a process
-/// with several pools, such as <c>figures</c>, reuses them. Thread-safe.
+/// Idle workers of earlier pools, kept for reuse. Loading OpenCV and compiling its hot functions takes as long as reading three pictures, so a
+/// process with several pools, such as <c>figures</c>, reuses them. Thread-safe.
 /// </summary>
 /// <remarks>Static, because the workers outlive each pool. A worker exits when its input ends, so none outlives this process.</remarks>
 static class KeptWorkers
@@ -26,7 +26,7 @@ static class KeptWorkers
         return null;
     }
 
-    /// <summary>Keeps a worker, or ends it if it cannot be used again or enough are kept.</summary>
+    /// <summary>Keeps a worker for reuse. Ends it if it cannot be reused or if <see cref="Max"/> workers are already kept.</summary>
     /// <param name="worker">The worker; null is ignored.</param>
     public static void Keep(VisionWorker worker)
     {

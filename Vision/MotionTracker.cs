@@ -13,7 +13,7 @@ public sealed class MotionTracker : IDisposable
     /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>
     public MotionTracker(IReadOnlyList<PictureBox> boxes) => _boxes = boxes;
 
-    /// <summary>Gets the positions of the patches in the next picture.</summary>
+    /// <summary>Returns the positions of the patches in the next picture.</summary>
     /// <param name="bytes">Grey values, row by row.</param>
     /// <exception cref="InvalidOperationException">The picture is invalid.</exception>
     public IReadOnlyList<TrackedPlace> Follow(int width, int height, byte[] bytes)

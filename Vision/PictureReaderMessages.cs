@@ -1,6 +1,6 @@
 namespace Nowpose.Vision;
 
-/// <summary>Errors of the process that reads pictures, with remedies.</summary>
+/// <summary>Error messages about the process that reads pictures, with remedies.</summary>
 static class PictureReaderMessages
 {
     public const string NodeNeeded = "Node.js 20 or newer is needed to read pictures";

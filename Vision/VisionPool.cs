@@ -15,11 +15,13 @@ public sealed class VisionPool : IDisposable
     const int MaxWorkers = 4;
     const int Waiting = 4;
 
-    /// <summary>Number of pictures that justify another worker: starting it and compiling its code takes as long as reading a few pictures.</summary>
+    /// <summary>
+    /// Number of pictures for which another worker is started. Starting a worker and compiling its code takes as long as reading a few pictures.
+    /// </summary>
     const int PicturesPerWorker = 12;
 
     /// <summary>
-    /// Number of consecutive pictures at which a worker exits, from which the cause is assumed to be something other than the pictures.
+    /// If workers exit on this number of consecutive pictures, the pictures are assumed not to be the cause, and the analysis fails.
     /// </summary>
     const int MaxEnded = 3;
 
@@ -32,7 +34,7 @@ public sealed class VisionPool : IDisposable
     {
     }
 
-    /// <param name="script">Script of the workers, which are not kept for the next pool; null for the script of this program.</param>
+    /// <param name="script">Script that the workers run; null for the script of this program. Workers with another script are not reused.</param>
     internal VisionPool(int workers, string script)
     {
         _script = script;
@@ -41,7 +43,7 @@ public sealed class VisionPool : IDisposable
         _workers[0] = StartedOrKept();
     }
 
-    /// <summary>Analyses all pictures, or returns early if it is cancelled. Ignores errors after the cancellation.</summary>
+    /// <summary>Analyses all pictures. Returns early when it is cancelled, and then throws no errors.</summary>
     /// <param name="pictures">The pictures. They are enumerated on demand on the calling thread.</param>
     /// <param name="seen">Called with the index and the result of each picture, in any order but never concurrently.</param>
     internal void Look(IEnumerable<PictureRequest> pictures, Action<int, SeenPicture> seen, CancellationToken cancellation)

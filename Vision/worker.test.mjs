@@ -137,8 +137,8 @@ test('finds no second code in structured scenes', async () => {
   for (const { codes } of answers) assert.ok(codes.filter(code => !code.isWeak).length <= 2);
 });
 
-// A lattice of dark holes with a pitch of two cells resembles a ring and equal pairs. At most positions, a dark cell of the code is brighter
-// or darker than the scene. A lattice without any difference is accepted as a code, because a real code must not be missed.
+// A lattice of dark holes with a pitch of two cells resembles a code with its ring, in which all pairs are equal. At most positions, the light of a
+// dark cell of this code differs from that of the scene. A lattice without any difference is accepted, because a real code must not be missed.
 test('mistakes only few perforated plates for part of a second code', async () => {
   const plate = (holes, corners) => {
     const side = 2 * holes + 1;
@@ -205,7 +205,7 @@ test('finds and reads LEDs in a narrow housing in front of a brighter board', as
 });
 
 test('reads overexposed LEDs in a colour that is not clipped', async () => {
-  // Pairs that changed during the exposure: two lit cells, which are equal where both are clipped.
+  // Some pairs change during the exposure: both of their cells are lit for a part of it, and look equal where both are clipped.
   const changed = control.lit.map((share, cell) => (cell >= 49 && cell <= 54 ? (share === 1 ? 0.7 : 0.3) : share));
   const overexposed = colour => ({ ...control, lit: changed, light: 4, colour });
   const folder = mkdtempSync(join(tmpdir(), 'nowpose-'));
@@ -228,7 +228,7 @@ test('reads overexposed LEDs in a colour that is not clipped', async () => {
 
 test('reports a larger residual if another board shows through the gaps between the cells', async () => {
   const board = { ...control, corners: square(400, 360, 130, 0.1), panel: 0.03, dot: 0.7 };
-  // Seen through the gaps of the board in front.
+  // A second board, seen through the gaps in the board in front of it.
   const other = { ...control, corners: square(418, 383, 120, 0.25), lit: lit('Control').map(share => 1 - share), panel: null };
 
   const answers = await ask({ shot: shot([board, headset]) }, { shot: shot([board, other, headset]) });

@@ -3,6 +3,6 @@ namespace Nowpose.Web;
 /// <summary>The page that shows the control time as a code for cameras. It requests the time from the gateway that serves it.</summary>
 public static class LightCodePage
 {
-    /// <summary>Text of the page; null if this assembly was built without Node.js.</summary>
+    /// <summary>HTML text of the page; null if this assembly was built without Node.js.</summary>
     public static string Html { get; } = PageTemplate.Read("vlc.html");
 }

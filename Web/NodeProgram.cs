@@ -8,7 +8,7 @@ namespace Nowpose.Web;
 /// <summary>Starts scripts with Node.js.</summary>
 public static class NodeProgram
 {
-    /// <summary>Gets the path of the Node.js that a release contains. If there is none, returns the name of the installed one.</summary>
+    /// <summary>Returns the path of the Node.js executable in a release of Nowpose. Without one, returns the name of the installed one.</summary>
     /// <param name="folder">Folder of the program.</param>
     public static string In(string folder)
     {
@@ -16,7 +16,7 @@ public static class NodeProgram
         return File.Exists(included) ? included : "node";
     }
 
-    /// <summary>Starts a script with redirected input, output and error stream.</summary>
+    /// <summary>Starts a script with redirected input, output and error streams.</summary>
     /// <param name="needed">Beginning of the error message, which states what Node.js is needed for.</param>
     /// <param name="prepare">Changes the settings of the process before it starts; null for no changes.</param>
     /// <exception cref="InputException">Node.js is not installed, or was not installed when this program was built.</exception>

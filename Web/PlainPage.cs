@@ -14,7 +14,7 @@ static class PlainPage
         + "th,td{padding:.25rem 1rem .25rem 0;border-bottom:1px solid #8886;text-align:left}";
 
     /// <param name="title">Title, already HTML-encoded.</param>
-    /// <param name="style">Style sheet that is added to the common one.</param>
+    /// <param name="style">Style sheet of this page, which is appended to the common one.</param>
     public static StringBuilder Begin(string title, string style)
     {
         var html = new StringBuilder();

@@ -40,7 +40,7 @@ public static class PlainReport
         });
     }
 
-    // Adds the claims, which only a run of the paper's scenario has.
+    // Adds the claims of the paper, which are in the data only after a run of the paper's scenario.
     static void AppendClaims(StringBuilder page, JsonElement report)
     {
         if (!report.TryGetProperty("claims", out var claims) || claims.ValueKind != JsonValueKind.Array) return;

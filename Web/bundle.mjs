@@ -23,7 +23,7 @@ const licences = {
   uPlot: read('node_modules/uplot/LICENSE'),
   'qrcode-generator': `${maker}\n\n${mit}`,
   'three.js': read('node_modules/three/LICENSE'),
-  // urdf-loader contains only a notice. The text of its licence is the same in every package, so it is taken from playwright-core.
+  // urdf-loader contains only a notice. playwright-core has the same licence, so the text of the licence is taken from there.
   'urdf-loader': `${readme.slice(readme.indexOf('Copyright ©')).trim()}\n\n${read('node_modules/playwright-core/LICENSE').replace(/(?<=END OF TERMS AND CONDITIONS)[^]*/, '')}`,
 };
 const plots = ['uPlot'], robots = ['three.js', 'urdf-loader'];

@@ -1,6 +1,6 @@
 // Run by the build of projects that use bundling.targets. Installs the pinned packages if package-lock.json has changed, and bundles if a
 // source has changed. Concurrent builds wait for each other.
-// Exit status: 0 success; 3 the packages are not available, so the build continues without the bundle; 1 error in the sources.
+// Exit status: 0 for success; 3 if the packages are not available, so that the build continues without the bundle; 1 for an error in the sources.
 import { execSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -22,7 +22,7 @@ function isRunning(pid) {
   }
 }
 
-/** Waits until no other build holds the lock. The wait has no time limit, but the lock of a crashed build is ignored. */
+/** Waits until no other build holds the lock, and takes it. The wait has no time limit, but the lock of a process that no longer runs is removed. */
 async function takeTurn(lock) {
   mkdirSync(dirname(lock), { recursive: true });
   for (;;) {

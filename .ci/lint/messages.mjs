@@ -1,4 +1,4 @@
-// Defines the rule nowpose/messages: a product's texts for users must be in its message catalogue, which is the folder `messages` of its sources.
+// Defines the rule nowpose/messages: user-facing text of a product must be in its message catalogue, the folder `messages` of its sources.
 // Justified exceptions are marked with eslint-disable-next-line and the reason.
 
 const MAX_WORDS = 3;

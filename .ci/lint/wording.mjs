@@ -4,8 +4,8 @@
 const parametersOf = text => /^\(?([\w$,\s]*?)\)?\s*=>/.exec(text)?.[1].split(',').map(name => name.trim()).filter(Boolean);
 
 /**
- * Gets the texts of a catalogue with their names.
- * @param catalogue The exports of the catalogue's files: objects that contain texts, and functions that return texts.
+ * Gets the strings of a catalogue by their names.
+ * @param catalogue The exports of the catalogue's files: objects that contain strings, and functions that return strings.
  * @param samples Sample values for the parameters of the functions; the keys are the names of the parameters.
  */
 export function textsOf(catalogue, samples) {
@@ -28,7 +28,7 @@ const INVISIBLE = /<!--[^]*?-->|<(script|style)[^>]*>[^]*?<\/\1>/g;
 const INLINE = /<\/?(?:a|abbr|code|em|strong)\b[^>]*>/g;
 const ATTRIBUTE = /\b(?:title|aria-label|alt|placeholder)="([^"]*)"/g;
 
-/** Gets the static texts of a page, including those of its attributes. */
+/** Gets the static strings of a page, including those in its attributes. */
 export function textsOfPage(html) {
   const visible = html.replace(INVISIBLE, '');
   const attributes = [...visible.matchAll(ATTRIBUTE)].map(([, text]) => text);
@@ -47,7 +47,10 @@ const FAULTS = [
 
 const count = (text, mark) => text.split(mark).length - 1;
 
-/** Gets the formal faults of a text. @param isSentence Whether the text consists of complete sentences. If not, it is part of a sentence. */
+/**
+ * Gets descriptions of the formal errors in a string.
+ * @param isSentence Whether the string consists of complete sentences. If not, it is part of a sentence.
+ */
 export function faultsIn(text, isSentence) {
   const faults = FAULTS.filter(([pattern]) => pattern.test(text)).map(([, fault]) => fault);
   if (count(text, '(') !== count(text, ')') || count(text, '“') !== count(text, '”')) faults.push('has an unpaired bracket or quotation mark');

@@ -37,10 +37,10 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
         return groups;
     }
 
-    /// <summary>Gets the error of a predictor in each run.</summary>
+    /// <summary>Gets the RMS error of a predictor in each run.</summary>
     public double[] Errors(Func<JointPredictor> newPredictor) => [.. runs.AsParallel().AsOrdered().Select(run => run.Rms(newPredictor))];
 
-    /// <summary>Gets the error of the best predictor with fixed parameters in each run.</summary>
+    /// <summary>Gets, for each run, the smallest RMS error of all predictors with fixed parameters.</summary>
     public double[] MinFixedErrors() =>
         [.. Fixed.Select(one => Errors(() => Predictors.Create(one, PredictionLimits.Unlimited))).Aggregate((a, b) => [.. a.Zip(b, Math.Min)])];
 

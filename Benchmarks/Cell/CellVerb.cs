@@ -11,7 +11,9 @@ static class CellVerb
 {
     const int Objects = 50, FramesPerSecond = 60, MeasuredSeconds = 60;
 
-    /// <summary>Time that is not measured. It is longer than the history of template matching, so the cost no longer grows after it.</summary>
+    /// <summary>
+    /// Duration of the warm-up, s. It exceeds the history of template matching, so that the cost is constant during the measurement.
+    /// </summary>
     const int WarmUpSeconds = 130;
 
     const double MaxMilliseconds = 0.3;

@@ -27,7 +27,7 @@ sealed class ObjectScene : IDisposable, IHeadsetClock
     readonly TrackedObject[] _objects;
     readonly string[] _joints;
 
-    // Position in the middle of each joint's limits, or 0 without limits.
+    // Position in the middle of each joint's limits; 0 for a joint without limits.
     readonly double[] _middles;
     readonly bool _isPlane;
     readonly double _interval;

@@ -6,14 +6,14 @@ namespace Nowpose.Benchmarks.Comparison;
 /// <summary>
 /// Finds the competitors' constants: those with the minimum geometric mean of the errors under all conditions, with the tuning seeds.
 /// </summary>
-/// <remarks>Optimises one constant after another on a grid with a factor of √2 until no constant changes.</remarks>
+/// <remarks>Optimises one constant after another on a grid with a factor of √2, until the error no longer decreases or after six rounds.</remarks>
 static class Tuning
 {
     const int MaxRounds = 6;
     const int StepsEachWay = 6;
 
-    // Errors within this factor count as equal. Of the constants with equal errors, the one nearest to the current value is used. Otherwise, a
-    // constant without effect would grow without limit.
+    // Errors within this factor count as equal. Of several values with equal errors, the one nearest to the current value is used. Otherwise, a
+    // constant that has no effect would grow without limit.
     const double AsGood = 1.0005;
 
     public static void Run(TextWriter to)

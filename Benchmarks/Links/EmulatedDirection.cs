@@ -7,7 +7,7 @@ namespace Nowpose.Benchmarks.Links;
 /// <summary>Transfers packets from one TUN device to another on a separate thread, with the delays and losses of a link profile.</summary>
 sealed class EmulatedDirection : IDisposable
 {
-    /// <summary>Maximum time of one wait, so that a stop is detected soon.</summary>
+    /// <summary>Maximum duration of one wait. It limits the time until a stop is detected.</summary>
     static readonly TimeSpan MaxWait = TimeSpan.FromMilliseconds(50);
 
     const int MaxPacketBytes = 2048;

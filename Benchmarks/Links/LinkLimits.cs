@@ -5,12 +5,12 @@ using Nowpose.Simulation;
 namespace Nowpose.Benchmarks.Links;
 
 /// <summary>
-/// Limits of the accuracy over each link. They apply to the medians over the repeats unless stated otherwise. The share within the stated
-/// error applies to all runs together.
+/// Accuracy limits for each link. They apply to the medians over the repeats unless stated otherwise. The limit for the share within the
+/// stated error applies to all runs together.
 /// </summary>
 static class LinkLimits
 {
-    /// <summary>Minimum duration of a judged run, s. The reduction of the error increases with the duration.</summary>
+    /// <summary>Minimum duration of a run to which the limits apply, s. The reduction of the error increases with the duration.</summary>
     public const double Seconds = 30;
 
     const double CurrentAfterS = 2, CurrentAfterAtWorstS = 3;

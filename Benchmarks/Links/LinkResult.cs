@@ -1,8 +1,8 @@
 namespace Nowpose.Benchmarks.Links;
 
 /// <summary>The result of one run over one link, compared with the true values. Missing values are null.</summary>
-/// <param name="CurrentAfterS">Time from the first frame to the first frame with a current pose.</param>
-/// <param name="CoarseAfterS">Time from the first frame to the first frame with a coarse or synchronised clock.</param>
+/// <param name="CurrentAfterS">Time from the first frame to the first frame with a current pose, s.</param>
+/// <param name="CoarseAfterS">Time from the first frame to the first frame with a coarse or synchronised clock, s.</param>
 /// <param name="CurrentShare">Share of frames with a current pose. This and all following values start with the first current frame.</param>
 /// <param name="Reduction">1 minus the RMS error of the tool divided by the RMS error without compensation.</param>
 /// <param name="ClockErrorUsP50">Error of the frames' control times.</param>

@@ -81,7 +81,7 @@ sealed class LinkScore
         return longest.TotalSeconds;
     }
 
-    // Returns the stalls within the scored frames that have at least one second after them.
+    // Returns the stalls that begin after the first scored frame and end more than one second before the last one.
     IEnumerable<(HeadsetTime From, HeadsetTime To)> Stalls(LinkProfile profile, HeadsetTime linkStart)
     {
         if (profile.StallInterval == TimeSpan.Zero || _scored.Count == 0) yield break;
@@ -90,7 +90,8 @@ sealed class LinkScore
             if (from > _scored[0].Start) yield return (from, from + profile.StallLength);
     }
 
-    // Gets the time until the next frame whose pose is current, or not current, in s. Without such a frame, gets the time to the last scored frame.
+    // Gets the time until the next frame whose pose is current, or not current, in s. If there is no such frame, gets the time until the last scored
+    // frame.
     double FirstAfter(HeadsetTime time, bool isCurrent) =>
         ((_scored.FirstOrDefault(frame => frame.Start >= time && frame.IsCurrent == isCurrent) ?? _scored[^1]).Start - time).TotalSeconds;
 

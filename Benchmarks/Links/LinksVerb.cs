@@ -4,7 +4,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Benchmarks.Links;
 
-/// <summary>links: measures a headset over slow and lossy links, with the TCP implementation of the kernel.</summary>
+/// <summary>links: measures a headset over slow and lossy links, using the kernel's TCP implementation.</summary>
 static class LinksVerb
 {
     static readonly Option<string[]> Profiles = new("--profile")

@@ -1,6 +1,6 @@
 namespace Nowpose.Benchmarks.Load;
 
-/// <summary>The result of a gateway under load.</summary>
+/// <summary>The measured values of a gateway under load.</summary>
 sealed record LoadResult(
     int Headsets, double RateHz, double Seconds, long Messages, double MessagesPerSecond, long Lost, int Ended, long Refused,
     double ForwardP50Ms, double ForwardP99Ms, double ForwardMaxMs, double SyncErrorP50Us, double SyncErrorP95Us, double TruthBoundUs,

@@ -6,10 +6,12 @@ namespace Nowpose.Benchmarks.Paths;
 /// <summary>All runs with one kind and size of change on one link, with their limits.</summary>
 sealed class PathCell
 {
-    /// <summary>Maximum error relative to the physical limit. The error of the link without a change is added.</summary>
+    /// <summary>
+    /// Factor of the physical limit in the maximum error. The error that the same link has without a change is added to the product.
+    /// </summary>
     const double ErrorFactor = 1.2;
 
-    /// <summary>Minimum value of the limit for the skew's deviation from its value before the change, ppm.</summary>
+    /// <summary>Lower bound of the limit for the deviation of the skew from its value before the change, ppm.</summary>
     const double MinSkewLimitPpm = 5;
 
     /// <summary>

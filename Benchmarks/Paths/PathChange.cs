@@ -2,7 +2,10 @@ namespace Nowpose.Benchmarks.Paths;
 
 /// <summary>A change of a path's minimum delays.</summary>
 /// <param name="Name">Description of the change in the table.</param>
-/// <param name="Extra">Gets the additional delays, relative to the size of the change, at a time since the change, s; negative before it.</param>
+/// <param name="Extra">
+/// Gets the additional delays, as multiples of the size of the change. The argument is the time since the change, s; it is negative before the
+/// change.
+/// </param>
 /// <param name="Limit">Minimum error of any estimator after the change, relative to its size: half the difference between both directions.</param>
 sealed record PathChange(string Name, Func<double, (double Up, double Down)> Extra, double Limit)
 {

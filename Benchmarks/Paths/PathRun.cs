@@ -4,7 +4,7 @@ using Nowpose.Sync;
 namespace Nowpose.Benchmarks.Paths;
 
 /// <summary>Errors of a clock estimator while a path changes, in virtual time. Exchanges use TCP on a lossy link.</summary>
-/// <param name="ErrorMs">Maximum error from 5 s after the change on, ms. The other values are for the same period.</param>
+/// <param name="ErrorMs">Maximum error, ms. All values cover the time that begins 5 s after the change.</param>
 /// <param name="SkewPpm">Maximum deviation of the skew from its value before the change, ppm.</param>
 /// <param name="Within">Share of the period in which the error does not exceed the stated error.</param>
 /// <param name="StatedMs">Mean stated error, ms.</param>

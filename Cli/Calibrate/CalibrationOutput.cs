@@ -5,7 +5,7 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary>The output folder of a calibration. Files of an earlier calibration are kept until a better result replaces them.</summary>
+/// <summary>The output folder of a calibration. Files of an earlier calibration are kept until new files are written.</summary>
 sealed class CalibrationOutput
 {
     readonly string _folder;
@@ -34,8 +34,8 @@ sealed class CalibrationOutput
     });
 
     /// <summary>Writes the profile and the page. An existing profile that has a limit is not replaced by one without a limit.</summary>
-    /// <param name="profile">The profile, or null for none.</param>
-    /// <returns>Path of the written profile, or null for none.</returns>
+    /// <param name="profile">The profile; null if there is none.</param>
+    /// <returns>Path of the written profile; null if none was written.</returns>
     public string Write(LatencyProfile profile, CalibrationPageData page)
     {
         File.WriteAllText(PagePath, CalibrationPage.Render(CalibrationJson.Of(page)));
@@ -54,14 +54,14 @@ sealed class CalibrationOutput
                 CultureInfo.InvariantCulture, $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####}\n"));
     }
 
-    // Gets the path for a profile without a limit, and reports that the existing profile is kept.
+    // Gets the path for a profile without a limit, and prints a message that the existing profile is kept.
     string PathBeside(TimeSpan limit)
     {
         Console.Error.WriteLine(ConsoleMessages.ProfileKept(ProfilePath, limit.TotalMilliseconds));
         return UnlimitedProfilePath;
     }
 
-    // Gets the limit of the existing profile; null without a limit or without a readable profile.
+    // Gets the limit of the existing profile; null if the profile has no limit, is missing or is not readable.
     TimeSpan? EarlierLimit()
     {
         try

@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Calibrate;
 /// <param name="Facts">Pairs of name and value; the numbers of the profile come first.</param>
 sealed record CalibrationPageData(string Title, string Result, IReadOnlyList<string[]> Facts)
 {
-    /// <summary>Warnings that a reader must know before using the result; empty if there are none.</summary>
+    /// <summary>Warnings that a reader must consider before using the result; empty if there are none.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
     public IReadOnlyList<CalibrationSection> Sections { get; init; } = [];

@@ -9,7 +9,7 @@ static class FormerVisuOption
 {
     const string Name = "--told-ms";
 
-    /// <param name="present">The option with the present name. It is an error if the user gives both options.</param>
+    /// <param name="present">The option with the current name. It is an error if the user gives both options.</param>
     public static Option<double?> Create(Option present)
     {
         var former = NumberOption.CreateOptional(Name, "Former name of " + present.Name, 0.0, 500, "ms");

@@ -9,7 +9,7 @@ static class ResultTable
     /// <summary>Maximum length of a list in the table, in characters. The page shows the complete list.</summary>
     const int MaxLength = 400;
 
-    /// <param name="profilePath">Path of the profile, or null for none.</param>
+    /// <param name="profilePath">Path of the profile; null if none was written.</param>
     /// <param name="json">JSON to print instead of the table; null prints the table.</param>
     public static void Print(CalibrationPageData page, string profilePath, string pagePath, string json)
     {

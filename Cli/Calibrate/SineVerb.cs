@@ -8,7 +8,7 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate;
 
-/// <summary><c>calibrate sine RECORDING</c>: measures the end-to-end latency from a video of a jog back and forth.</summary>
+/// <summary><c>calibrate sine RECORDING</c>: measures the end-to-end latency from a video of a back-and-forth jog.</summary>
 static class SineVerb
 {
     static readonly Argument<string> Recording = new("RECORDING")

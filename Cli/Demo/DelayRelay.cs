@@ -4,7 +4,7 @@ using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>A TCP relay on loopback. Delays the data in each direction as a network profile defines, and keeps their order.</summary>
+/// <summary>A TCP relay on loopback. Delays the data in each direction as defined by a network profile, and preserves their order.</summary>
 sealed class DelayRelay : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -30,7 +30,7 @@ sealed class DelayRelay : IDisposable
     public void Dispose()
     {
         _listener.Stop();
-        // When the accepting thread has ended, the list no longer changes.
+        // The list no longer changes after the accepting thread has ended.
         _accepting.Join();
         foreach (var connection in _connections) connection.Dispose();
     }

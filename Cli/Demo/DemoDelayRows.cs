@@ -2,14 +2,16 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Reports, in table and report, the frames that this machine started late. Has no rows if there were very few.</summary>
-/// <remarks>A late frame shows the pose for its actual start time. Samples and sync exchanges can be late, too; this is not measured.</remarks>
+/// <summary>
+/// Creates a row for the table and the report if this machine started more than 1 % of the frames late. Otherwise, there is no row.
+/// </summary>
+/// <remarks>A late frame shows the pose for its actual start time. Samples and sync exchanges can also be late; this is not measured.</remarks>
 sealed class DemoDelayRows(DemoFrames frames)
 {
     /// <summary>Minimum delay of a frame that counts as late: half a frame interval.</summary>
     static readonly TimeSpan Long = TimeSpan.FromSeconds(0.5 / DemoDisplay.FramesPerSecond);
 
-    /// <summary>Minimum share of late frames for a report. Fewer do not change the results.</summary>
+    /// <summary>Share of late frames above which they are reported. A smaller share does not change the results.</summary>
     const double MinShare = 0.01;
 
     public IEnumerable<(string Label, string Value)> Rows

@@ -33,7 +33,7 @@ sealed class DemoPlayback(DemoScore score, DemoRun run, ControlTime start)
         };
     }
 
-    // Gets the objects of the cell; null in frames before an object's first sample.
+    // Gets the objects of the cell; null if it has none. The displayed poses of a frame are null before all objects have a sample.
     object Objects(List<int> frames) => run.Settings.Work is not { } work || run.Bodies is not { } bodies ? null : new
     {
         work.Names,

@@ -37,7 +37,9 @@ sealed record DemoResult(
         double? Reduction, double? ReductionFirstCycle, double? ReductionRepeated);
 
     /// <summary>The runtime's own measurement, which does not use the true motion. Uncertainties are half of the 95 % confidence interval.</summary>
-    /// <param name="Withheld">Reason why the runtime withholds its values; null if it does not, even before the first values.</param>
+    /// <param name="Withheld">
+    /// Reason why the runtime withholds its values; null if it does not withhold them. Also null before the first values exist.
+    /// </param>
     public sealed record Hindcasts(double? Reduction, double? ReductionUncertainty, double? RmsMm, double? HoldRmsMm, string Withheld)
     {
         /// <summary>The reduction measured by the runtime, or the reason why it is missing.</summary>

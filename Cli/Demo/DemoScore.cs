@@ -39,7 +39,7 @@ sealed class DemoScore
             _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result(), LightErrors(), Bodies.Result());
     }
 
-    // Without a load, the display has 60 frames per second. A load can slow it down.
+    // A display without vertices to render has 60 frames per second. Rendering can slow it down.
     double Seconds() => !_run.Settings.IsRendered
         ? Round(_run.Frames.Rows.Count / (double)DemoDisplay.FramesPerSecond)
         : Round(_run.Frames.Rows.Select(row => row.Elapsed.TotalSeconds + 1.0 / DemoDisplay.FramesPerSecond).LastOrDefault());

@@ -37,7 +37,9 @@ sealed record DemoSettings
     /// <summary>The profile for the runtime. If null, the runtime uses the true display latency plus <see cref="VisualisationErrorMs"/>.</summary>
     public LatencyProfile Profile { get; init; }
 
-    /// <summary>The display latency for the runtime, ms. Not used with a load and without a profile: the display is then calibrated.</summary>
+    /// <summary>
+    /// The display latency for the runtime, ms. Not used if there is a load but no profile, because the display is calibrated in that case.
+    /// </summary>
     public double GivenVisualisationMs => Profile?.Visualisation.Length.TotalMilliseconds ?? VisualisationMs + VisualisationErrorMs;
 
     public double SamplingMs { get; init; }

@@ -9,7 +9,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>Creates cell, gateway, network and headset, plays a run, and disposes them.</summary>
+/// <summary>Creates the cell, gateway, network and headset, plays a run with them, and disposes of them.</summary>
 static class DemoStage
 {
     /// <summary>Skew of the control clock relative to the headset clock: a typical difference between two quartz oscillators.</summary>
@@ -18,7 +18,7 @@ static class DemoStage
     /// <summary>Time of the control clock when it is created. It is large, as if the control clock showed Unix time.</summary>
     static readonly ControlTime ControlEpoch = ControlTime.FromSeconds(1_700_000_000);
 
-    /// <summary>Plays until the time is over or the user cancels.</summary>
+    /// <summary>Plays until the duration of the run has elapsed or the user cancels.</summary>
     /// <param name="recordingPath">Path of the headset's recording.</param>
     public static async Task<DemoRun> PlayAsync(DemoSettings settings, string recordingPath, CancellationToken cancel)
     {

@@ -19,7 +19,7 @@ interface IDemoHeadset : IDisposable
     /// <summary>Position of the tool without compensation; the origin before the robot is known.</summary>
     ToolPosition HeldTool { get; }
 
-    /// <summary>Number of alarms because the render time left the constant-latency range.</summary>
+    /// <summary>Number of alarms that were raised because the render time left the constant-latency range.</summary>
     int Alarms { get; }
 
     /// <summary>Reports the GPU time of the newest finished frame, as a display driver does.</summary>

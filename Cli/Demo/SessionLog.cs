@@ -11,7 +11,7 @@ sealed class SessionLog
     readonly Lock _gate = new();
     readonly List<SyncExchange> _exchanges = new(ExpectedExchanges);
 
-    // Allocated for all samples at once: it is filled within the frame, and allocations within the frame are measured.
+    // Has the capacity for all samples, because it is filled during frames, and the allocations during frames are measured.
     readonly List<TimeSpan> _latencies;
 
     /// <param name="samples">Expected number of samples. More samples are accepted.</param>

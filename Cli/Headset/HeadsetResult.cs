@@ -14,7 +14,7 @@ sealed record HeadsetResult(
 {
     static readonly JsonSerializerOptions Options = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower, WriteIndented = true };
 
-    /// <param name="CoarseAfterS">Time from the start to the first coarse state.</param>
+    /// <param name="CoarseAfterS">Time from the start to the first coarse or synchronised state.</param>
     /// <param name="SynchronisedAfterS">Time from the start to the first synchronised state.</param>
     /// <param name="OffsetNs">Estimated Φ = C2 − C1 at <paramref name="AtNs"/>; C2 is this machine's monotonic counter.</param>
     /// <param name="EstimatedErrorUs">Estimated error of the offset in either direction, µs.</param>
@@ -57,7 +57,7 @@ sealed record HeadsetResult(
     /// <param name="CurrentShare">Share of frames with a current pose between these two frames.</param>
     public sealed record StretchResult(double FromS, double ToS, double CurrentShare, ErrorResult ToolErrorMm);
 
-    /// <summary>A time without a current pose, including the time before the first one.</summary>
+    /// <summary>A period without a current pose. The period before the first current pose is included.</summary>
     /// <param name="ToS">End of the outage; null if it lasted until the end of the run.</param>
     /// <param name="Pose">State of the pose at the end of the outage.</param>
     /// <param name="Joints">Names of all joints that had no data during the outage, sorted.</param>

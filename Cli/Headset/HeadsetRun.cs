@@ -81,7 +81,7 @@ sealed class HeadsetRun(HeadsetSettings settings, Action<string> say)
             HeadsetVerdict.ReasonOf(statistics, missing));
     }
 
-    // Gets the robot from the gateway. No session can be created without a robot, so this one has the youBot and only waits for the description.
+    // Gets the robot from the gateway. A session cannot be created without a robot, so this one uses the youBot and only waits for the description.
     RobotModel DescribedRobot(CancellationToken cancel)
     {
         using var session = Open(RobotFiles.Load("youbot"));

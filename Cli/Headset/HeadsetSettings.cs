@@ -15,7 +15,7 @@ sealed record HeadsetSettings
     public string Predictor { get; init; }
     public string Estimator { get; init; }
 
-    /// <summary>Profile that replaces <see cref="Visualisation"/>; null for none.</summary>
+    /// <summary>Profile that replaces <see cref="Visualisation"/>; null to use <see cref="Visualisation"/>.</summary>
     public LatencyProfile Profile { get; init; }
 
     public VisualisationLatency Visualisation { get; init; }

@@ -12,8 +12,10 @@ static class HeadsetVerdict
 
     /// <summary>Gets the reason why the run failed, in one line; null if it did not fail.</summary>
     /// <param name="statistics">Statistics at the end of the run.</param>
-    /// <param name="wasTimeTrusted">Whether the clock was accurate enough for a current pose at any time.</param>
-    /// <param name="outages">Times without a current pose. If the state at the end is good, the longest outage gives the reason.</param>
+    /// <param name="wasTimeTrusted">Whether, at any time in the run, the clock was accurate enough for a current pose.</param>
+    /// <param name="outages">
+    /// Periods without a current pose. If no joint is missing and no connection has failed at the end, the longest finished outage gives the reason.
+    /// </param>
     public static string FailureOf(
         HeadsetResult.PoseResult pose, SessionStatistics statistics, bool wasTimeTrusted, IReadOnlyList<HeadsetResult.OutageResult> outages)
     {

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of the command <c>calibrate</c> about options and profiles, with remedies.</summary>
+/// <summary>Error messages and warnings of the command <c>calibrate</c> about options and profiles, with remedies.</summary>
 static class CalibrationMessages
 {
     public static string OtherSweep(string label, string calibrated, string actual) =>

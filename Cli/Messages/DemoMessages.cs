@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Failures and errors of the command <c>demo</c>, with remedies.</summary>
+/// <summary>Messages about failures and errors of the command <c>demo</c>, with remedies.</summary>
 static class DemoMessages
 {
     const string Report = "this is a bug in Nowpose; report it with the command line and the version";

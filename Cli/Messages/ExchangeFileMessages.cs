@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors in logs of sync exchanges.</summary>
+/// <summary>Error messages about logs of sync exchanges.</summary>
 static class ExchangeFileMessages
 {
     public static string NoRows(string path) => $"{path}: no rows below the header; at least one is needed";

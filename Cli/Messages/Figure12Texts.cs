@@ -8,7 +8,7 @@ static class Figure12Texts
         + "and displayed L later. T_s and L may both be inaccurate.";
 
     public static string Conditions(double velocity, double acceleration, double jerk) =>
-        FormattableString.Invariant($"500 mm with limits of {velocity:0} mm/s, {acceleration:0} mm/s² and {jerk:0} mm/s³. The limits are ours, ")
+        FormattableString.Invariant($"500 mm with limits of {velocity:0} mm/s, {acceleration:0} mm/s² and {jerk:0} mm/s³. We chose the limits, ")
         + "because the paper states none. Drawn with 240 points per second.";
 
     public const string SevenPhases = "The profile has seven phases of constant jerk.";

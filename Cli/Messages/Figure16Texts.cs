@@ -17,8 +17,8 @@ static class Figure16Texts
 
     public static string Conditions(string radiusMm, string speed) =>
         $"youBot, first axis forward and back by a quarter turn, arm extended: the tool moves on a circle of {radiusMm} mm radius at up to "
-        + $"{speed} mm/s. Stroke and limits are ours, because the paper states none. Four shorter moves precede it, and no move repeats. The "
-        + "whole chain: samples every 50 ms, stamped in the control system and sent 55 to 105 ms later over simulated WiFi; the clock by "
+        + $"{speed} mm/s. We chose the stroke and the limits, because the paper states none. Four shorter moves precede this move, and no move repeats. "
+        + "The whole chain: samples every 50 ms, stamped in the control system and sent 55 to 105 ms later over simulated WiFi; the clock by "
         + "RANSAC (100 exchanges, 20 hypotheses, moving average of 20); L_visu (true value 40 ms) from pictures of the simulated display. L is "
         + "100 to 150 ms. The plots show the forward move of the first run; the numbers include all runs.";
 

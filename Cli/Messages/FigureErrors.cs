@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors in the computation of figures that only a fault of this program can cause.</summary>
+/// <summary>Messages about errors in the computation of figures. Only a fault in this program can cause these errors.</summary>
 static class FigureErrors
 {
     public const string NoCriterion = "a claim needs at least one criterion";

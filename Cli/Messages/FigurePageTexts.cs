@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of the page and of the table of figures.</summary>
+/// <summary>Text of the page and the table of figures.</summary>
 static class FigurePageTexts
 {
     public const string ClaimColumn = "claim of the paper";
@@ -14,7 +14,7 @@ static class FigurePageTexts
     public const string Motion = "Motion of Figs 12 to 14";
 
     public const string MotionValue =
-        "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; the limits are ours, because the paper states none";
+        "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; we chose the limits, because the paper states none";
 
     public static string Runs(int phases, int clockRuns, string clockSeconds) =>
         $"{phases} with random phases of sampling and frames; clock: {clockRuns} runs of {clockSeconds} s each";

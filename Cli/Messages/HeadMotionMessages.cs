@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of the command <c>calibrate head</c>, with remedies.</summary>
+/// <summary>Error messages and warnings of the command <c>calibrate head</c>, with remedies.</summary>
 static class HeadMotionMessages
 {
     public static string TooFewPictures(int pictures, int min) =>

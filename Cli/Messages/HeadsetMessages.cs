@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Failures and states of the command <c>headset</c>, with remedies.</summary>
+/// <summary>Messages about failures and states of the command <c>headset</c>, with remedies.</summary>
 static class HeadsetMessages
 {
     public static string NoRobot(double seconds, string reason) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and notes of the command <c>kinematics</c>, with the allowed values.</summary>
+/// <summary>Error messages and notes of the command <c>kinematics</c>, with the allowed values.</summary>
 static class KinematicsMessages
 {
     public static string BeyondLimits(string joint, double value, string unit, double lower, double upper) =>

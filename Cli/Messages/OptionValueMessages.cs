@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors in values of options of several verbs.</summary>
+/// <summary>Error messages about invalid values of options that several verbs use.</summary>
 static class OptionValueMessages
 {
     public static string NotABox(string option, string text, int minSide, int maxSide) =>

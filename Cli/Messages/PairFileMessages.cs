@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors in a file of pairs of render time and L_visu.</summary>
+/// <summary>Error messages about a file of pairs of render time and L_visu.</summary>
 static class PairFileMessages
 {
     public static string FieldCount(string path, int row, int fields, int header) =>

@@ -23,6 +23,6 @@ static class PaperFigureTexts
 
     public static string Motion(string radiusMm, string speed, string samplingMs, Gateway.Options.MillisecondRange acquisition, string visuMs, string measuredMs, string addedError) =>
         $"youBot, first axis forward and back by a quarter turn, arm extended: the tool moves on a circle of {radiusMm} mm radius at up to "
-        + $"{speed} mm/s. Stroke and limits are ours, because the paper states none. T_s {samplingMs} ms, acquisition {acquisition} ms, L_visu "
+        + $"{speed} mm/s. We chose the stroke and the limits, because the paper states none. T_s {samplingMs} ms, acquisition {acquisition} ms, L_visu "
         + $"{visuMs} ms; the run measured {measuredMs} ms{addedError}. ";
 }

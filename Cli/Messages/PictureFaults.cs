@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Reasons why a picture gives no L_visu, with remedies.</summary>
+/// <summary>Reasons why L_visu cannot be determined from a picture, with remedies.</summary>
 static class PictureFaults
 {
     const string Unclear = "; use a plain background behind the hologram, or a shorter exposure";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors of picture and video files, with remedies.</summary>
+/// <summary>Error messages about picture and video files, with remedies.</summary>
 static class PictureMessages
 {
     public static string VideoNotAlone(string video) => $"{video}: a video must be the only file; evaluate it separately";

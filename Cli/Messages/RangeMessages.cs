@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings about the constant-latency range, with remedies.</summary>
+/// <summary>Error messages and warnings about the constant-latency range, with remedies.</summary>
 static class RangeMessages
 {
     public static string TooFewPairs(int pairs, int min) => $"pairs: {pairs} are too few to determine a range; take at least {min} pictures";

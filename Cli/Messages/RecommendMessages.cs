@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of the command <c>recommend</c>, with remedies.</summary>
+/// <summary>Error messages and warnings of the command <c>recommend</c>, with remedies.</summary>
 static class RecommendMessages
 {
     public static string TooFewRows(string path) => $"{path}: has too few rows; a recommendation needs enough rows for two halves";

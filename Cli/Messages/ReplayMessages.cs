@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors of the command <c>replay</c>, with remedies.</summary>
+/// <summary>Error messages of the command <c>replay</c>, with remedies.</summary>
 static class ReplayMessages
 {
     public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";

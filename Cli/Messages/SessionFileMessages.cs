@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors in recorded sessions. The reader adds the file and the line.</summary>
+/// <summary>Error messages about recorded sessions. The reader adds the file and the line.</summary>
 static class SessionFileMessages
 {
     public const string NotAString = "must be a string";

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Results and errors of the command <c>calibrate simulate</c>.</summary>
+/// <summary>Results and error messages of the command <c>calibrate simulate</c>.</summary>
 static class SimulationMessages
 {
     public static string Read(int pictures, int read, double readPercent, int misread, double misreadMs) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors and warnings of the command <c>calibrate sine</c>, with remedies.</summary>
+/// <summary>Error messages and warnings of the command <c>calibrate sine</c>, with remedies.</summary>
 static class SineMessages
 {
     public static string NoBox(string option) =>
@@ -50,7 +50,8 @@ static class SineMessages
         + "seconds or more";
 
     public const string BothWays =
-        "--app-ms and --visu-ms exclude each other: film either the ghost, which is not compensated, or the gripper, which is";
+        "--app-ms and --visu-ms exclude each other: use --app-ms if the video shows the ghost, which is not compensated, "
+        + "or --visu-ms if it shows the gripper, which is";
 
     public static string PatchLost(string path, int picture, bool isRobot, double match, double min) => FormattableString.Invariant(
         $"{path}: picture {picture}: the {(isRobot ? "robot's" : "hologram's")} patch is lost (match {match:0.00}, at least {min} is needed); ")

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Texts of the figures that vary one value.</summary>
+/// <summary>Text of the figures for which one condition is varied.</summary>
 static class SweepFigureTexts
 {
     public static string Conditions(string varied) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors in the log of a load sweep.</summary>
+/// <summary>Error messages about the log of a load sweep.</summary>
 static class SweepFileMessages
 {
     public static string Header(string file, int line, string header, string expected) =>

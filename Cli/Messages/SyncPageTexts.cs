@@ -14,7 +14,8 @@ static class SyncPageTexts
 
     /// <param name="logged">Number of exchanges in the log.</param>
     /// <param name="used">Number of valid exchanges.</param>
-    public static string Conditions(int logged, int used) => "t and the offsets count from the first exchange. Θ₂ is the offset at t = 0. "
+    public static string Conditions(int logged, int used) =>
+        "t starts at the first exchange, and the offsets are relative to its offset. Θ₂ is the offset at t = 0. "
         + "The true offset is unknown, so errors are relative to the fit. RTT includes the time at the server, as in the paper."
         + (used == logged ? "" : FormattableString.Invariant($" {logged - used} of {logged} exchanges are invalid and left out."));
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors of the command <c>unity</c> about the package and its samples, with remedies.</summary>
+/// <summary>Error messages of the command <c>unity</c> about the package and its samples, with remedies.</summary>
 static class UnityPackageMessages
 {
     public static string NotAnAddress(string text, string package) =>

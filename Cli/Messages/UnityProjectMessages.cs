@@ -2,7 +2,7 @@ using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Messages;
 
-/// <summary>Errors of the command <c>unity</c> about the project, with remedies.</summary>
+/// <summary>Error messages of the command <c>unity</c> about the project, with remedies.</summary>
 static class UnityProjectMessages
 {
     public static string TooOldForMrtk3(string file, UnityVersion version, Version oldest) =>

@@ -18,7 +18,8 @@ sealed class BlendCost
     }
 
     /// <summary>
-    /// Relative increase of the RMS error with the default blend, over both halves; null without an error, or after a cancellation.
+    /// Relative increase of the RMS error with the default blend, over both halves; null if the error without a blend is zero, or after a
+    /// cancellation.
     /// </summary>
     public double? Share { get; }
 

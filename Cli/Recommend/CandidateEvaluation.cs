@@ -42,7 +42,9 @@ sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
         }
     }
 
-    /// <summary>Gets a verdict for each recording on which the default predictor was evaluated.</summary>
+    /// <summary>
+    /// Gets a verdict for each recording on which the default predictor and at least one other candidate were evaluated on both halves.
+    /// </summary>
     public IReadOnlyList<Verdict> Verdicts() =>
         [.. subjects.Select(subject => (subject, trials: TrialsOn(subject))).Where(s => s.trials.Count > 1).Select(s => new Verdict(s.subject, s.trials))];
 

@@ -11,7 +11,7 @@ interface ISubject
     /// <summary>End-to-end latency L, ms; null if the recording defines it.</summary>
     double? LatencyMs { get; }
 
-    /// <param name="blendMs">Time constant of the blend between sections, ms. If null, the value of the recording; a motion has no blend.</param>
+    /// <param name="blendMs">Time constant of the blend between sections, ms. If null, the recorded value is used, which is 0 for a motion.</param>
     /// <exception cref="InputException">No frame could be scored.</exception>
     ReplayResult Try(string predictor, Half half, double? blendMs = null, CancellationToken cancellation = default);
 }

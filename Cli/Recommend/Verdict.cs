@@ -14,7 +14,7 @@ sealed class Verdict
     public const double MinGain = 0.02;
 
     /// <param name="subject">The recording on which the candidates were evaluated.</param>
-    /// <param name="trials">The results of all candidates, including the default and hold.</param>
+    /// <param name="trials">The results of all candidates, including the default predictor and <c>hold</c>.</param>
     public Verdict(ISubject subject, IReadOnlyCollection<Trial> trials)
     {
         Subject = subject;

@@ -1,6 +1,9 @@
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Uniform random numbers that depend only on seed and purpose, so that a different loss does not change the jitter.</summary>
+/// <summary>
+/// Uniform random numbers that depend only on the seed and on the purpose for which they are used. A different loss, for example, does not change the
+/// jitter.
+/// </summary>
 /// <remarks>
 /// Uses SplitMix64 (Steele, Lea, Flood 2014). The numbers are the same on every machine and independent for consecutive seeds, which
 /// <see cref="Random"/> does not guarantee.

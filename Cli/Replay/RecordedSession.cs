@@ -8,7 +8,7 @@ namespace Nowpose.Cli.Replay;
 /// <summary>The data of a session file that a replay needs, in the order in which the session processed them, in a compact form.</summary>
 sealed class RecordedSession
 {
-    /// <summary>Maximum number of stored values: about 400 MB. A file of the usual maximum size contains a tenth of this number.</summary>
+    /// <summary>Maximum number of stored values, about 400 MB. A session file of the default maximum size contains a tenth of this number.</summary>
     const int MaxNumbers = 50_000_000;
 
     /// <summary>Number of values per pose: position, quaternion and time stamp.</summary>
@@ -172,14 +172,14 @@ sealed class RecordedSession
         Frame,
     }
 
-    /// <summary>An accepted sample, plan or pose, or a displayed frame.</summary>
+    /// <summary>A sample, plan or pose that the replay processes, or a frame.</summary>
     /// <param name="At">t_k of a sample or pose, time stamp of a plan, or display time of a frame.</param>
     /// <param name="IsTimed">Whether the display time of a frame is known; true for other events.</param>
     /// <param name="TimeLine">
     /// Number of the time line, which increases when the session discards all samples. Times of different lines are not comparable.
     /// </param>
     /// <param name="First">Index of the first joint value; for a plan or pose, its index in the list of plans or poses.</param>
-    /// <param name="Count">Number of joint values.</param>
+    /// <param name="Count">Number of joint values of a sample or frame, number of joints of a plan, or 1 for a pose.</param>
     public readonly record struct Event(EventKind Kind, ControlTime At, bool IsTimed, int TimeLine, int First, int Count);
 
     /// <param name="Joint">Index of the joint in the header.</param>

@@ -29,7 +29,10 @@ sealed class SampleFlow
         _stamp = new RandomStream(settings.Seed, 3);
     }
 
-    /// <summary>True t_k, time stamp for the predictor, and values of the recording's columns.</summary>
+    /// <summary>A sample of the recording.</summary>
+    /// <param name="Time">True t_k, s.</param>
+    /// <param name="Stamp">Time stamp that the predictor receives, s: t_k with the error ε_t.</param>
+    /// <param name="Positions">Values of the recording's columns.</param>
     public readonly record struct Sample(double Time, double Stamp, double[] Positions);
 
     /// <summary>Gets the next sample that has arrived by the time of a frame. Frame times must not decrease.</summary>

@@ -85,7 +85,7 @@ sealed class SessionBodies
             _stretches[^1].Samples.Add(new PoseSample(_stretches[^1].Seconds(at), position, rotation));
         }
 
-        /// <summary>Gives the next sample, in the order of the file, to the predictor.</summary>
+        /// <summary>Passes the next sample, in the order of the file, to the predictor.</summary>
         public void Take(double stampError)
         {
             if (_stretch < 0 || _taken == _stretches[_stretch].Samples.Count)

@@ -13,7 +13,9 @@ namespace Nowpose.Cli.Replay;
 /// </remarks>
 sealed class SessionReplay
 {
-    /// <summary>Number of samples after which a joint is scored: the longest history of the available polynomials plus the newest sample.</summary>
+    /// <summary>
+    /// Number of samples after which a joint is scored: the longest history in <see cref="Predictors.Names"/>, 4, plus the newest sample.
+    /// </summary>
     const int SamplesBeforeScoring = 5;
 
     readonly string _path;

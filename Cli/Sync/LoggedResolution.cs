@@ -3,8 +3,8 @@ using Nowpose.Sync;
 namespace Nowpose.Cli.Sync;
 
 /// <summary>
-/// Determines the resolution of the control clock from the time stamps of a log. A PLC stamps the start of its cycle. The differences of
-/// such stamps are multiples of the cycle, and the stamps are half a cycle early on average.
+/// Determines the resolution of the control clock from the time stamps of a log. The time stamps of a PLC are the start times of its cycles.
+/// Their differences are multiples of the cycle time, and the stamps are half a cycle early on average.
 /// </summary>
 static class LoggedResolution
 {
@@ -16,7 +16,7 @@ static class LoggedResolution
 
     /// <summary>
     /// Minimum ratio of the control clock's resolution to the headset clock's. In a synthetic log, both clocks may be rounded to the same
-    /// unit without a cycle of the control system.
+    /// unit although the control system has no cycle.
     /// </summary>
     const int FinerHeadsetClock = 10;
 

@@ -37,8 +37,7 @@ export const loading = {
   loader: { '.urdf': 'text' }, plugins: [withSchemaChecks], define: { NOWPOSE_VERSION: JSON.stringify(version) },
 };
 
-// Removes a self-test of node-opcua. The test delays each start by a second: it generates a 4096-bit key to test a padding that the adapters do not
-// use.
+// Removes a self-test of node-opcua, which delays each start by a second. It generates a 4096-bit key to test a padding that the adapters do not use.
 export const withoutTrial = {
   name: 'without-trial',
   setup: ({ onLoad }) => onLoad({ filter: /node-opcua-secure-channel.*verify_pcks1\.js$/ }, () => ({
@@ -46,7 +45,7 @@ export const withoutTrial = {
   })),
 };
 
-/** Defines require, with which bundled CommonJS packages load Node's modules. */
+/** Code for the beginning of a bundle. It defines `require`, which bundled CommonJS packages use to load Node's modules. */
 export const requireForBundle = `import { createRequire } from 'node:module';
 import { dirname as nowposeDirname } from 'node:path';
 import { fileURLToPath as nowposePath } from 'node:url';

@@ -2,7 +2,7 @@ using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
-/// <summary>Logs the offset and skew of each clock of the control system against C1: once, and again when the offset has changed.</summary>
+/// <summary>Logs the offset and skew of each clock of the control system relative to C1: once, and again when the offset has changed.</summary>
 sealed class ClockComparison : IDisposable
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);

@@ -5,12 +5,14 @@ namespace Nowpose.Gateway.Clock;
 
 /// <summary>One clock of the control system, offered by an adapter, and its estimate from sync exchanges with that adapter.</summary>
 /// <remarks>
-/// In these exchanges, the gateway takes the part of a headset, with this machine's counter as C2. The estimate is kept when the adapter
+/// In these exchanges, the gateway acts like a headset, with this machine's counter as C2. The estimate is kept when the adapter
 /// disconnects, and continues when an adapter offers a clock of the same name again. Thread-safe.
 /// </remarks>
 public sealed class PlantClock
 {
-    /// <summary>Time without an answer after which another adapter may offer this clock, before the pings of a lost connection time out.</summary>
+    /// <summary>
+    /// Time without an answer after which another adapter may offer this clock. It is shorter than the timeout of a lost connection's pings.
+    /// </summary>
     internal static readonly TimeSpan TakeoverTimeout = TimeSpan.FromSeconds(3);
 
     internal const int MaxFailureLength = 200;
@@ -67,7 +69,7 @@ public sealed class PlantClock
     internal bool IsAskedBy(PlantClockCaller caller) => Volatile.Read(ref _caller) == caller;
 
     /// <summary>Sets the adapter that offers this clock. The previous adapter gets no more requests.</summary>
-    /// <returns>False if the clock is not <see cref="IsFree"/>; nothing changes then.</returns>
+    /// <returns>False if <see cref="IsFree"/> is false; the current adapter then remains attached.</returns>
     internal bool TryAttach(PlantClockCaller caller)
     {
         PlantClockCaller former;

@@ -37,7 +37,7 @@ public sealed class PlantClocks
 
     internal IPerformanceCounterClock Counter => _counter;
 
-    /// <summary>Whether a text is a valid name of a clock: 1 to 32 of a–z, 0–9, _ and -.</summary>
+    /// <summary>Whether a string is a valid name of a clock: 1 to 32 characters of a–z, 0–9, _ and -, but not <see cref="Own"/>.</summary>
     public static bool IsName(string text) =>
         text.Length is > 0 and <= 32 && text != Own && text.All(c => c is (>= 'a' and <= 'z') or (>= '0' and <= '9') or '_' or '-');
 

@@ -6,7 +6,10 @@ sealed class SourceStamps
     readonly Second[] _seconds = new Second[StampWatch.Seconds];
     long? _first;
 
-    /// <summary>Minimum ages of the samples in the first seconds, as the reference for later samples; null until there are enough samples.</summary>
+    /// <summary>
+    /// Minimum ages of the samples in the first <see cref="StampWatch.Seconds"/> consecutive seconds in which all stamps were plausible and neither
+    /// clock was corrected; null before. They are the reference for later samples.
+    /// </summary>
     public MinAges? Usual { get; set; }
 
     /// <param name="now">Number of the current second.</param>

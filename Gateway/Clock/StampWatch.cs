@@ -66,13 +66,13 @@ sealed class StampWatch(
     public bool IsContradicted => Found is { IsContradiction: true };
 
     /// <summary>
-    /// The sources whose accepted samples have been in the future for at least <see cref="Seconds"/> seconds, and by how much, as text.
+    /// The sources whose accepted samples have been in the future for at least <see cref="Seconds"/> seconds, each with the length of time as text.
     /// </summary>
     public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
 
     long Now => time.GetTimestamp() / time.TimestampFrequency;
 
-    /// <summary>Takes the stamp of a sample.</summary>
+    /// <summary>Records the stamp of a sample.</summary>
     /// <param name="isRefused">Whether the sample was refused because its stamp is in the future.</param>
     public void Add(HubSource source, ControlTime stamp, bool isRefused)
     {

@@ -13,7 +13,7 @@ namespace Nowpose.Gateway.Codes;
 /// The page contains no data and needs no token, because a browser that opens an address cannot send a token. A request for the time needs
 /// a token if the gateway has tokens. The page requests the time by POST, because browsers always send the Origin header with it.
 /// </remarks>
-/// <param name="html">Null if the page was not built.</param>
+/// <param name="html">The page; null if it was not built.</param>
 sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/vlc";
@@ -24,7 +24,9 @@ sealed class CodePage(GatewayOptions options, IControlClock clock, AccessControl
 
     public bool IsBuilt => _page.IsBuilt;
 
-    /// <summary>Answers requests for the page and for the time. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>
+    /// Answers requests for the page and for the time. Passes all other requests to the next handler, including WebSocket requests to these paths.
+    /// </summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         // Reads the time first, because any work before it would count as network latency.

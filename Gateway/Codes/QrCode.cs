@@ -4,7 +4,9 @@ using QRCoder;
 
 namespace Nowpose.Gateway.Codes;
 
-/// <summary>A text as a QR code of the smallest version with error correction level M, with the required white margin of four modules.</summary>
+/// <summary>
+/// Encodes text as a QR code: the smallest version that fits at error correction level M, with the required quiet zone of four modules.
+/// </summary>
 sealed class QrCode : IDisposable
 {
     const int Margin = 4;

@@ -31,7 +31,7 @@ static class ConfigurationFile
         {
             wrong.Add($"{path}:{broken.Start.Line}: not valid YAML: {(broken.InnerException ?? broken).Message.ReplaceLineEndings(" ")}");
         }
-        // YamlDotNet's parser also throws these for some invalid texts, for example for a plain word in an unclosed flow mapping.
+        // YamlDotNet's parser also throws these for some invalid input, for example for a plain word in an unclosed flow mapping.
         catch (Exception broken) when (broken is InvalidOperationException or ArgumentException or IndexOutOfRangeException or EndOfStreamException)
         {
             wrong.Add(ConfigurationMessages.NotYaml(PlaceOf(path, parser.Current)));

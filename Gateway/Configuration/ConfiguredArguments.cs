@@ -13,7 +13,7 @@ sealed class ConfiguredArguments
 
     readonly ConfiguredPlaces _places = new();
 
-    /// <summary>Maps the key of an entry that is a list to the option of one element.</summary>
+    /// <summary>Maps the key of a list to the option that each element of the list sets.</summary>
     static readonly Dictionary<string, string> Plurals = new() { ["plants"] = "plant" };
 
     // Options that a configuration file must not contain.

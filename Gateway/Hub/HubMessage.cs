@@ -26,7 +26,7 @@ public sealed class HubMessage
     /// <summary>The topic without the robot's namespace; null for topics of the cell.</summary>
     internal string Kind { get; private init; }
 
-    /// <summary>Namespace of the robot; empty for none.</summary>
+    /// <summary>Namespace of the robot; empty if it has none.</summary>
     internal string Robot { get; private init; } = "";
 
     /// <summary>The cell-wide names of the joints in a joint state: <c>arm1/a</c> for the joint a of the robot arm1.</summary>
@@ -38,7 +38,7 @@ public sealed class HubMessage
     /// <summary>The source, or null if unknown.</summary>
     internal HubSource Source { get; }
 
-    /// <summary>The deserialised message: an object of the topic's type, or a text for the robot description.</summary>
+    /// <summary>The deserialised message: an object of the topic's type, or a string for the robot description.</summary>
     public object Content { get; }
 
     /// <summary>
@@ -49,7 +49,7 @@ public sealed class HubMessage
     public static HubMessage Of(JointStateMessage message, long receivedAt, HubSource source = null) =>
         Of("", message, message.Names, receivedAt, source);
 
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <param name="joints">See <see cref="Joints"/>.</param>
     internal static HubMessage Of(string robot, JointStateMessage message, string[] joints, long receivedAt, HubSource source)
     {
@@ -80,12 +80,12 @@ public sealed class HubMessage
     internal static HubMessage Of(SignalsMessage message, long receivedAt, HubSource source) => new(
         RosTopics.Signals, message, receivedAt, form => RosbridgeWriter.PublishSignals(RosTopics.Signals, message, form), source);
 
-    /// <summary>Creates a message with the joints that are not live, for headsets.</summary>
+    /// <summary>Creates the message with the list of joints that are not live, for headsets.</summary>
     internal static HubMessage JointStatus(DiagnosticsMessage message) => new(
         RosTopics.JointStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.JointStatus, message, form));
 
-    /// <summary>Creates a message with the signals whose source has ended, for headsets.</summary>
+    /// <summary>Creates the message with the list of signals whose source has ended, for headsets.</summary>
     internal static HubMessage SignalStatus(DiagnosticsMessage message) => new(
         RosTopics.SignalStatus, message, Stopwatch.GetTimestamp(),
         form => RosbridgeWriter.PublishDiagnostics(RosTopics.SignalStatus, message, form));
@@ -100,7 +100,7 @@ public sealed class HubMessage
 
     public static HubMessage Description(string urdf) => Description(urdf, "");
 
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     internal static HubMessage Description(string urdf, string robot)
     {
         var topic = RobotTopic.NameOf(robot, RosTopics.RobotDescription);

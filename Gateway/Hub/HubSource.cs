@@ -31,11 +31,11 @@ public sealed class HubSource : IDisposable
     internal string Title => Name == Unnamed && Address != null ? $"{Name} {Address}" : Name;
 
     /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
-    /// <param name="receivedAt">Time at which the last byte of the message was read, a count of <see cref="Stopwatch"/>; null for now.</param>
+    /// <param name="receivedAt">Count of <see cref="Stopwatch"/> at which the last byte of the message was read; null for the current time.</param>
     /// <returns>The name of the joint that belongs to another source; null if the message was published.</returns>
     public string TryPublish(JointStateMessage message, long? receivedAt = null) => Publish(message, receivedAt)?.What;
 
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <returns>Null if the message was published.</returns>
     /// <inheritdoc cref="TryPublish(JointStateMessage, long?)"/>
     internal Refusal? Publish(JointStateMessage message, long? receivedAt = null, string robot = "")
@@ -103,10 +103,10 @@ public sealed class HubSource : IDisposable
 
     internal void Publish(DiagnosticsMessage message) => _hub.Publish(HubMessage.Of(message, this));
 
-    /// <summary>Publishes the joints that are not live; the newest message is kept for later subscribers.</summary>
+    /// <summary>Publishes the list of joints that are not live, with their states. The newest message is kept for later subscribers.</summary>
     internal void PublishJointStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.JointStatus(message));
 
-    /// <summary>Publishes the signals whose source has ended; the newest message is kept for later subscribers.</summary>
+    /// <summary>Publishes the list of signals whose source has ended; the newest message is kept for later subscribers.</summary>
     internal void PublishSignalStatus(DiagnosticsMessage message) => _hub.PublishNewest(this, HubMessage.SignalStatus(message));
 
     /// <summary>Publishes the version of the gateway, which is kept for later subscribers.</summary>
@@ -122,7 +122,7 @@ public sealed class HubSource : IDisposable
     internal bool MayPublish(SignalsMessage message) => _hub.IsFree(this, message);
 
     /// <summary>Reports a sample that was dropped because of its content.</summary>
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <param name="names">The joints named in the sample, as far as they can be read.</param>
     internal void ReportDropped(string robot, string[] names, string reason) => _hub.ReportDropped(this, robot, names, reason);
 

@@ -56,7 +56,7 @@ public sealed class MessageHub
     internal event Action<HubSource> SourceLeft;
 
     /// <summary>Gets the description of a robot; null until a source has published one.</summary>
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     internal string DescriptionOf(string robot)
     {
         lock (_lock) return (string)_descriptions.GetValueOrDefault(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content;
@@ -192,7 +192,7 @@ public sealed class MessageHub
     }
 
     /// <summary>Records that a source publishes on a topic of a robot.</summary>
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <returns>A refusal if there are too many robots; otherwise null.</returns>
     internal Refusal? Use(HubSource source, string robot, string kind)
     {
@@ -210,7 +210,7 @@ public sealed class MessageHub
     }
 
     /// <summary>Makes a source the owner of all names on a robot's topic, or of none if one name belongs to another source.</summary>
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <returns>The refusal with the name that belongs to another source; null if the source owns all names.</returns>
     internal Refusal? Claim(HubSource source, string robot, string kind, string[] names)
     {

@@ -66,7 +66,7 @@ static class MessageParts
         if (count > 0) yield return start == 0 ? message : part(message, index => index >= start);
     }
 
-    /// <summary>Returns an upper bound of the length of a text in JSON, in bytes.</summary>
+    /// <summary>Returns an upper bound of the length of a string in JSON, in bytes.</summary>
     public static int BytesOf(string name)
     {
         var bytes = 0;

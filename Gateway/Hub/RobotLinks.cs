@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The links of all robots that have a description, by their cell-wide names. Thread-safe.</summary>
-/// <remarks>A description is parsed in the background, because parsing is slow. Its links are unknown until the end.</remarks>
+/// <remarks>A description is parsed in the background, because parsing is slow. Its links are unknown until parsing has finished.</remarks>
 sealed class RobotLinks
 {
     readonly Lock _lock = new();
@@ -15,7 +15,7 @@ sealed class RobotLinks
     /// <summary>Completes when all descriptions passed so far are parsed.</summary>
     internal Task Read { get; private set; } = Task.CompletedTask;
 
-    /// <param name="robot">Namespace of the robot; empty for none.</param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     public void Describe(string robot, string urdf)
     {
         lock (_lock)

@@ -12,7 +12,7 @@ sealed class RobotRegistry
     public IEnumerable<string> Names => _robots.Select(one => one.Robot);
 
     /// <summary>Records that a source publishes on a topic of a robot.</summary>
-    /// <param name="removed">A robot without a source that was removed to make room for the new robot; null for none.</param>
+    /// <param name="removed">A robot without a source that was removed to make room for the new robot; null if none was removed.</param>
     /// <returns>False if the maximum number of robots is reached.</returns>
     public bool TryUse(string robot, HubSource source, string topic, out string removed)
     {
@@ -39,7 +39,7 @@ sealed class RobotRegistry
 
     /// <summary>Records that a source ends.</summary>
     /// <param name="topic">The topic on which the source ends; null for all topics.</param>
-    /// <param name="isKept">Whether a robot stays without a source.</param>
+    /// <param name="isKept">Returns whether a robot stays in the registry without a source.</param>
     public void Release(HubSource source, string topic, Predicate<string> isKept)
     {
         foreach (var (_, users) in _robots) users.RemoveWhere(user => user.Source == source && (topic == null || user.Topic == topic));

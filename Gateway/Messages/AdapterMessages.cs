@@ -2,7 +2,7 @@ using System.Net;
 
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Errors of adapters and their configurations, with remedies.</summary>
+/// <summary>Error messages about adapters and their configurations, with remedies.</summary>
 static class AdapterMessages
 {
     public static string Ended(string file, string end, double seconds) =>

@@ -2,7 +2,7 @@ using System.Net;
 
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Errors of options for addresses, ports and encryption, with remedies.</summary>
+/// <summary>Error messages about options for addresses, ports and encryption, with remedies.</summary>
 static class AddressOptionMessages
 {
     public static string TokensWithoutTls(IPAddress address) =>

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Faults in messages about frames and signals, after the name of the frame or signal.</summary>
+/// <summary>Descriptions of faults in messages about frames and signals. The name of the frame or signal precedes them.</summary>
 static class CellMessageFaults
 {
     public const string OwnParent = "is its own parent";

@@ -4,7 +4,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Texts for clients about a dropped message, with the rule that the message broke and the limit.</summary>
+/// <summary>Messages to clients about a dropped message, with the rule that the message broke and the limit.</summary>
 static class DropMessages
 {
     public static string Of(DropReason reason) => reason switch
@@ -19,7 +19,7 @@ static class DropMessages
         DropReason.MissingField => "a field is missing or empty",
         DropReason.WrongType => "a field or topic has the wrong type",
         DropReason.DuplicateField => "a field occurs twice",
-        DropReason.OutOfRange => "a number is out of range",
+        DropReason.OutOfRange => "a number is outside the allowed range of its field; check the units and values of the message",
         DropReason.UnknownTopic => "the gateway has no such topic to publish on",
         DropReason.UnknownService => "no such service",
         DropReason.TooManyTopics => $"the client exceeds the maximum of {ProtocolLimits.TopicsPerClient} topics",

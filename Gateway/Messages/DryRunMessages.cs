@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Results and errors of a check of the configuration.</summary>
+/// <summary>Results of a check of the configuration, and error messages about it.</summary>
 static class DryRunMessages
 {
     public static string RecordingsAreAFile(string path) => $"--recordings {path}: is a file; a folder is needed";

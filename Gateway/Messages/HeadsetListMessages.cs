@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Texts and errors of the list of paired headsets.</summary>
+/// <summary>Header of the file that lists the paired headsets, and error messages about this file.</summary>
 static class HeadsetListMessages
 {
     public const string Head = "# Headsets that this gateway has paired. Remove a line to revoke its token; its connections end immediately.\n";

@@ -2,7 +2,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Errors and warnings about the certificate and its file, with remedies.</summary>
+/// <summary>Error messages and warnings about the certificate and its file, with remedies.</summary>
 static class KeyFileMessages
 {
     public static string OtherKey(string path, CertificatePin pin) =>

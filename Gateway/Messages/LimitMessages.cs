@@ -1,13 +1,14 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers to connections and requests beyond a limit, and errors of the limits.</summary>
+/// <summary>Answers to connections and requests beyond a limit, and error messages about the limits.</summary>
 static class LimitMessages
 {
     public static string Connections(int max) => $"no more than {max} connections are allowed";
     public static string Requests(int max) => $"no more than {max} requests a second are allowed";
 
     public static string NoDescriptor(ulong number, ulong allowed, ulong spare) =>
-        $"file descriptor {number} of {allowed} is one of the last {spare}, which are kept free; raise the limit or reduce --max-connections";
+        $"connection closed: its file descriptor {number} is one of the last {spare} of {allowed}, which are kept free; raise the limit on open "
+        + "files (ulimit -n, or LimitNOFILE= of the systemd unit) or reduce --max-connections";
 
     public static string BodyBytes(int max) => $"no more than {max} bytes are allowed";
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Errors in recorded motions. The reader adds the file and the row.</summary>
+/// <summary>Error messages about recorded motions. The reader adds the file and the row.</summary>
 static class MotionFileMessages
 {
     public const string TimeNotANumber = "a time must be a number";

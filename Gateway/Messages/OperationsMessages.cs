@@ -2,7 +2,7 @@ using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers of the operations page and lines about it in the log.</summary>
+/// <summary>Answers of the operations page, and log lines about it.</summary>
 static class OperationsMessages
 {
     public const string PageMissing =

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Errors of options, with the allowed values.</summary>
+/// <summary>Error messages about options, with the allowed values.</summary>
 static class OptionMessages
 {
     public static string UnknownChoice(string option, string value, string allowed) => $"{option}: '{value}' is not known; allowed: {allowed}.";

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers of the pairing page and of the pairing service, and lines about them in the log.</summary>
+/// <summary>Answers of the pairing page and of the pairing service, and log lines about them.</summary>
 static class PairingServiceMessages
 {
     public static string MarkerSize(string text) => $"marker size: '{text}' is not a size; allowed: 10 to 999 mm";
@@ -17,7 +17,8 @@ static class PairingServiceMessages
 
     public static string TokenGiven(string headset) => $"pairing: headset '{headset}' received a token";
 
-    public const string WrongCodeLog = "pairing: refused a wrong code";
+    /// <param name="peer">Address from which the code came.</param>
+    public static string WrongCodeLog(string peer) => $"pairing: refused a wrong code from {peer}";
     public const string WrongCode = "this is not the current code; read the current one";
     public const string NotJson = "the request must be a JSON object of strings with a Content-Length";
 }

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Errors of simulated and recorded plants.</summary>
+/// <summary>Error messages about simulated and recorded plants.</summary>
 static class PlantMessages
 {
     public const string SamplingTime = "must be at least one control cycle of 1 ms";

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Answers to requests of rosbridge clients, and lines about them in the log.</summary>
+/// <summary>Answers to requests of rosbridge clients, and log lines about them.</summary>
 static class RequestMessages
 {
     public static string ClosedForRate(Closure why) => $"websocket: closed a connection (reason: {why})";

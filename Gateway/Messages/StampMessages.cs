@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Contradictions between time stamps and the control clock, with remedies.</summary>
+/// <summary>Messages about time stamps that contradict the control clock, with remedies.</summary>
 static class StampMessages
 {
     public const string AgreeAgain = "clock: time stamps and control clock agree again";
@@ -20,7 +20,7 @@ static class StampMessages
         FormattableString.Invariant($"the system clock was corrected by {seconds:+0.0;-0.0} s since the start, and the gateway's own control clock ")
         + "did not follow. Time stamps that a source takes from the system clock are wrong by this amount";
 
-    /// <returns>Empty without other sources.</returns>
+    /// <returns>The end of a sentence about one source, which names the other sources; empty if there are none.</returns>
     public static string SameFor(IReadOnlyCollection<string> sources) =>
         sources.Count == 0 ? "" : $"; the same is true of {string.Join(", ", sources)}";
 

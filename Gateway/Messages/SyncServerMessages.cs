@@ -1,12 +1,12 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Lines about the clock synchronisation in the log.</summary>
+/// <summary>Log lines about the clock synchronisation.</summary>
 static class SyncServerMessages
 {
     public static string NotAccepted(string kind, string reason) => $"sync: a connection could not be accepted ({kind}: {reason})";
     public static string Refused(int max) => $"sync: refused a connection, because {max} connections are open, which is the maximum";
 
-    /// <param name="cause">Null if it is unknown or needs no text.</param>
+    /// <param name="cause">The exception that ended the connection; null if it is unknown or need not be logged.</param>
     public static string Closed(Closure why, Exception cause) => cause == null
         ? $"sync: closed a connection (reason: {why})"
         : $"sync: closed a connection (reason: {why}): {cause.GetType().Name}: {cause.Message}";

@@ -1,6 +1,6 @@
 namespace Nowpose.Gateway.Messages;
 
-/// <summary>Errors in the file of tokens.</summary>
+/// <summary>Error messages about the token file.</summary>
 static class TokenFileMessages
 {
     const string Lines = "\"observer TOKEN\", \"source TOKEN\" or \"operator TOKEN\"";

@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Operations;
 
 /// <summary>Serves the operations page and its login. Other routes below the same path serve the data for the page.</summary>
 /// <remarks>The page needs no token, because it contains no data, only the login form.</remarks>
-/// <param name="html">Null if the page was not built.</param>
+/// <param name="html">The page; null if it was not built.</param>
 sealed class OperationsRoutes(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
 {
     public const string Path = "/operations";

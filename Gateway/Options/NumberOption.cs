@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Options;
 /// <summary>Creates options that take a number within a range. An invalid value gives one line with option, value, unit and range.</summary>
 public static class NumberOption
 {
-    /// <param name="unit">Unit written after numbers in messages, such as "ms" or "s"; empty for none.</param>
+    /// <param name="unit">Unit written after numbers in messages, such as "ms" or "s"; empty if the numbers have no unit.</param>
     public static Option<T> Create<T>(string name, string description, T standard, T min, T max, string unit)
         where T : INumber<T>
     {

@@ -14,7 +14,7 @@ namespace Nowpose.Gateway.Pairing;
 /// Anyone who can open the page can pair a headset. On another machine, an operator first logs in on the operations page. Alternatives are a
 /// tunnel to this machine, and the verb "pair", which shows the code on a terminal.
 /// </remarks>
-/// <param name="html">Null if the page was not built.</param>
+/// <param name="html">The page; null if it was not built.</param>
 sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl accessControl, string html)
 {
     readonly HtmlPage _page = new(html);
@@ -45,7 +45,8 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
     }
 
     /// <summary>
-    /// Answers POST /pair/cell with the text of the marker's code for name, host, offset and size_mm. Without a name, answers with the defaults.
+    /// Answers POST /pair/cell. If the request has a name, the answer contains the text of the marker's code for name, host, offset and size_mm.
+    /// Otherwise, the answer contains the default name, the possible hosts, and whether the gateway has a certificate pin.
     /// </summary>
     public async Task SendCellAsync(HttpContext context)
     {

@@ -49,7 +49,7 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
 
         _wrong.Count(context.Connection.RemoteIpAddress);
         counters.Count(Closure.Token);
-        log(PairingServiceMessages.WrongCodeLog);
+        log(PairingServiceMessages.WrongCodeLog($"{context.Connection.RemoteIpAddress}"));
         return AccessControl.AnswerAsync(context, StatusCodes.Status401Unauthorized, PairingServiceMessages.WrongCode);
     }
 }

@@ -19,7 +19,7 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>Whether the file configures objects or signals.</summary>
     public bool HasObjects { get; init; }
 
-    /// <summary>The URDF that the adapter publishes for the robot without a namespace; null for none.</summary>
+    /// <summary>The URDF that the adapter publishes for the robot without a namespace; null if it publishes none.</summary>
     public string Robot { get; init; }
 
     /// <summary>The URDFs that the adapter publishes for robots with a namespace, by namespace.</summary>
@@ -29,7 +29,7 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// Whether the plants of a gateway must send joint positions. False for a cell with objects and signals but without a robot.
     /// </summary>
     /// <param name="plants">All plants of the gateway.</param>
-    /// <param name="robot">The URDF that the gateway itself publishes; null for none.</param>
+    /// <param name="robot">The URDF that the gateway itself publishes; null if it publishes none.</param>
     public static bool ExpectsJoints(IReadOnlyCollection<PlantFile> plants, string robot) => plants.Count > 0
         && (robot != null || !plants.Any(plant => plant.HasObjects)
             || plants.Any(plant => plant.Joints.Count > 0 || plant.PassesUnlisted || plant.Robot != null || plant.Robots.Count > 0));
@@ -39,7 +39,7 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// named NAMESPACE/JOINT.
     /// </summary>
     /// <param name="plants">All plants of a gateway.</param>
-    /// <param name="robot">The URDF that the gateway itself publishes; null for none.</param>
+    /// <param name="robot">The URDF that the gateway itself publishes; null if it publishes none.</param>
     public static IReadOnlyList<string> MissingJoints(IReadOnlyCollection<PlantFile> plants, string robot)
     {
         var published = plants.SelectMany(plant => plant.Joints).ToHashSet();

@@ -15,11 +15,12 @@ public sealed class RecordedMotion : IMotion
     readonly double[] _rest;
 
     /// <summary>
-    /// Assigns the columns to joints by name. If one column has a name that is not a joint of the robot, assigns all columns in the order of
+    /// Assigns the columns to joints by name. If any column has a name that is not a joint of the robot, assigns all columns in the order of
     /// the robot's joints.
     /// </summary>
     /// <remarks>
-    /// A joint without a column stays at 0, or at its limit nearest to 0. A mimic joint without a column follows the joint that it mimics.
+    /// A joint without a column stays at 0 or, if its limits exclude 0, at the limit nearest to 0. A mimic joint without a column follows the joint
+    /// that it mimics.
     /// </remarks>
     /// <exception cref="InputException">
     /// The recording has more columns than the robot has joints, or the robot has too many joints.

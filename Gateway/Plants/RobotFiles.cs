@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>Loads robot models: an included robot by its name, any other by the path of its URDF.</summary>
+/// <summary>Loads robot models: an included robot by its name, or another robot by the path of its URDF.</summary>
 public static class RobotFiles
 {
     static readonly string[] Included = ["youbot", "ur5", "ur3e", "ur5e", "ur10e", "ur16e"];

@@ -23,7 +23,7 @@ sealed class RecordedFile
 
     /// <param name="path">Path of the file.</param>
     /// <param name="open">Creates the file at its path; called on the writing thread.</param>
-    /// <param name="cell">Name of the cell; null for none.</param>
+    /// <param name="cell">Name of the cell; null if it has no name.</param>
     /// <param name="robot">The robot described in the file's header.</param>
     /// <param name="startedUtc">Start of the recording, UTC.</param>
     public RecordedFile(string path, Func<string, LineFile> open, string cell, DescribedRobot robot, DateTime startedUtc)

@@ -49,7 +49,7 @@ public sealed class Recorder : IAsyncDisposable
     volatile bool _isWanted;
     DescribedRobot _robot = DescribedRobot.None;
     bool _isDisposed;
-    // Sums over the earlier files since the recorder was enabled.
+    // Numbers of written and of missing records in the earlier files since the recorder was enabled.
     long _linesBefore, _lostBefore;
 
     /// <param name="open">Creates a file at a path that does not exist yet; null to create files on the disk.</param>

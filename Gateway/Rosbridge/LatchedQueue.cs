@@ -12,7 +12,7 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <remarks>
 /// The hub publishes and reads latched values under its lock, so that no value is missed and no older value follows a newer one.
 /// </remarks>
-/// <param name="lost">Counts one message that is not sent.</param>
+/// <param name="lost">Called for each message that is not sent.</param>
 sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queue, Action lost)
 {
     const long None = long.MaxValue;

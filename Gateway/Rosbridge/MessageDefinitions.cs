@@ -34,7 +34,7 @@ sealed class MessageDefinitions(bool isRos2)
     public string Spelled(string type) => isRos2 && !type.Contains("/msg/", StringComparison.Ordinal)
         ? type.Replace("/", "/msg/", StringComparison.Ordinal) : type;
 
-    /// <summary>Gets the definitions of a type and of all nested types as one text; empty for an unknown type.</summary>
+    /// <summary>Gets the definitions of a type and of all nested types as one string; empty for an unknown type.</summary>
     public string FullText(string type)
     {
         var types = WithParts(Plain(type));

@@ -14,7 +14,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
 
     /// <summary>Checks the stamps of a message.</summary>
     /// <param name="stamp">The newest stamp, on C1; zero for a message without a stamp.</param>
-    /// <param name="rule">Text with the frame and the rule that its stamp breaks; null to use the text of the reason.</param>
+    /// <param name="rule">Names the frame and the rule that its stamp breaks; null if the text of the reason is sufficient.</param>
     /// <returns><see cref="DropReason.None"/> for valid stamps.</returns>
     public DropReason Judge(RosbridgeMessage message, out ControlTime stamp, out string rule)
     {
@@ -71,7 +71,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
         return message.Signals is { } signals ? source.MayPublish(signals) : source.MayPublish(message.Transforms);
     }
 
-    // Converts the stamp to C1 if the client stamps with another clock of the plant.
+    // Converts the stamp to C1 if the client stamps with another clock of the plant, and checks that it is not in the future.
     DropReason Judge(ref ControlTime stamp)
     {
         if (!clock.TryMap(offers.StampClock, stamp, out stamp))

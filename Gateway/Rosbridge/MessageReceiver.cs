@@ -12,7 +12,9 @@ sealed class MessageReceiver(
 {
     const int FirstBytes = 4096;
 
-    /// <summary>The topic with a higher limit of the message length. Without its slash, because JSON may contain it as "\/".</summary>
+    /// <summary>
+    /// Topic whose messages may be longer than others. Stored without its leading slash, because JSON may escape the slash as "\/".
+    /// </summary>
     static readonly byte[] LongTopic = Encoding.UTF8.GetBytes(RosTopics.RobotDescription.TrimStart('/'));
 
     /// <summary>Pause after a message beyond the client's rate limit. TCP flow control then slows the client down.</summary>

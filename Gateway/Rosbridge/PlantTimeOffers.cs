@@ -11,7 +11,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
 
     /// <summary>
     /// The clock with which this client stamps its messages: the first clock that it offered, even if another client serves the clock at
-    /// present. Null for a client that offers none.
+    /// present. Null if the client offers no clock.
     /// </summary>
     public PlantClock StampClock { get; private set; }
 

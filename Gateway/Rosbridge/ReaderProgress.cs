@@ -46,7 +46,7 @@ sealed class ReaderProgress : IDisposable
 
     /// <param name="sendPing">Sends a ping with a payload, after all data sent before.</param>
     /// <param name="unanswered">
-    /// Called once, when the messages to a client that does not answer pings are limited to an assumed read rate; null for no call.
+    /// Called once, when the messages to a client that does not answer pings are limited to an assumed read rate; null if no call is needed.
     /// </param>
     public ReaderProgress(
         Func<ReadOnlyMemory<byte>, Task> sendPing, TimeSpan pingInterval, TimeSpan pongTimeout, TimeProvider time, Action unanswered = null)
@@ -65,7 +65,7 @@ sealed class ReaderProgress : IDisposable
     /// <summary>Gets the timeout within which a client must read a number of bytes and answer.</summary>
     public TimeSpan TimeoutFor(long bytes) => _pongTimeout + TimeSpan.FromSeconds(bytes / MinBytesPerSecond);
 
-    /// <summary>Time until which messages last had to wait for the client, a timestamp of the time provider.</summary>
+    /// <summary>Time at which the last wait of a message for the client ended, a timestamp of the time provider.</summary>
     public long WaitedUntil { get; private set; } = long.MinValue;
 
     /// <summary>Waits until a message may be sent.</summary>

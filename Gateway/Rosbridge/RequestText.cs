@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
-/// <summary>Texts about a client's request, for replies.</summary>
+/// <summary>Describes a client's request in replies.</summary>
 static class RequestText
 {
     public const string KnownOperations = "subscribe, unsubscribe, advertise, unadvertise, publish, call_service, advertise_service, unadvertise_service, "
@@ -19,7 +19,7 @@ static class RequestText
     public static string TypeRule(RosbridgeMessage message) =>
         RequestMessages.OtherType(message.Topic, Publications.TypeOf(message.RobotTopic), Short(message.Type));
 
-    /// <summary>Shortens a client's text to the maximum length of a name, for replies.</summary>
+    /// <summary>Shortens a string from a client to the maximum length of a name, for replies.</summary>
     public static string Short(string text) =>
         text?.Length > ProtocolLimits.NameLength ? string.Concat(text.AsSpan(0, ProtocolLimits.NameLength - 1), "…") : text;
 }

@@ -26,13 +26,13 @@ sealed class RosapiCall : IDisposable
     /// <summary>All topics with their types, in ROS 1 names.</summary>
     public IEnumerable<KeyValuePair<string, string>> Topics => Publications.With(_hub.Robots);
 
-    /// <summary>Namespaces of the robots that have a description. The robot without a namespace is the empty text.</summary>
+    /// <summary>Namespaces of the robots that have a description. The empty string stands for the robot without a namespace.</summary>
     public IEnumerable<string> DescribedRobots => _hub.Robots.Prepend("").Where(robot => DescriptionOf(robot) != null);
 
     /// <summary>Gets the description of a robot; null if there is none.</summary>
     public string DescriptionOf(string robot) => _hub.DescriptionOf(robot);
 
-    /// <summary>Gets a text argument; null if it is missing.</summary>
+    /// <summary>Gets a string argument; null if it is missing.</summary>
     public string Argument(string name) => _text.RootElement.TryGetProperty("args", out var args) ? Text(args, name) : null;
 
     public void Dispose() => _text.Dispose();

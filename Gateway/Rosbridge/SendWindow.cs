@@ -5,8 +5,8 @@ namespace Nowpose.Gateway.Rosbridge;
 /// The buffers between the gateway and the client's read call (TLS, both kernels, proxies) can hold seconds of samples for a slow reader, and
 /// no system call reports the content of all of them. Instead, pings are sent in the stream: a pong confirms that the client has read all
 /// bytes before the ping. The window is the number of bytes that the client reads in about <see cref="Target"/>. Each ping is sent in a
-/// separate packet, because TCP then detects a lost packet sooner. With pings in the packets of messages, the error reduction over lossy
-/// links is 86 instead of 94 % (Benchmarks -- links). Takes the time as an argument; not thread-safe.
+/// separate packet, because TCP then detects a lost packet sooner. If pings were sent in the packets of messages, the error reduction over
+/// lossy links would be 86 % instead of 94 % (Benchmarks -- links). Takes the time as an argument; not thread-safe.
 /// </remarks>
 sealed class SendWindow
 {
@@ -32,7 +32,9 @@ sealed class SendWindow
 
     const double QuickBytesPerSecond = 3500;
 
-    /// <summary>Maximum number of bytes between two pings. With more pings, TCP detects more lost packets early.</summary>
+    /// <summary>
+    /// Maximum number of bytes after which a ping is due, except to a near client. With more frequent pings, TCP detects more lost packets early.
+    /// </summary>
     const int PingBytes = 1280;
 
     /// <summary>Number of bytes after which a ping to a near client is due. A near client answers within <see cref="Near"/>.</summary>
@@ -64,7 +66,8 @@ sealed class SendWindow
     internal static readonly TimeSpan MaxReadTime = TimeSpan.FromMilliseconds(850);
 
     /// <summary>
-    /// Number of consecutive pongs later than <see cref="MaxReadTime"/> after which the client is too slow. A lossy network delays single pongs.
+    /// Number of consecutive pongs later than <see cref="MaxReadTime"/> after which the client counts as too slow. More than one is required,
+    /// because a lossy network delays single pongs.
     /// </summary>
     internal const int MaxLatePongs = 5;
 
@@ -86,7 +89,7 @@ sealed class SendWindow
     /// <summary>
     /// Time in which a client should read a full window on a lossy path. After a lost packet, TCP delivers nothing for about 0.3 s, and then all
     /// waiting data at once. If the window closes in this time, the newest samples are sent a round trip later. With <see cref="Target"/>, the
-    /// error reduction over the link "bad" is 71 instead of 93 % (Benchmarks -- links).
+    /// error reduction over the link "bad" would be 71 % instead of 93 % (Benchmarks -- links).
     /// </summary>
     static readonly TimeSpan LossyTarget = TimeSpan.FromMilliseconds(500);
 

@@ -49,8 +49,8 @@ sealed class Subscription : IDisposable
 
     /// <summary>Sends messages until the subscription is disposed or sending fails.</summary>
     /// <param name="send">
-    /// Waits until the client has room for a message, then calls its argument to select a message, and sends that message. The argument takes
-    /// the time until which messages last had to wait for the client, a count of <see cref="Stopwatch"/>.
+    /// Waits until the client has room for a message, then calls its argument to select a message, and sends that message. The parameter of
+    /// this argument is the time at which the last wait of a message for the client ended, a count of <see cref="Stopwatch"/>.
     /// </param>
     /// <param name="stop">Ends the wait of a throttled subscription.</param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)

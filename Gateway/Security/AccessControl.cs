@@ -64,7 +64,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     public static Task AnswerAsync(HttpContext context, int status, string text)
     {
         context.Response.StatusCode = status;
-        // Closes the connection, because a refused client must not occupy the place of an admitted one.
+        // Closes the connection, so that a refused client does not keep a connection that an admitted client needs.
         context.Response.Headers.Connection = "close";
         context.Response.ContentType = "text/plain; charset=utf-8";
         return context.Response.WriteAsync(text + "\n");
@@ -109,7 +109,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
 
         counters.Count(Closure.Token);
         log(AccessMessages.TooManyWrongLog);
-        // Waits even if the client disconnects, so that it occupies a place of the pending connections in the meantime.
+        // Waits even if the client disconnects, so that its connection counts as pending in the meantime.
         await Task.Delay(wait, options.Time);
         await RefuseForNowAsync(context, blocked, AccessMessages.TooManyWrong(Text));
     }

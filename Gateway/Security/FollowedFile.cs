@@ -7,7 +7,7 @@ sealed class FollowedFile<T>
 {
     /// <summary>Reads the file.</summary>
     /// <param name="fault">Message about an invalid part of the file; null if the file is valid.</param>
-    /// <exception cref="InputException">The whole file is invalid.</exception>
+    /// <exception cref="InputException">The file cannot be read, or is invalid as a whole.</exception>
     public delegate T Reader(out string fault);
 
     readonly FileInfo[] _files;

@@ -10,7 +10,7 @@ static class Precautions
 
     /// <summary>Gets the warnings.</summary>
     /// <param name="options">Options of the gateway.</param>
-    /// <param name="credentials">Protected folder in which the service manager passes secrets; null for none.</param>
+    /// <param name="credentials">Protected folder in which the service manager passes secrets; null if there is none.</param>
     public static IEnumerable<string> Of(GatewayOptions options, string credentials)
     {
         if (Environment.IsPrivilegedProcess)
@@ -23,7 +23,8 @@ static class Precautions
         foreach (var path in options.SecretFiles.Where(File.Exists).Where(path => !IsBelow(credentials, path)))
         {
             var mode = File.GetUnixFileMode(path);
-            // A file of another user, such as root, that only the gateway's group can read is as safe as a file of the gateway's user.
+            // A file that another user owns, such as root, and that only its owner and the gateway's group can read is as safe as a file of the
+            // gateway's user.
             var shared = (mode & Group) == UnixFileMode.GroupRead && FileOwner.IsOthersForOwnGroup(path) ? Others : Others | Group;
             if ((mode & shared) != 0)
                 yield return PrecautionMessages.ReadableFile(path, Convert.ToString((int)mode, 8));

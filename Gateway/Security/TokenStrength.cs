@@ -12,7 +12,10 @@ static class TokenStrength
 
     const int Digits = 10, HexadecimalDigits = 16, MixedHexadecimalDigits = 22, Letters = 26, OtherCharacters = 32;
 
-    /// <summary>Minimum number of different characters of a random token: the number possible for its length and alphabet, divided by this.</summary>
+    /// <summary>
+    /// A token has many repetitions if its number of different characters is less than the number possible for its length and alphabet, divided by
+    /// this constant.
+    /// </summary>
     const int RepetitionShare = 2;
 
     public static double BitsOf(string token)

@@ -38,8 +38,8 @@ sealed class WrongTokens(TimeProvider time)
     public void Count(IPAddress address) => Count(address, TimeSpan.Zero);
 
     /// <summary>
-    /// Counts a wrong token. Returns the time to wait before the answer: the answers to a blocked address are sent one by one, one per delay, for
-    /// any number of connections.
+    /// Counts a wrong token. Returns the time to wait before the answer: the answers to a blocked address are sent one by one, one per delay,
+    /// regardless of the number of connections.
     /// </summary>
     /// <remarks>Answers beyond the first <see cref="MaxTurns"/> are sent together with the last of these.</remarks>
     /// <param name="address">Address of the client.</param>
@@ -68,7 +68,7 @@ sealed class WrongTokens(TimeProvider time)
         return left > TimeSpan.Zero ? left : TimeSpan.Zero;
     }
 
-    // Finds an address and moves it to the end of the order of attempts. Returns null for an address without wrong tokens.
+    // Finds the entry of an address, and moves it to the end of the list. Returns null for an address without wrong tokens.
     Address Find(IPAddress address)
     {
         if (!_addresses.TryGetValue(Key(address), out var node)) return null;
@@ -100,11 +100,11 @@ sealed class WrongTokens(TimeProvider time)
     {
         public IPAddress Key => key;
 
-        // Number of wrong tokens, and the time of the first of them.
+        // Count: number of wrong tokens. Since: time of the first of them.
         public int Count;
         public long Since;
 
-        // Delay of the last delayed answer, and the time at which this delay began.
+        // Waiting: delay of the last delayed answer. WaitingAt: time at which this delay began.
         public TimeSpan Waiting;
         public long WaitingAt;
     }

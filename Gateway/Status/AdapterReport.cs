@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Status;
 /// "STATE SINCE REASON", and for a joint that may not be at rest, the key uncertain/NAME with the reason.
 /// </summary>
 /// <param name="Since">Start of the state, on the wall clock of the adapter's machine.</param>
-/// <param name="Uncertainty">The reason why a joint reported at rest may not be at rest; empty for none.</param>
+/// <param name="Uncertainty">The reason why a joint reported at rest may not be at rest; empty if there is none.</param>
 readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since, string Reason, string Uncertainty = "")
 {
     public const string JointPrefix = "joint/";
@@ -16,7 +16,9 @@ readonly record struct AdapterReport(JointDataState State, DateTimeOffset Since,
     public const string SignalPrefix = "signal/";
     public const string UncertainPrefix = "uncertain/";
 
-    /// <summary>The prefix that older adapters use in place of <see cref="UncertainPrefix"/>. Version 0.2 accepts it; the next release ignores it.</summary>
+    /// <summary>
+    /// The prefix that older adapters use in place of <see cref="UncertainPrefix"/>. Version 0.2 accepts it; the next release ignores it.
+    /// </summary>
     public const string FormerUncertainPrefix = "doubt/";
 
     const int MaxReasonLength = 300;

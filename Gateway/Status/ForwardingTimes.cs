@@ -25,7 +25,7 @@ public sealed class ForwardingTimes(TimeProvider time = null)
     /// <summary>Sum of all times since the start, s.</summary>
     internal double Sum => Interlocked.Read(ref _ticks) / (double)TimeSpan.TicksPerSecond;
 
-    /// <summary>Gets the count of each class. The array has one element more than <see cref="Limits"/>.</summary>
+    /// <summary>Gets the count of each bucket. The array has one element more than <see cref="Limits"/>.</summary>
     internal long[] Counts() => [.. Enumerable.Range(0, _counts.Length).Select(i => Interlocked.Read(ref _counts[i]))];
 
     /// <summary>Adds a message that was just sent.</summary>
@@ -43,7 +43,7 @@ public sealed class ForwardingTimes(TimeProvider time = null)
         Volatile.Read(ref _now).Add(length);
     }
 
-    /// <summary>Gets a percentile over the last 30 to 60 s; null if no joint state was forwarded.</summary>
+    /// <summary>Gets a percentile over the last 30 to 60 s; null if no joint state was forwarded in this time.</summary>
     /// <param name="fraction">0 to 1; 0.5 is the median.</param>
     public TimeSpan? Percentile(double fraction)
     {

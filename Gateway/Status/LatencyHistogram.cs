@@ -3,14 +3,14 @@ using System.Numerics;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// A histogram of durations with classes that are 6 % wide. Uses constant memory. Thread-safe; adding a duration does not block.
+/// A histogram of durations whose classes are at most 6 % wide. Uses constant memory. Thread-safe; adding a duration does not block.
 /// </summary>
 sealed class LatencyHistogram
 {
     const int ClassesPerOctaveBits = 4;
     const int ClassesPerOctave = 1 << ClassesPerOctaveBits;
 
-    // Below 2^4 ticks, classes are one tick wide. The last class starts below 2^31 ticks and contains all longer durations.
+    // Below 2^4 ticks, classes are one tick wide. The last class starts at 31 · 2^25 ticks (104 s) and contains all longer durations.
     const int Classes = (31 - ClassesPerOctaveBits) * ClassesPerOctave;
 
     readonly long[] _counts = new long[Classes];

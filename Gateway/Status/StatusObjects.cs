@@ -36,7 +36,7 @@ static class StatusObjects
     public static double? Number(JsonObject words, string key) =>
         words[key] is JsonValue value && value.TryGetValue(out double number) ? number : null;
 
-    /// <summary>Gets a text from the diagnostics of a headset or an adapter; null if there is none.</summary>
+    /// <summary>Gets a string from the diagnostics of a headset or an adapter; null if there is none.</summary>
     public static string Word(JsonObject words, string key) =>
         words[key] is JsonValue value && value.TryGetValue(out string word) ? word : null;
 

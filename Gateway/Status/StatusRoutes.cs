@@ -96,7 +96,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         response.ContentType = type;
         response.ContentLength = content.Length;
         response.Headers.CacheControl = "no-store";
-        // Closes the connection, so that it does not occupy the place of a connected client.
+        // Closes the connection, so that it does not reduce the number of connections for other clients.
         response.Headers.Connection = "close";
         return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(content).AsTask();
     }

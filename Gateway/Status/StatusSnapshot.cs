@@ -5,7 +5,8 @@ using Nowpose.Gateway.Status.Events;
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
-/// The state of a gateway at an instant. /operations/state returns it as JSON with names in snake case. Names end with the unit.
+/// The state of a gateway at an instant. /operations/state returns it as JSON with names in snake case. The name of a
+/// quantity ends with its unit.
 /// </summary>
 /// <param name="ControlTimeS">Current time of the control clock.</param>
 /// <param name="Adapters">The latest diagnostics of each adapter, with their age.</param>
@@ -28,7 +29,7 @@ sealed record StatusSnapshot(
 /// <param name="State">live, rest, stale, refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the newest sample's stamp; null before the first sample.</param>
 /// <param name="Reason">The reason for the state as one sentence; empty for a live joint.</param>
-/// <param name="Uncertain">The reason why a joint in the state rest may not be at rest; null for none.</param>
+/// <param name="Uncertain">The reason why a joint in the state rest may not be at rest; null if there is none.</param>
 sealed record JointView(
     string Name, string Source, string State, string SinceUtc, double? AgeS, double RateHz, string Reason, string Uncertain = null);
 
@@ -37,7 +38,7 @@ sealed record JointView(
 /// <param name="Parent">Parent frame; null before the first pose.</param>
 /// <param name="State">stationary; live; stale: no pose for a second; or the state that its adapter reports: refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the newest pose's stamp; null for a stationary frame, and before the first pose.</param>
-/// <param name="Reason">The adapter's reason for its state; null for none.</param>
+/// <param name="Reason">The adapter's reason for the state; null if the adapter reports none.</param>
 sealed record FrameView(string Name, string Parent, string Source, string State, double? AgeS, string Reason = null);
 
 /// <summary>The state of one signal.</summary>
@@ -45,7 +46,7 @@ sealed record FrameView(string Name, string Parent, string Source, string State,
 /// <param name="Value">Current value; null before the first value.</param>
 /// <param name="State">live; ended: its source has ended; or the state that its adapter reports: refused, fault or missing.</param>
 /// <param name="AgeS">Control time minus the stamp of the message that changed the value; null before the first value.</param>
-/// <param name="Reason">The adapter's reason for its state; null for none.</param>
+/// <param name="Reason">The adapter's reason for the state; null if the adapter reports none.</param>
 sealed record SignalView(string Name, double? Value, string Source, string State, double? AgeS, string Reason = null);
 
 /// <summary>The state of the control clock. Values are null while unknown.</summary>
@@ -55,12 +56,12 @@ sealed record SignalView(string Name, double? Value, string Source, string State
 /// <param name="ErrorBoundUs">Error bound of the clock.</param>
 /// <param name="EstimatedErrorUs">Estimated maximum error in either direction; null for the gateway's own clock.</param>
 /// <param name="SkewPpm">Rate of the clock relative to the gateway's counter, minus one.</param>
-/// <param name="Warning">Text about a contradiction between the clock and the stamps of sources, with a remedy; null for none.</param>
+/// <param name="Warning">Message about a contradiction between the clock and the stamps of sources, with a remedy; null if there is none.</param>
 sealed record ClockStatus(
     string Source, string State, bool IsServed, double? ErrorBoundUs, double? SkewPpm, double? RttMs, double? ResolutionUs, long? Steps,
     double? EstimatedErrorUs = null, string Warning = null);
 
-/// <summary>The state of one clock of the plant. Values are null while unknown, because 0 would be the best value.</summary>
+/// <summary>The state of one clock of the plant. Values are null while unknown, because 0 would look like the best possible value.</summary>
 /// <param name="OffsetToControlMs">Time of this clock minus the time of the control clock.</param>
 /// <param name="SkewPpm">Rate of this clock relative to the control clock, minus one.</param>
 /// <param name="RttMs">Round-trip time of an exchange.</param>
@@ -93,7 +94,7 @@ sealed record ConnectionStatus(int Open, long Accepted, IReadOnlyDictionary<stri
 /// <param name="Can">Whether a folder for recordings is configured.</param>
 /// <param name="File">Name of the current or last file, without the folder.</param>
 /// <param name="Lost">Number of missing lines.</param>
-/// <param name="Problem">The error that ended the recording; null for none.</param>
+/// <param name="Problem">The error that ended the recording; null if there is none.</param>
 /// <param name="Deleted">Whether the newest recording has ended and a user has deleted its file afterwards.</param>
 sealed record RecordingStatus(bool Can, bool On, string File, long Lines, long Bytes, long Lost, string Problem, bool Deleted = false)
 {

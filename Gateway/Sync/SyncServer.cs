@@ -28,8 +28,8 @@ sealed class SyncServer : IDisposable
     readonly Task _accepting;
     bool _isStopped;
 
-    /// <param name="startConnection">Starts the thread of a connection; null for the default.</param>
-    /// <param name="accept">Accepts the next connection; null for the default.</param>
+    /// <param name="startConnection">Starts the thread of a connection; null to call <see cref="SyncConnection.Start"/>.</param>
+    /// <param name="accept">Accepts the next connection; null to accept from the listener.</param>
     public SyncServer(
         GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string> log,
         Action<SyncConnection> startConnection = null, Func<TcpListener, Task<Socket>> accept = null)
@@ -124,15 +124,15 @@ sealed class SyncServer : IDisposable
         }
     }
 
-    // Whether there is a place for a new connection. At the limit, closes a connection that is not authenticated, because the new client may be
-    // a headset with a token.
+    // Returns whether the server has capacity for a new connection. At the limit, closes the oldest connection that is not authenticated, because the
+    // new client may be a headset with a token.
     bool HasPlace() => Counters.TryEnter(_options.MaxConnections, isFinal: false)
         || (_pending.TryEvictOldest() && Counters.TryEnter(_options.MaxConnections, isFinal: false))
         || Counters.TryEnter(_options.MaxConnections);
 
     void Evict(SyncConnection connection)
     {
-        // Reports the end now instead of at the end of the connection's thread, because the next connection needs the place.
+        // Counts the connection as ended now, not when its thread ends, because the next connection needs the capacity.
         Ended(connection, Closure.ConnectionLimit, null);
         connection.Stop(Closure.ConnectionLimit);
     }

@@ -4,17 +4,19 @@ using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>Writes the output at the start of a gateway: lines "key value" for other programs, the last of which is "state serving".</summary>
+/// <summary>
+/// Writes the output of a gateway at its start: lines of the form "key value" for other programs. The last line is "state serving".
+/// </summary>
 static class Announcement
 {
     /// <summary>Writes the lines to the standard output, and warnings to stderr.</summary>
     /// <param name="gateway">The running gateway.</param>
     /// <param name="clock">The gateway's own clock.</param>
     /// <param name="skewPpm">Skew of the gateway's own clock.</param>
-    /// <param name="robot">Name or path of the robot; null for none.</param>
+    /// <param name="robot">Name or path of the robot; null to omit the line.</param>
     /// <param name="cell">
-    /// The simulated cell, whose clock is a <see cref="StopwatchControlClock"/>; null for real plants, whose motion and clock the gateway cannot
-    /// announce.
+    /// The cell of the gateway itself, whose clock is a <see cref="StopwatchControlClock"/>; null if the gateway serves a real plant, because the
+    /// gateway cannot announce the motion and the clock of a real plant.
     /// </param>
     public static void Write(GatewayServer gateway, IControlClock clock, double skewPpm, string robot, SimulatedCell cell)
     {

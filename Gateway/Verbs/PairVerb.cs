@@ -39,7 +39,7 @@ static class PairVerb
             using var drawn = new QrCode(code.Text);
             Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
             Console.Out.WriteLine("code " + code.Text);
-            // Prints the key as the headset shows it.
+            // Prints the same digits of the key as the headset shows.
             if (code.Pin != null) Console.Out.WriteLine("key " + code.Pin.Beginning);
             Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"valid_s {left:0}"));
         });

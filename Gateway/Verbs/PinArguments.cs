@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 
-/// <summary>The options that identify a gateway's key, either by the certificate or by the pin that the gateway prints.</summary>
+/// <summary>The options that identify a gateway's key, either by its certificate or by the pin that the gateway prints.</summary>
 sealed class PinArguments
 {
     readonly Option<string> _certificate = new("--certificate") { Description = "Certificate with which the gateway was started", HelpName = "FILE" };

@@ -163,7 +163,7 @@ sealed class ServerArguments
     void CheckPairing(ParseResult parsed)
     {
         var path = parsed.GetValue(_pairing);
-        // A new key at each start would make paired headsets refuse the gateway after a restart.
+        // Without a certificate file, the gateway would have a new key after each restart, and paired headsets would refuse it.
         if (path != null && parsed.GetValue(_tls) && parsed.GetValue(_certificate) == null)
             throw new InputException(AddressOptionMessages.PairingWithTls);
     }

@@ -2,8 +2,10 @@ namespace Nowpose.Studies;
 
 /// <summary>The true motion of one simulated axis.</summary>
 /// <param name="name">Name of the motion in tables.</param>
-/// <param name="seconds">Duration that is studied, s. The motion is also defined after it.</param>
-/// <param name="at">Gets the position at a time since the start, s, in any unit. Must be smooth enough for differences over 1 ms.</param>
+/// <param name="seconds">Duration of the study, s. The motion is also defined after it.</param>
+/// <param name="at">
+/// Returns the position, in any unit, at a time since the start in s. Must be smooth enough for finite differences over 1 ms.
+/// </param>
 public sealed class AxisMotion(string name, double seconds, Func<double, double> at)
 {
     const double Step = 5e-4;

@@ -1,6 +1,6 @@
 namespace Nowpose.Studies;
 
-/// <summary>Variation from cycle to cycle, as standard deviations of normal distributions.</summary>
+/// <summary>Random variation between cycles, as standard deviations of normal distributions.</summary>
 /// <param name="DwellSeconds">Standard deviation of each dwell, s.</param>
 /// <param name="TargetMm">Standard deviation of each target position, mm.</param>
 /// <param name="SpeedShare">Standard deviation of the speed factor; 0.1 is 10 %.</param>

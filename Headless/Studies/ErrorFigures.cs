@@ -5,7 +5,7 @@ namespace Nowpose.Studies;
 /// <summary>Root mean square, 95th percentile and maximum of absolute errors.</summary>
 public readonly record struct ErrorFigures(double Rms, double P95, double Maximum)
 {
-    /// <param name="errors">One error or more.</param>
+    /// <param name="errors">The errors; at least one.</param>
     public static ErrorFigures Of(IReadOnlyList<double> errors)
     {
         var sorted = errors.Select(Math.Abs).ToArray();

@@ -2,7 +2,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Studies;
 
-/// <summary>Creates simulated motions in mm. The same seed gives the same motion.</summary>
+/// <summary>Creates simulated motions in mm. The same seed creates the same motion.</summary>
 public static class Motions
 {
     /// <summary>A move like that of the paper's Fig. 12: 500 mm, 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
@@ -27,7 +27,7 @@ public static class Motions
     public static AxisMotion FastMoves(int seed, double seconds = 30) => RandomMoves("fast 7-phase moves", seed, seconds, random => new Limits(
         Between(random, 400, 1500), Between(random, 3000, 10_000), Between(random, 30_000, 100_000)));
 
-    /// <summary>Creates fast moves of one drive, all with the same limits: 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
+    /// <summary>Creates fast moves of a single drive, all with the same limits: 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
     public static AxisMotion MovesOfOneDrive(int seed) => RandomMoves("moves of one drive", seed, 40, _ => new Limits(1000, 5000, 50_000));
 
     /// <summary>Creates moves of a small robot at teaching speed.</summary>
@@ -70,7 +70,7 @@ public static class Motions
     }
 
     /// <summary>Creates a repeated cycle of four moves.</summary>
-    /// <param name="variation">Variation between cycles; the default gives exact repetitions.</param>
+    /// <param name="variation">Random variation between cycles; the default produces exact repetitions.</param>
     public static AxisMotion Repeats(int seed, CycleVariation variation, int cycles = 12)
     {
         var random = new Random(seed);

@@ -2,7 +2,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Studies;
 
-/// <summary>Plays the motion of one axis to a predictor in virtual time, as a headset would receive it.</summary>
+/// <summary>Feeds the samples of one axis to a predictor in virtual time, as a headset would receive them.</summary>
 public static class PredictionStudy
 {
     /// <summary>Runs all phases and evaluates them together.</summary>
@@ -41,6 +41,6 @@ public static class PredictionStudy
         }
     }
 
-    // Mixes seed and phase, so that consecutive seeds give independent sequences. HashCode of .NET differs between processes.
+    // Mixes seed and phase, so that consecutive seeds produce independent sequences. .NET's own HashCode returns other values in each process.
     static int HashCode(int seed, int phase) => unchecked((int)(((uint)seed * 2654435761u + (uint)phase) * 2246822519u >> 1));
 }

@@ -26,7 +26,7 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
         }
     }
 
-    // Every sample draws the same number of random values, so that changing one condition does not change the values of another.
+    // Draws the same number of random values for each sample, so that changing one condition does not change the random values of another.
     void Send(int index)
     {
         var stamp = _firstSample + index * settings.SamplingInterval + settings.StampedJitter * Uniform();

@@ -6,7 +6,7 @@ public sealed record StudySettings
     /// <summary>Sampling interval T_s, s.</summary>
     public double SamplingInterval { get; init; } = 0.050;
 
-    /// <summary>Latency L from t_k to the arrival of the sample, s. Frames are identified by their display time.</summary>
+    /// <summary>Latency L from t_k to the first display time that can show the sample, s. Frames are identified by their display time.</summary>
     public double Latency { get; init; } = 0.100;
 
     public double FrameRateHz { get; init; } = 60;
@@ -14,16 +14,22 @@ public sealed record StudySettings
     /// <summary>Error ε_L of the latency, s. It is added to the time of the prediction; positive if the latency is overestimated.</summary>
     public double LatencyError { get; init; }
 
-    /// <summary>Half the width of the uniform distribution of the error ε_t of each t_k, s.</summary>
+    /// <summary>Maximum error ε_t of the time stamp t_k of a sample, s. The errors are uniformly distributed from minus to plus this value.</summary>
     public double StampError { get; init; }
 
-    /// <summary>Half the width of the uniform deviation of the sampling instants from the regular grid of the time stamps, s.</summary>
+    /// <summary>
+    /// Maximum deviation of a sampling instant from its time stamp, s, uniformly distributed. The time stamps stay on the regular grid.
+    /// </summary>
     public double SamplingJitter { get; init; }
 
-    /// <summary>Half the width of the uniform deviation of the sampling instants if the time stamps contain the deviation, s.</summary>
+    /// <summary>
+    /// Maximum deviation of a sampling instant from the regular grid, s, uniformly distributed. The time stamp includes the deviation.
+    /// </summary>
     public double StampedJitter { get; init; }
 
-    /// <summary>Median of a log-normal delay that is added to the latency of each sample, s; 0 for none. Samples can overtake each other.</summary>
+    /// <summary>
+    /// Median of a log-normal delay that is added to the latency of each sample, s; 0 adds no delay. Samples can overtake each other.
+    /// </summary>
     public double DelayMedian { get; init; }
 
     /// <summary>Maximum of the added delay, s.</summary>
@@ -43,7 +49,7 @@ public sealed record StudySettings
     /// <summary>Time before which frames are not scored, s.</summary>
     public double WarmUp { get; init; } = 1.2;
 
-    /// <summary>Number of runs with random phases of sampling and frames. The phase alone can change a ratio by 10 %.</summary>
+    /// <summary>Number of runs, each with random phases of the sampling and of the frames. The phases alone can change a ratio by 10 %.</summary>
     public int Phases { get; init; } = 8;
 
     public int Seed { get; init; } = 1;

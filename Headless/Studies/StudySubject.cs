@@ -2,7 +2,7 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Studies;
 
-/// <summary>The subject of a study: a predictor, or an object that contains a predictor.</summary>
+/// <summary>The object under test: a predictor, or an object that contains a predictor.</summary>
 /// <param name="Add">Adds a sample. The second argument is the newest displayed time, s; NaN before the first frame.</param>
 /// <param name="At">Gets the predicted position at a time, s.</param>
 /// <param name="Hold">Gets the position of the newest sample.</param>

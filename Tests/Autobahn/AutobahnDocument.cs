@@ -1,6 +1,6 @@
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>Lists all cases, and creates the document's table of them.</summary>
+/// <summary>Lists all cases, and creates the table of cases for the document.</summary>
 static class AutobahnDocument
 {
     public static readonly AutobahnSection[] Sections = [.. FramingCases.All(), .. Utf8Cases.All(), .. CloseCases.All(), .. LimitCases.All()];

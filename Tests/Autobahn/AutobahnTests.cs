@@ -101,7 +101,7 @@ public class AutobahnTests
     async Task<IAutobahnSubject> OpenAsync(string kind)
     {
         if (kind != Subjects[0]) return await LinkSubject.OpenAsync(kind == Subjects[1] ? null : _certificate);
-        // While it is open, the connection of an earlier case is the source of the robot description, and the gateway refuses another source.
+        // As long as the connection of an earlier case is open, it is the source of the robot description, and the gateway rejects another source.
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 0, "the connection of the case before has ended");
         return await GatewaySubject.OpenAsync(_gateway);
     }
@@ -116,7 +116,7 @@ public class AutobahnTests
     {
         CaseScript.Text => subject.EventOf(Encoding.UTF8.GetString(payload), script),
         CaseScript.Pong when script.PingPayloads.Contains(Encoding.UTF8.GetString(payload)) => "pong",
-        // Ignores pings and empty pongs that the subject sends to keep the connection alive.
+        // Ignores pings and empty pongs, which the system under test sends to keep the connection alive.
         CaseScript.Ping => null,
         CaseScript.Pong => payload.Length == 0 ? null : "garbled pong",
         CaseScript.CloseFrame => payload.Length < 2 ? "close" : "close:" + BinaryPrimitives.ReadUInt16BigEndian(payload),

@@ -5,18 +5,18 @@ namespace Nowpose.Headless.Tests.Autobahn;
 
 /// <summary>Builds the bytes that a case sends, and the payloads that it expects in return.</summary>
 /// <param name="isMasked">
-/// Whether frames have a mask, like the frames of a client. The mask is zero, so payloads do not change (RFC 6455, 5.3).
+/// Whether frames have a mask, as the frames of a client do. The mask is zero, so payloads do not change (RFC 6455, 5.3).
 /// </param>
-/// <param name="before">Part of an accepted message before the inner text.</param>
-/// <param name="after">Part of an accepted message after the inner text.</param>
+/// <param name="before">JSON of an accepted message before the inner string.</param>
+/// <param name="after">JSON of an accepted message after the inner string.</param>
 sealed class CaseScript(bool isMasked, string before, string after)
 {
     public const int Continuation = 0, Text = 1, Binary = 2, CloseFrame = 8, Ping = 9, Pong = 10;
 
-    /// <summary>Byte sequences. Each is written to the socket in one call.</summary>
+    /// <summary>Byte sequences to send. Each of them is written to the socket in one call.</summary>
     public List<byte[]> Chunks { get; } = [];
 
-    /// <summary>Inner texts of the sent messages.</summary>
+    /// <summary>Inner strings of the sent messages.</summary>
     public HashSet<string> Inner { get; } = [];
 
     public HashSet<string> PingPayloads { get; } = [];

@@ -4,7 +4,7 @@ using System.Threading.Channels;
 namespace Nowpose.Headless.Tests.Autobahn;
 
 /// <summary>The other end of a WebSocket at the level of bytes. Sends the chunks of a script, and reads frames until the connection ends.</summary>
-/// <param name="goodbye">Called after the other side has closed; ends the sending direction. Null for no action.</param>
+/// <param name="goodbye">Called after a close frame has been received; ends the sending direction. Null to leave it open.</param>
 sealed class FramedPeer(Stream stream, Action goodbye = null)
 {
     readonly Channel<(int Opcode, byte[] Payload)> _frames = Channel.CreateUnbounded<(int, byte[])>();

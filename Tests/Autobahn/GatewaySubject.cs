@@ -3,7 +3,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>The gateway as subject. A message counts as accepted if the response to its call arrives with the same id.</summary>
+/// <summary>
+/// The gateway as the system under test. A message counts as accepted if the response to its service call arrives with the same id.
+/// </summary>
 sealed class GatewaySubject : IAutobahnSubject
 {
     readonly Gateway.RawWebSocket _raw;

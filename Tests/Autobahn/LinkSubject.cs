@@ -5,7 +5,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Autobahn;
 
-/// <summary>A headset's link as subject. A message counts as accepted if the link returns it and it follows the rules of the protocol.</summary>
+/// <summary>
+/// A headset's link as the system under test. A message counts as accepted if the link returns it and it conforms to the protocol.
+/// </summary>
 sealed class LinkSubject : IAutobahnSubject
 {
     readonly FakeWebSocketServer _server = new();
@@ -19,7 +21,9 @@ sealed class LinkSubject : IAutobahnSubject
 
     public Action<string> Saw { get; set; }
 
-    /// <param name="certificate">Certificate for wss with a pin, which uses the link's own upgrade; null for ws with .NET's client.</param>
+    /// <param name="certificate">
+    /// Certificate for wss with a pin, for which the link does the WebSocket upgrade itself; null for ws, for which it uses .NET's client.
+    /// </param>
     public static async Task<IAutobahnSubject> OpenAsync(X509Certificate2 certificate)
     {
         var subject = new LinkSubject();
@@ -53,7 +57,7 @@ sealed class LinkSubject : IAutobahnSubject
         _stop.Dispose();
     }
 
-    // Disposes the link at its end, as RosbridgeClient does.
+    // Receives until the connection ends, and then disposes the link, as RosbridgeClient does.
     async Task ReceiveAsync()
     {
         try

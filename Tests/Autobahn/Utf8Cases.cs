@@ -79,7 +79,7 @@ static class Utf8Cases
 
     static AutobahnCase Letter(string number, string bytes) => Case(number, "accepted", s => s.Frame(Text, s.Message(Hex(bytes))));
 
-    // The message is never completed, so a receiver that checks only complete messages would wait forever.
+    // Never completes the message, so a receiver that checks only complete messages would wait forever.
     static void Unfinished(CaseScript s, string bad, int chop)
     {
         s.Chop = chop;

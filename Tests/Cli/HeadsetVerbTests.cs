@@ -58,7 +58,7 @@ public class HeadsetVerbTests
         Assert.That(within, Is.GreaterThan(0.5 * current.Count), "on an idle machine, nearly all frames are within the ±; tests in virtual time check the exact share");
     }
 
-    // Ends the run when the pose has been current in enough frames, because a busy machine synchronises the clock later.
+    // Ends the run when the pose has been current in `count` frames instead of after a fixed time, because a busy machine synchronises later.
     static async Task<string> ResultOfCurrentFramesAsync(int count, GatewayServer gateway, string recordingPath)
     {
         var settings = new HeadsetSettings
@@ -85,7 +85,7 @@ public class HeadsetVerbTests
         return result.Json();
     }
 
-    // Gets whether the error of a frame's display time is within the stated error and the rounding of the recording.
+    // Returns whether the error of a frame's display time is at most the estimated error, plus 1 µs for the rounding in the recording.
     static bool IsWithin(JsonElement frame, double visuNs, StopwatchControlClock control)
     {
         var light = frame.GetProperty("start_ns").GetInt64() + (long)visuNs;
@@ -125,7 +125,7 @@ public class HeadsetVerbTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var cell = Simulate(gateway);
-        // The robot is the same, but the name of one joint differs from the name that the cell publishes.
+        // In this description, the name of one joint differs from the name that the cell publishes.
         using var urdf = new TemporaryFile(RobotFiles.LoadText("youbot").Replace("\"arm_joint_3\"", "\"arm_joint_x\""), ".urdf");
 
         var run = await RunAsync(gateway, "--seconds", "6", "--json", "--robot", urdf.Path);

@@ -10,7 +10,9 @@ public class SyncVerbTests
     const long ControlEpoch = 1_700_000_000_000_000_000;
     const string Header = "t1_ns,t2_ns,t3_ns,t4_ns\n";
 
-    /// <summary>A log over a symmetric path of 2 ms in each direction. The headset clock is 50 ppm fast. t4 is not a multiple of 100 ns.</summary>
+    /// <summary>
+    /// Returns a log of exchanges with a delay of 2 ms in each direction. The headset clock is 50 ppm fast. t4 is not a multiple of 100 ns.
+    /// </summary>
     static string Log(int exchanges)
     {
         var log = new StringBuilder(Header);
@@ -74,7 +76,7 @@ public class SyncVerbTests
         Assert.That(first.GetProperty("offset_ns").GetInt64(), Is.EqualTo(-ControlEpoch).Within(1000));
     }
 
-    /// <summary>A log over a network without load, at irregular times. The control clock stamps only whole cycles.</summary>
+    /// <summary>Returns a log of exchanges at irregular times with short delays. The time stamps of the control clock are whole cycles.</summary>
     static string LogOfCycles(long cycleNs)
     {
         var random = new Random(5);

@@ -39,7 +39,7 @@ static class UnityManifests
 
     public static JsonElement Json(string text) => JsonDocument.Parse(text).RootElement;
 
-    /// <summary>Gets the version or address of each package in a manifest's dependencies.</summary>
+    /// <summary>Returns the version or address of each package in a manifest's dependencies.</summary>
     public static Dictionary<string, string> Dependencies(UnityProjectFolder project) =>
         Json(project.Manifest).GetProperty("dependencies").EnumerateObject().ToDictionary(d => d.Name, d => d.Value.GetString());
 

@@ -3,7 +3,7 @@ using static Nowpose.Headless.Tests.Cli.UnityManifests;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>Tests which Unity versions and folders the verb accepts.</summary>
+/// <summary>Tests which Unity versions and folders the verb <c>unity</c> accepts.</summary>
 public class UnityVersionTests
 {
     [TestCase("2020.3.48f1", "is older than 2021.3", "--check")]

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>Restores the default reaction to SIGHUP and SIGINT while a test starts a program. Linux only.</summary>
+/// <summary>Restores the default action of SIGHUP and SIGINT while a test starts a program. Linux only.</summary>
 /// <remarks>A program started by nohup or in the background of a script ignores these signals, and so do all programs that it starts.</remarks>
 static class DefaultSignals
 {
@@ -12,14 +12,14 @@ static class DefaultSignals
     static readonly int[] Signals = [1, 2];
     static readonly Lock Gate = new();
 
-    /// <summary>Restores the default reaction until the same thread disposes of the returned object.</summary>
+    /// <summary>Restores the default action until the same thread disposes of the returned object.</summary>
     public static IDisposable Restore()
     {
         Gate.Enter();
         return new Restored();
     }
 
-    // Returns the ignored signals. Other reactions are not changed, because signal() cannot restore a handler of the runtime.
+    // Returns the ignored signals. Only their action is changed, because signal() could not restore a handler of the runtime afterwards.
     static int[] FindIgnored()
     {
         const string Field = "SigIgn:";

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>A TCP server on loopback that serves one connection after another with a function of the test.</summary>
+/// <summary>A TCP server on loopback that serves one connection at a time by calling a function of the test.</summary>
 sealed class FakeTcpServer : IDisposable
 {
     readonly TcpListener _listener = new(IPAddress.Loopback, 0);

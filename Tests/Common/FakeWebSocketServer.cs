@@ -18,7 +18,7 @@ sealed class FakeWebSocketServer : IDisposable
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    /// <summary>Accepts one client and answers its upgrade.</summary>
+    /// <summary>Accepts one client and answers its upgrade request.</summary>
     public async Task<WebSocket> AcceptAsync()
     {
         var stream = await AcceptStreamAsync();

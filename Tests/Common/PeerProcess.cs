@@ -9,7 +9,7 @@ sealed class PeerProcess : IDisposable
     readonly Process _process;
     readonly ConcurrentQueue<string> _lines = [];
 
-    /// <param name="assembly">File name of the program in the folder of the tests.</param>
+    /// <param name="assembly">File name of the program's assembly in the folder of the test assembly.</param>
     public PeerProcess(string assembly, params string[] arguments)
         : this(new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, assembly), .. arguments])) { }
 
@@ -72,7 +72,7 @@ sealed class PeerProcess : IDisposable
 
     public void Dispose()
     {
-        // For the other side, killing the process is like a headset that loses power.
+        // Kills the process. The peer cannot distinguish this from a headset that loses power.
         _process.Kill(entireProcessTree: true);
         _process.WaitForExit();
         _process.Dispose();

@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>Reads how long tasks of this machine have waited for a processor, as the Linux kernel counts it.</summary>
+/// <summary>Reads how long tasks of this machine have waited for a processor, from the pressure stall information of the Linux kernel.</summary>
 static class ProcessorPressure
 {
     const string File = "/proc/pressure/cpu";
 
     /// <summary>
-    /// Returns the time since the start of the machine in which at least one task waited for a processor; null if the kernel does not
-    /// count it.
+    /// Returns the total time since the start of the machine during which at least one task waited for a processor; null if the kernel does not
+    /// measure it.
     /// </summary>
     public static TimeSpan? Waited()
     {

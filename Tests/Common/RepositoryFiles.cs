@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Common;
 
-/// <summary>Lists and reads the files of this repository, without the output of builds and tools.</summary>
+/// <summary>Lists and reads the files of this repository, except the output of builds and tools.</summary>
 static class RepositoryFiles
 {
     public const string Package = "Packages/com.nowpose.mril";
@@ -16,7 +16,7 @@ static class RepositoryFiles
 
     public static string Root { get; } = ProjectRoot.Find(TestContext.CurrentContext.TestDirectory);
 
-    /// <summary>Paths relative to the root, with forward slashes, in ordinal order.</summary>
+    /// <summary>Paths of all files relative to the root, with forward slashes, in ordinal order.</summary>
     public static IEnumerable<string> All { get; } = FilesIn(Root).Order(StringComparer.Ordinal).ToList();
 
     public static IEnumerable<string> Under(string folder, params string[] extensions)

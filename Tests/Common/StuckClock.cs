@@ -6,7 +6,7 @@ sealed class StuckClock : IHeadsetClock
     readonly TaskCompletionSource _asked = new(TaskCreationOptions.RunContinuationsAsynchronously);
     readonly ManualResetEventSlim _goOn = new();
 
-    /// <summary>Completes when a reading is blocked.</summary>
+    /// <summary>Completes when a thread is blocked in a reading.</summary>
     public Task Asked => _asked.Task;
 
     public HeadsetTime Now

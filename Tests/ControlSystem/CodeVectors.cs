@@ -3,8 +3,8 @@ using System.Globalization;
 namespace Nowpose.Headless.Tests.ControlSystem;
 
 /// <summary>
-/// Reads led-matrix/timestamp-codes.csv. It contains codes from another program, with which the package, the gateway's page and the
-/// PLC's code must agree.
+/// Reads led-matrix/timestamp-codes.csv. It contains codes that another program has computed. The package, the gateway's page and the PLC's
+/// program must produce the same codes.
 /// </summary>
 static class CodeVectors
 {

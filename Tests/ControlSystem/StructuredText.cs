@@ -156,7 +156,7 @@ sealed partial class StructuredText
         if (runs) block.Run();
     }
 
-    // Copies a whole array that is an output of a block.
+    // Copies a complete array, which is an output of a function block, to a variable.
     void Copy(Variable target, bool runs)
     {
         var block = _variables[Take()].Block;
@@ -173,7 +173,7 @@ sealed partial class StructuredText
         return index;
     }
 
-    // Operators from the weakest to the strongest, as in the standard.
+    // Level 0 contains the operators with the lowest precedence. The order of the levels is that of the standard.
     ulong Expression() => Binary(0);
 
     ulong Binary(int level)

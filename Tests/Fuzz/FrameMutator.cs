@@ -3,7 +3,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Fuzz;
 
-/// <summary>Creates sync frames whose fields are near the limits of readers and arithmetic, and bytes that are not frames.</summary>
+/// <summary>Creates sync frames whose fields have boundary values or random values, and byte sequences that are not valid frames.</summary>
 static class FrameMutator
 {
     static readonly long[] Times =

@@ -32,7 +32,7 @@ sealed class FuzzRun
     public long Feed<T>(Func<Func<Random, T>> newMaker, Func<Func<T, bool>> newReader)
     {
         var watch = Stopwatch.StartNew();
-        // In the first tenth, readers create everything that they keep permanently, such as compiled expressions.
+        // Warms up with a tenth of the inputs, so that objects that are kept permanently, such as compiled expressions, exist before the measurement.
         var warm = _inputs / 10;
         FeedPart(newMaker, newReader, 0, warm);
         var before = GC.GetTotalMemory(forceFullCollection: true);

@@ -9,8 +9,8 @@ namespace Nowpose.Headless.Tests.Fuzz;
 static class MessageRules
 {
     /// <summary>
-    /// Reads a text. An accepted message must be JSON, follow every rule, and read the same after it is written again. The reader keeps
-    /// state between messages, so a new reader must give the same result.
+    /// Reads a message and returns whether it was accepted. An accepted message must be JSON, follow every rule, and be the same after it is written
+    /// and read again. The reader keeps state between messages, so a new reader must return the same result.
     /// </summary>
     public static bool IsTaken(RosbridgeReader reader, byte[] utf8)
     {

@@ -152,7 +152,7 @@ public class ReaderFuzzTests
         });
     }
 
-    // A rejection must be one line, and an exception of the type that is used for invalid input.
+    // Invalid input must cause an InputException whose message is a single line.
     static void Refused(string name, int seed, int inputs, string[] seeds, Action<string> read, params string[] secrets)
     {
         var accepted = new FuzzRun(name, seed, inputs).Feed<string>(() => new TextMutator(seeds).Next, () => text =>

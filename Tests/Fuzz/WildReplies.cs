@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Fuzz;
 /// <summary>Creates replies of a sync server, about half of which are correct. Not thread-safe.</summary>
 sealed class WildReplies(int seed)
 {
-    // The control time is later than the stamps of the messages, because stamps in the future would be rejected without further checks.
+    // Sets the control time later than the time stamps of the messages, because later time stamps would be rejected without further checks.
     const long AheadNs = 1_700_000_100_000_000_000;
 
     readonly Random _random = new(seed);

@@ -4,7 +4,8 @@ using Nowpose.Sync;
 namespace Nowpose.Headless.Tests.Fuzz;
 
 /// <summary>
-/// A sync server that sends arbitrary replies, and a headset's clock. The clock model must stay valid for any reply. Not thread-safe.
+/// Simulates a sync server that sends arbitrary replies, and a headset's clock synchronisation, whose model must stay valid for any reply. Not
+/// thread-safe.
 /// </summary>
 sealed class WildServer
 {

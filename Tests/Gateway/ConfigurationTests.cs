@@ -53,7 +53,7 @@ public class ConfigurationTests
     [TestCase("tokens: \"a\\0b\"", "control character")]
     [TestCase("recordings: \"a\\0b\"", "control character")]
     [TestCase("cell: !secret foo", "without tags")]
-    [TestCase("cell: &name foo", "without tags and anchors")]
+    [TestCase("cell: &name foo", "without tags or anchors")]
     [TestCase("plants: [!file a.yaml]", "without tags")]
     [TestCase("plants: !files [a.yaml]", "without tags")]
     [TestCase("!secret cell: foo", "a key must be a word")]
@@ -277,7 +277,7 @@ public class ConfigurationTests
         foreach (var error in errors) Assert.That(error, Does.Match(@"(tokens\.txt|stationary-objects\.json): cannot be read").Or.Contain("press.yaml: file not found"));
     }
 
-    // Whether a line is a commented-out entry, "# key: value".
+    // Returns whether a line is a commented-out entry, "# key: value".
     static bool IsKey(string line) => System.Text.RegularExpressions.Regex.IsMatch(line, "^# [a-z-]+:( |$)");
 
     [Test]

@@ -63,7 +63,7 @@ public class FragmentCounterTests
         _ => random.Next(65536, 70_000),
     };
 
-    // Adds a frame (RFC 6455, 5.2) that is masked like the frames of a client. The payload may be anything but zero.
+    // Adds a frame (RFC 6455, 5.2) with a mask, like a frame from a client. Mask and payload are random bytes.
     static void Frame(List<byte> into, Random random, int first, int length)
     {
         into.Add((byte)first);

@@ -26,7 +26,7 @@ public class PackagingTests
 
     static string Unit => File.ReadAllText(Path.Combine(Folder, "nowpose-gateway.service"));
 
-    // Saves the unit with another path of the program, because the program is not installed on the test machine.
+    // Saves the unit with a different path to the program, because the program is not installed on the test machine.
     string SavedUnit()
     {
         var path = Path.Combine(_folder, "nowpose-gateway.service");

@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.Gateway.RosbridgeAnswer;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Tests the exchange of a pairing code for a token between headset and gateway, over sockets of this machine.</summary>
+/// <summary>Tests the exchange of a pairing code for a token between headset and gateway, over sockets on this machine.</summary>
 public sealed class PairingExchangeTests
 {
     static readonly CertificatePin OtherPin = CertificatePin.Parse(Convert.ToBase64String(new byte[32]));

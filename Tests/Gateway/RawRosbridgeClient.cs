@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Minimal rosbridge client that sends and receives texts over a real socket.</summary>
+/// <summary>Minimal rosbridge client that sends and receives messages as text over a real socket.</summary>
 sealed class RawRosbridgeClient : IDisposable
 {
     readonly byte[] _buffer = new byte[2 * 1024 * 1024];
@@ -73,7 +73,7 @@ sealed class RawRosbridgeClient : IDisposable
         await RoundTripAsync();
     }
 
-    /// <summary>Receives a message, which must be a status of the level error that contains the text.</summary>
+    /// <summary>Receives a message, which must be a status with the level error that contains <paramref name="part"/>.</summary>
     public async Task ExpectErrorAsync(string part)
     {
         var message = await ReceiveAsync();

@@ -44,7 +44,7 @@ sealed class RawSyncClient : IDisposable
         }
         catch (IOException)
         {
-            // The gateway has closed the connection before it read all bytes, which causes a reset.
+            // The gateway closed the connection before it had read all bytes, which resets the connection.
             return null;
         }
     }

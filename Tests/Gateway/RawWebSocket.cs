@@ -22,7 +22,7 @@ sealed class RawWebSocket : IDisposable
     /// <summary>Number of bytes that can be read without waiting.</summary>
     public int Available => _tcp.Available;
 
-    /// <summary>Ends the sending direction; data can still be read.</summary>
+    /// <summary>Shuts down the sending direction of the connection; data can still be received.</summary>
     public void EndSending()
     {
         try
@@ -83,7 +83,7 @@ sealed class RawWebSocket : IDisposable
         return (header[0] & 0x0F, await ReadAsync(header[1]));
     }
 
-    /// <summary>Waits until the gateway has closed the connection, and ignores all data that arrive before.</summary>
+    /// <summary>Waits until the gateway has closed the connection. Ignores all data received before.</summary>
     public Task ExpectEndAsync() => CopyToEndAsync(Stream.Null);
 
     /// <summary>Returns all data that the gateway sends until it closes the connection.</summary>
@@ -102,7 +102,7 @@ sealed class RawWebSocket : IDisposable
         }
         catch (IOException)
         {
-            // The gateway has closed the connection before it read all bytes, which causes a reset.
+            // The gateway closed the connection before it had read all bytes, which resets the connection.
         }
     }
 

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
-/// <summary>Tests for which frames, rates and numbers of connections the sync port closes a connection.</summary>
+/// <summary>Tests which frames, message rates and numbers of connections make the sync port close a connection.</summary>
 public class SyncServerLimitTests
 {
     /// <summary>A limit long enough for answers on a busy machine and short enough for a test to wait for.</summary>

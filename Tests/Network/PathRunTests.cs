@@ -46,7 +46,9 @@ public class PathRunTests
         Assert.That(cell.SkewPpm, Is.LessThan(5), $"seeds {FirstSeed} and up");
     }
 
-    /// <summary>The first exchanges give only approximate new minimum delays. Their later correction must not look like another skew.</summary>
+    /// <summary>
+    /// The first exchanges after a change give only approximate new minimum delays. Their later correction must not look like a change of the skew.
+    /// </summary>
     [TestCase("bad", "shorter than ever", 4, 7000)]
     [TestCase("bad", "shorter than ever", 20, 7000)]
     [TestCase("bad", "both longer", 2, 7000)]
@@ -104,7 +106,7 @@ public class PathRunTests
         Assert.That(runs.Max(run => run.ErrorMs), Is.LessThan(maxMs), $"seeds {FirstSeed} and up");
     }
 
-    /// <summary>A step that the fit allows for where there is none would double these errors.</summary>
+    /// <summary>If the fit allowed for a step although there is none, these errors would double.</summary>
     [Test]
     public void ErrorMs_PathUnchanged_IsSmall([Values("clean", "wifi", "lossy", "cellular", "bad", "roaming")] string link) => Assert.That(
         Play(link, PathChange.None, 0, ClockEstimators.Default, SmallSeeds).Max(run => run.ErrorMs), Is.LessThan(MaxErrorUnchangedMs(link)));

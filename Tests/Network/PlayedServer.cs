@@ -4,7 +4,7 @@ using Nowpose.Network;
 
 namespace Nowpose.Headless.Tests.Network;
 
-/// <summary>A client, and a server that the test controls.</summary>
+/// <summary>A rosbridge client, and the server to which it connects. The test controls the server.</summary>
 sealed class PlayedServer : IDisposable
 {
     public const string Good = """{"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":5,"nsecs":0}},"name":["a"],"position":[1.5]}}""";

@@ -26,7 +26,7 @@ public sealed class RtdeServerTests
 
         Assert.That(await AskAsync("0005 56 0002"), Is.EqualTo(Bytes("0004 56 01")));
         Assert.That(await AskAsync("0003 76"), Is.EqualTo(Bytes("0013 76 00000005 0000000b 00000001 0001a71e")));
-        // 125 Hz; fields timestamp and actual_q. The answer is recipe 1 with DOUBLE,VECTOR6D.
+        // Requests the fields timestamp and actual_q at 125 Hz. The answer is recipe 1 with DOUBLE,VECTOR6D.
         Assert.That(
             await AskAsync("001d 4f 405f400000000000" + Ascii("timestamp,actual_q")),
             Is.EqualTo(Bytes("0013 4f 01" + Ascii("DOUBLE,VECTOR6D"))));
@@ -130,7 +130,7 @@ public sealed class RtdeServerTests
         await StartAsync();
         await AskAsync("0005 56 0002");
 
-        // Length and text, length and source, level 2 (warning).
+        // The answer contains the length and the characters of the message, the length and the characters of its source, and the level 2 (warning).
         Assert.That(
             await AskAsync("0003 7a"),
             Is.EqualTo(Bytes("0022 4d 18" + Ascii("unknown package type 122") + "04" + Ascii("RTDE") + "02")));
@@ -147,7 +147,7 @@ public sealed class RtdeServerTests
         await AskAsync("0014 4f 405f400000000000" + Ascii("timestamp"));
         await AskAsync("0003 53");
         await AskAsync("0005 56 0002", slow);
-        // 25 Hz; fields timestamp and runtime_state.
+        // Requests the fields timestamp and runtime_state at 25 Hz.
         await AskAsync("0022 4f 4039000000000000" + Ascii("timestamp,runtime_state"), slow);
         await AskAsync("0003 53", slow);
 

@@ -52,7 +52,7 @@ public class AdaptiveAccuracyTests
         }
     }
 
-    // Without stamp errors, the error in fast moves is also 0.26 of the quadratic's error, so errors of ±10 ms are corrected completely.
+    // In fast moves, the error is 0.26 times that of the quadratic predictor even without stamp errors, so errors of ±10 ms are corrected completely.
     [TestCase(5, 0.46, 0.45)]
     [TestCase(10, 0.28, 0.25)]
     public void Adaptive_StampErrorsOfAPeriodicSource_CorrectsThem(double errorMs, double limit, double limitOfSwing)

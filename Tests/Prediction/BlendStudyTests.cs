@@ -47,7 +47,7 @@ public class BlendStudyTests
         Assert.That(max, Is.LessThan(samplingMs > 20 ? 0.88 : 1.005));
     }
 
-    /// <summary>The errors of the displayed joint, and the amounts by which its motion per frame exceeds the true motion.</summary>
+    /// <summary>Errors of the displayed joint, and the amounts by which its motion per frame exceeds the true motion.</summary>
     sealed record Displayed(ErrorFigures Error, ErrorFigures Jump)
     {
         public static Displayed Of(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor)

@@ -76,7 +76,7 @@ public class CompetitorTests
         return Math.Abs(predictor.At(time).Position - motion(time));
     }
 
-    // Gets the RMS of the output for noise with standard deviation 1.
+    // Returns the RMS of the output for an input of noise with standard deviation 1.
     static double NoiseLeft(JointPredictor predictor, double ahead)
     {
         const int count = 4000;

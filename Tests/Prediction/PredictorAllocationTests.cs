@@ -21,7 +21,7 @@ public class PredictorAllocationTests
         Assert.That(sum, Is.Not.EqualTo(0));
     }
 
-    // A separate method, because the compiler can otherwise move the boxing of the asserted numbers into the measured code.
+    // This is a separate method, because the compiler could otherwise move the boxing of the asserted numbers into the measured code.
     [MethodImpl(MethodImplOptions.NoInlining)]
     static long AllocatedByRun(JointPredictor predictor, out double sum)
     {

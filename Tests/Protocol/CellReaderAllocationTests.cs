@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Protocol;
 
-/// <summary>Tests the allocations while messages of a cell are read whose sources repeat the same names.</summary>
+/// <summary>Tests the allocations of reading a cell's messages if their sources repeat the same names.</summary>
 [NonParallelizable] // measures allocations
 public class CellReaderAllocationTests
 {

@@ -7,7 +7,7 @@ public class RecordingTraitsTests
 {
     const int Seed = 11;
 
-    // Gets the traits of a swing of 12 s at 100 Hz.
+    // Returns the traits of a recording of 12 s at 100 Hz.
     static RecordingTraits Traits(Func<double, double> position, Func<int, double> time = null, int count = 1201)
     {
         var times = Enumerable.Range(0, count).Select(i => time?.Invoke(i) ?? i * 0.01).ToArray();

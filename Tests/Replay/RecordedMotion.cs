@@ -28,7 +28,7 @@ sealed class RecordedMotion
         for (var t = 0m; t <= duration; t += step) yield return t;
     }
 
-    /// <summary>Gets times with steps of 1 to 9 ms and a resolution of 1 µs. The last one equals the duration.</summary>
+    /// <summary>Returns times with steps of 1 to 9 ms and a resolution of 1 µs. The last one equals the duration.</summary>
     public static IEnumerable<decimal> UnevenTimes(decimal duration, int seed)
     {
         var random = new Random(seed);

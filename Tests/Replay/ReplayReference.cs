@@ -3,7 +3,7 @@ using MathNet.Numerics;
 namespace Nowpose.Headless.Tests.Replay;
 
 /// <summary>A second, slow implementation of <c>replay</c>, with decimal times, another library for the fit and no virtual time.</summary>
-/// <remarks>Does not support loss, jitter and stamp errors, which depend on the random numbers of <c>replay</c>.</remarks>
+/// <remarks>Does not support loss, jitter or stamp errors, because they depend on the random number generator of <c>replay</c>.</remarks>
 sealed class ReplayReference
 {
     const int Tick = 7;
@@ -37,7 +37,7 @@ sealed class ReplayReference
 
     public double Max(int joint) => _predicted[joint].Max(Math.Abs);
 
-    /// <summary>Gets the 95th percentile as defined by numpy: linear interpolation between the sorted values.</summary>
+    /// <summary>Returns the 95th percentile as defined by numpy: linear interpolation between the sorted values.</summary>
     public double P95(int joint)
     {
         var sorted = _predicted[joint].Select(Math.Abs).Order().ToArray();

@@ -60,7 +60,7 @@ public class ReplayRunTests
         AssertAgrees(motion, samplingMs, latencyMs, fps, predictor, degree, history, latencyErrorMs);
     }
 
-    // The recording ends at a frame and a sample, between frames, before a frame by a rounding error, or half a tick from a frame.
+    // The recording ends at a frame and a sample, between two frames, within a rounding error of a frame, or about half a tick from a frame.
     [TestCase("5")]
     [TestCase("4.99")]
     [TestCase("4.9999999")]

@@ -43,7 +43,7 @@ public sealed partial class MessageCatalogueTests
         + "save|scale|see|select|send|set|shorten|show|simplify|stand|start|state|stop|swap|sweep|switch|tag|take|tick|"
         + "try|turn|update|use|wait|write";
 
-    /// <summary>Catalogues of states, results and lines of the log, which need no remedy.</summary>
+    /// <summary>Catalogues of states, results and log lines, which need no remedy.</summary>
     static readonly string[] OfStatuses =
         ["BaseStatusMessages", "ConsoleMessages", "PlantClockMessages", "PoseMessages", "StampMessages", "StatusMessages"];
 

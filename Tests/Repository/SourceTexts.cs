@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 namespace Nowpose.Headless.Tests.Repository;
 
 /// <summary>Finds the texts of a C# source file. Concatenated strings are one text, with 0 in place of each interpolated value.</summary>
-/// <remarks>Skips comments and attributes. A text within an inserted value or an argument is a separate text.</remarks>
+/// <remarks>Skips comments and attributes. A string within an interpolated value or an argument is a separate text.</remarks>
 sealed partial class SourceTexts
 {
     readonly string _source;
@@ -27,7 +27,7 @@ sealed partial class SourceTexts
     /// <summary>Reads up to the end of a pair of brackets.</summary>
     /// <param name="call">The name before the opening bracket.</param>
     /// <param name="end">The closing bracket; '\0' for the end of the file.</param>
-    /// <param name="assigned">Name of the member to which the brackets' content is assigned; null for none.</param>
+    /// <param name="assigned">Name of the member to which the content of the brackets is assigned; null if it is not assigned.</param>
     void Read(string call, char end, string assigned)
     {
         // The names before the current position, such as "new Command" or "Description".
@@ -145,6 +145,6 @@ sealed partial class SourceTexts
     private static partial Regex Word();
 }
 
-/// <param name="Call">Name of the method or type whose arguments contain the text, such as Command; empty for none.</param>
-/// <param name="Assigned">Name of the member to which the text is assigned; null for none.</param>
+/// <param name="Call">Name of the method or type whose arguments contain the text, such as Command; empty if there is none.</param>
+/// <param name="Assigned">Name of the member to which the text is assigned; null if it is not assigned.</param>
 sealed record SourceText(string Text, string Call, string Assigned);

@@ -73,7 +73,7 @@ public class RosDirectTests
             var before = _headsetClock.Now;
             var truth = _control.Now;
             var between = _headsetClock.Now - before;
-            // Reads again if the thread was interrupted between the readings, because the pause would count as difference of the clocks.
+            // Reads again if the thread was interrupted between the readings, because the pause would count as a difference between the clocks.
             if (between < Bracket) return model.ToControl(before + between / 2) - truth;
         }
     }

@@ -48,7 +48,7 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
         }
     }
 
-    /// <summary>Registers a topic with its type. If the topic is known, checks that the type is the same.</summary>
+    /// <summary>Registers a topic with its type. If the topic is already registered, checks that the type is the same.</summary>
     /// <exception cref="RosException">The type differs. The message is the same as in rosbridge.</exception>
     public void Establish(string topic, string type)
     {

@@ -43,7 +43,9 @@ sealed class Controller
     /// <summary>Returns the time on this machine until the clock shows a time.</summary>
     public TimeSpan Until(double timestamp) => TimeSpan.FromSeconds((timestamp - Now) / _rate);
 
-    /// <summary>Gets the zero of the clock in ns and its rate, both relative to this machine's monotonic counter.</summary>
+    /// <summary>
+    /// Gets the time of the clock, in ns, at the zero of this machine's monotonic counter, and the rate of the clock relative to the counter.
+    /// </summary>
     public (double ZeroNs, double Rate) ClockLine =>
         (_uptimeSeconds * 1e9 - _started * (1e9 / Stopwatch.Frequency) * _rate, _rate);
 

@@ -124,7 +124,7 @@ public class SecondProcessTests
     }
 
     [Test]
-    public async Task Client_SecondSourceForAJoint_ReceivesTheJointsName()
+    public async Task Client_PublishesAJointOfAnotherSource_ReceivesAStatusThatNamesTheJoint()
     {
         await StartAsync(CertificateFiles.Generate());
         using var client = Client(SourceToken);

@@ -16,8 +16,8 @@ namespace Nowpose.Headless.Tests.Session;
 public class SessionNonBlockingTests
 {
     /// <summary>
-    /// Maximum time of a call: less than all timeouts of the protocol, so that waiting for the other side exceeds it; far more than delays
-    /// of a busy machine.
+    /// Maximum duration of a call. It is less than all timeouts of the protocol, so that a call that waits for the other side exceeds it, and much
+    /// more than the delays of a busy machine.
     /// </summary>
     static readonly TimeSpan Bearable = TimeSpan.FromSeconds(1.5);
 

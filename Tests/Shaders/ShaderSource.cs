@@ -14,7 +14,7 @@ public sealed record ShaderProperty(string Name, string Type, int Line);
 public sealed record SubShader(
     IReadOnlyList<string> Requirements, IReadOnlyDictionary<string, string> Tags, IReadOnlyList<ShaderPass> Passes, int Line)
 {
-    /// <summary>Whether the SubShader is for URP. For the built-in pipeline, it has no tag.</summary>
+    /// <summary>Whether the SubShader is for URP. A SubShader for the built-in pipeline does not have this tag.</summary>
     public bool IsUniversal => Tags.GetValueOrDefault("RenderPipeline") == "UniversalPipeline";
 
     public string Pipeline => IsUniversal ? "URP" : "built-in";

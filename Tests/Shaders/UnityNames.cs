@@ -32,11 +32,11 @@ static class UnityNames
         return lists;
     }
 
-    /// <summary>Gets the names that a substitute declares, except the names that only the substitute uses, which begin with NOWPOSE_.</summary>
+    /// <summary>Returns the names that a substitute declares, except the names that only the substitute uses, which begin with NOWPOSE_.</summary>
     public static IEnumerable<string> DeclaredBy(string text) => Declarations.Matches(Comments.Replace(text, ""))
         .Select(m => m.Groups["name"].Value).Where(n => !n.StartsWith("NOWPOSE_", StringComparison.Ordinal)).Distinct();
 
-    /// <summary>Gets the names in a shader that look like Unity's. Excludes the name of the material's buffer, which the shader defines.</summary>
+    /// <summary>Returns the names in a shader that look like Unity's. Excludes the name of the material's buffer, which the shader defines.</summary>
     public static IEnumerable<string> UsedBy(string text) =>
         Uses.Matches(Comments.Replace(text, "")).Select(m => m.Value).Where(n => n != "UnityPerMaterial").Distinct();
 }

@@ -47,7 +47,7 @@ public sealed class PackageManifestTests
     public void PackageManifest_ModuleDependencies_AreTheModulesInUse()
     {
         var declared = Dependencies(Manifest).Where(d => d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
-        // The sample for MRTK3 is excluded: XR Interaction Toolkit, which it requires, brings the modules for colliders and canvases.
+        // The sample for MRTK3 is excluded: XR Interaction Toolkit, which it requires, depends on the modules for colliders and canvases.
         var used = UnityModules.UsedUnder(RepositoryFiles.Package, RepositoryFiles.Package + "/Samples~/HoloLens 2 (MRTK3)")
             .Select(m => ModulePrefix + m + " 1.0.0");
 

@@ -41,7 +41,7 @@ static partial class UnityModules
         ("video", @"UnityEngine\.Video|VideoPlayer"),
         ("vr", @"XR(Settings|Device|Stats)"),
         ("wind", @"WindZone"),
-        // Excludes UnityEngine.XR.SOMETHING, which is the namespace of an optional package. Such a package brings the module with it.
+        // Excludes UnityEngine.XR.SOMETHING, which is the namespace of an optional package. Such a package depends on the module itself.
         ("xr", @"UnityEngine\.XR(?!\s*\.\s*\w+(\s*;|\s*\.))|XR(Node|NodeState|DisplaySubsystem\w*|InputSubsystem\w*|MeshSubsystem\w*)|InputDevices"
             + @"|InputTracking"),
     };

@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Upgrade;
 
-/// <summary>Tests this version with files that version 0.1.0 wrote: those of its gateway, its <c>calibrate vlc</c> and its headset runtime.</summary>
+/// <summary>Tests this version with files that the gateway, <c>calibrate vlc</c> and the headset runtime of version 0.1.0 wrote.</summary>
 public class UpgradeTests
 {
     // Values from the output of gateway 0.1.0 with this certificate, and the token that it gave to the headset in the list.

@@ -9,18 +9,18 @@ export const minSide = 56;
 /** Size of the blocks in which edges are detected, px. Smaller blocks are not needed. */
 const block = 4;
 /**
- * Maximum gaps between the edges of one code, in blocks. Each value is the size of two cells for one code size; together, the values cover all code
- * sizes.
+ * Maximum gaps between edges within a code, in blocks. Each value is the width of two cells of a code of a certain size. Together, the values
+ * cover all sizes of codes.
  */
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
-/** Maximum width of an area of edges that counts as an edge or a cable of the scene and not as a code, as a multiple of the gap. */
+/** Maximum width of an area with edges that is taken for an edge or a cable in the scene instead of a code, as a multiple of the gap. */
 const narrow = 1.3;
-/** Minimum changes of light at edges; 255 is white. The range covers weak holograms in front of a bright scene and LEDs in bright surroundings. */
+/** Thresholds for the change of light at an edge; 255 is white. They cover weak holograms before a bright scene and LEDs in bright surroundings. */
 const edges = [6, 8, 10, 13, 16, 20, 26, 34];
 
 /**
- * Finds quads that can be codes, clockwise from any corner, in px: areas with many edges. The scene behind a hologram adds edges but never
- * removes them, so holograms are also found in front of structured scenes.
+ * Returns quads around areas with many edges, which can be codes. The corners are in px and clockwise, starting at any corner. The scene behind a
+ * hologram adds edges but never removes them, so holograms are also found in front of structured scenes.
  */
 export function candidatesIn(light: Mat): Quad[] {
   const steps = stepsIn(light);
@@ -43,7 +43,7 @@ export function candidatesIn(light: Mat): Quad[] {
   return quads;
 }
 
-/** Returns the mean change of light between adjacent pixels for each block; 255 is white. It is independent of the background light. */
+/** Returns the mean difference between the brightest and the darkest of 3×3 adjacent pixels for each block; 255 is white. */
 function stepsIn(light: Mat): Mat {
   const bytes = new cv.Mat();
   const small = new cv.Mat();

@@ -14,7 +14,7 @@ const dots = { across: [4], along: [3, 4] };
 export interface CellLight {
   /** Light of each cell without the scene behind it, row by row; 1 is white. */
   levels: number[];
-  /** Residual of the model that a tenth of the samples exceeds, relative to the light of a lit cell. */
+  /** 90th percentile of the residuals of the light model, relative to the light of a lit cell. */
   residual: number;
 }
 
@@ -22,8 +22,8 @@ export interface CellLight {
  * Estimates the light of each cell without the scene behind it.
  *
  * Along the whole edge between two adjacent cells, the light changes by the difference between the cells. An edge of the scene crosses this
- * edge and affects only a few samples. The steps are therefore modelled as the cells' light plus a quadratic scene. The model is fitted with
- * the minimum sum of absolute residuals, so a few outliers have no effect, however bright they are.
+ * edge and affects only a few samples. The model of the light is therefore the sum of the light of the cells and of a scene that is quadratic in
+ * the position. The model is fitted with the minimum sum of absolute residuals, so a few outliers have no effect, however bright they are.
  */
 export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Kind): CellLight {
   const { side } = pattern;
@@ -52,7 +52,7 @@ export function cellLight(picture: Light, quad: Quad, pattern: Pattern, kind: Ki
       const beside = (start + at + 0.5) / samples / side - 0.5;
       if (before !== after && after !== null) equations.term(after, 1);
       if (before !== after && before !== null) equations.term(before, -1);
-      // The difference across the edge of the scene, which is modelled as b x + c y + d x² + e xy + f y².
+      // Difference of the scene across the edge between the cells. The scene is modelled as b x + c y + d x² + e xy + f y².
       equations.term(isBeside ? slope : slope + 1, apart);
       equations.term(isBeside ? slope + 2 : slope + 4, 2 * onEdge * apart);
       equations.term(slope + 3, beside * apart);
@@ -85,7 +85,7 @@ export function pairDeviation(levels: number[], { side, pairs, ring }: Pattern, 
   return deviations.reduce((a, b) => a + b) / deviations.length;
 }
 
-/** Minimum light of a white pixel, which has the byte value 252. */
+/** Minimum light at which a pixel counts as white. It corresponds to the byte value 252. */
 const white = 0.97;
 
 /** Returns the share of cells whose middle is white. Such cells are overexposed, and their light cannot be measured. */
@@ -101,7 +101,7 @@ function samplesOf(picture: Light, quad: Quad, side: number): (row: number, colu
   return (row, column) => light[(row + samples) * length + column + samples];
 }
 
-/** Samples the light in rows and columns, whose positions relative to the side of the code are given. */
+/** Samples the light on a square grid. `along` returns the position of a row or column by its index, relative to the side of the code. */
 function gridLight(picture: Light, quad: Quad, length: number, along: (index: number) => number): Float64Array {
   const points = new Float64Array(2 * length * length);
   for (let row = 0, i = 0; row < length; row++)

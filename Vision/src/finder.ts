@@ -16,7 +16,7 @@ export interface Found extends CellLight {
   corners: Quad;
   /** Share of the steps of light between cells that agree with the code; at most 1. */
   share: number;
-  /** Whether a better match of this kind exists, so that this match may be another object. A weak code counts only if it can be read. */
+  /** Whether this match is weak and a better one of its kind exists, so that it may be another object. A weak code counts only if it can be read. */
   isWeak: boolean;
   /** Share of the cells whose middle is white. */
   white: number;
@@ -24,22 +24,22 @@ export interface Found extends CellLight {
 
 /** Maximum side of the searched picture, px. A larger one takes longer but contains no additional codes that can be read. */
 const maxSearchedSide = 1280;
-/** Minimum light of a code (1 is white), and minimum share of agreeing steps. */
+/** minLight: minimum light of a code; 1 is white. minShare: minimum share of agreeing steps. */
 const minLight = 0.02;
 const minShare = 0.6;
-/** Share of agreeing steps from which no better match is searched for at a position. A code that is matched as the other kind reaches 0.85. */
+/** Share of agreeing steps above which the search at a position ends. A code that is matched as the other kind reaches 0.85. */
 const minShareOfCertain = 0.88;
 /**
- * Shares of agreeing steps below which a second code of the same kind is weak, and below which it is ignored. Other objects reach 0.74, most
- * of them less than 0.7. A quarter of them has pairs that can be read by chance.
+ * Limits of the share of agreeing steps for a second code of the same kind. Below minShareOfSecond it is weak; below minShareOfWeak it is ignored.
+ * Other objects reach 0.74, and most of them less than 0.7. A quarter of these objects have pairs that can be read by chance.
  */
 const minShareOfSecond = 0.77;
 const minShareOfWeak = 0.7;
 /** Like minShareOfSecond, if all found codes have the same kind. In a bright scene, one of them may be a code of the other kind. */
 const minShareOfOnlyKind = 0.9;
-/** Minimum light of a code in a single colour; 1 is white. Below it, noise is too large a part of the light. */
+/** Minimum light of a code in a single colour channel; 1 is white. Below it, the noise is too large relative to the light. */
 const minLightOfColour = 0.04;
-/** Maximum distance between the corners of candidates that count as the same, in cells. The search around a candidate covers it. */
+/** Maximum distance between the corners of two candidates that count as one, in cells. The search around a candidate covers this distance. */
 const maxDistanceOfSame = 0.5;
 
 /** Finds all codes in a picture. The result does not depend on earlier pictures. */
@@ -65,7 +65,7 @@ export class Finder {
     }
   }
 
-  /** Refines all candidates in decreasing order of probability. */
+  /** Refines the candidates in decreasing order of the agreement of their outer edge, and then searches for a partly hidden code. */
   #search(picture: Mat, layers: Layer[], light: Light): Fit[] {
     if (layers.length === 0) return [];
     const { quads, clearCount } = this.#quadsIn(picture, layers[0]);
@@ -94,8 +94,9 @@ export class Finder {
   }
 
   /**
-   * Returns candidates in px of the picture: first those with clear steps of light, then those from the square root of the light. The root
-   * amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so parts of codes are searched for only among the first.
+   * Returns candidates in px of the picture: first those found in the light itself, then those found in its square root. `clearCount` is the number
+   * of the former. The root amplifies the steps of a weak code beside a bright one. It also amplifies dark structures, so partly hidden codes are
+   * searched for only among the candidates from the light itself.
    */
   #quadsIn(picture: Mat, { factor }: Layer): { quads: Quad[]; clearCount: number } {
     const { side } = this.#pattern;
@@ -117,7 +118,10 @@ export class Finder {
     return { kind: name, corners: quad, share, isWeak, ...this.#cellsIn(light, grey, quad, this.#pattern.kinds[name]) };
   }
 
-  /** Measures the cells in the brightest colour; if it is clipped, in the colour that is clipped least and shows the code. */
+  /**
+   * Measures the cells in the brightest channel of each pixel. If cells are clipped, uses the single channel with the fewest clipped cells among
+   * those that show the code.
+   */
   #cellsIn(light: Light, grey: Grey, quad: Quad, kind: Kind): CellLight & Pick<Found, 'white'> {
     const { pairs, side } = this.#pattern;
     const cellsIn = (seen: Light) => ({ white: whiteShare(seen, quad, side), ...cellLight(seen, quad, this.#pattern, kind) });
@@ -148,7 +152,7 @@ const isCode = (fit: Fit, layer: Layer) => fit.light >= minLight && fit.share >=
 
 const isCertain = ({ share }: Fit) => share >= minShareOfCertain;
 
-/** Returns whether a fit can be another object or a code of the other kind, because a better fit of its kind exists. Expects the best fit first. */
+/** Returns whether a fit may be another object or a code of the other kind. `codes` contains all fits in decreasing order of agreement. */
 function isWeak(fit: Fit, codes: Fit[]): boolean {
   const isOnlyKind = codes.every(({ kind }) => kind === fit.kind);
   return fit !== codes.find(({ kind }) => kind === fit.kind) && fit.share < (isOnlyKind ? minShareOfOnlyKind : minShareOfSecond);
@@ -161,7 +165,7 @@ function bestOfEach(fits: Fit[]): Fit[] {
   return kept;
 }
 
-/** Keeps one of several candidates whose corners nearly coincide, in any order of the corners. */
+/** Keeps one of several candidates whose corners nearly coincide, starting at any corner. */
 function distinct(quads: Quad[], side: number): Quad[] {
   const kept: Quad[] = [];
   for (const quad of quads) {
@@ -171,7 +175,7 @@ function distinct(quads: Quad[], side: number): Quad[] {
   return kept;
 }
 
-/** Returns whether the corners of two quads nearly coincide, in any order. Plain loops, because it is called for each pair of candidates. */
+/** Returns whether the corners of two quads nearly coincide, starting at any corner. Plain loops, because it runs for each pair of candidates. */
 function isSame(quad: Quad, other: Quad, near: number): boolean {
   for (let turns = 0; turns < 4; turns++) {
     let i = 0;

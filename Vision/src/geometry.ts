@@ -38,7 +38,7 @@ export function homography([p0, p1, p2, p3]: Quad): Homography {
   };
 }
 
-/** Rotates the order of the corners by a number of clockwise quarter turns of the code. */
+/** Returns a quad with its corners in the order for a code that is rotated clockwise by a number of quarter turns. */
 export const turned = (q: Quad, turns: number): Quad => [0, 1, 2, 3].map(i => q[(i + turns) & 3]) as Quad;
 
 // Math.hypot takes ten times as long, because it also handles overflow.
@@ -59,7 +59,10 @@ export function grownBy(q: Quad, factor: number): Quad {
   return q.map(p => [x + (p[0] - x) * factor, y + (p[1] - y) * factor]) as Quad;
 }
 
-/** Returns whether a quad is convex and clockwise (y down), and its sides differ no more than the sides of a code that is seen at an angle. */
+/**
+ * Returns whether a quad is convex and clockwise (y down), its sides are at least `minSide` px long, and they differ no more than the sides of a code
+ * that is seen at an angle.
+ */
 export function isPlausible(q: Quad, minSide: number): boolean {
   const sides = q.map((p, i) => distance(p, q[(i + 1) & 3]));
   if (Math.min(...sides) < minSide || Math.max(...sides) > 2.5 * Math.min(...sides)) return false;

@@ -6,7 +6,7 @@ import { Refiner, type Fit } from './refine';
 
 type Mat = InstanceType<typeof cv.Mat>;
 
-/** Side above which codes are searched for in a smaller copy of the picture, which is smooth at the size of their cells, px. */
+/** Maximum side of a code in a layer, px. Larger codes are searched for in a smaller copy of the picture, which is smooth at the scale of a cell. */
 const maxSide = 1.8 * minSide;
 
 /** A copy of the picture that is scaled by a factor. */
@@ -15,7 +15,10 @@ export interface Layer {
   refiner: Refiner;
 }
 
-/** Returns the picture and smaller copies of it, so that the largest possible code has at most the maximum side in one of them. */
+/**
+ * Returns the picture and copies of it, each half as large as the previous one, until the shorter side is less than the minimum side of a code.
+ * @param whole Scale of the searched picture relative to the original one.
+ */
 export function layersOf(picture: Mat, whole: number, matcher: Matcher, isFilled: boolean[]): Layer[] {
   const layers: Layer[] = [];
   for (let factor = 1; Math.min(picture.cols, picture.rows) * factor >= minSide; factor /= 2) {

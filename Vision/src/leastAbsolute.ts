@@ -9,7 +9,7 @@ const noise = 1.5;
 /** Regularisation for unknowns without a measurement. Small enough not to affect the others. */
 const held = 1e-6;
 
-/** Linear equations: a sum of unknowns times factors equals a measured value. Stored in flat arrays, because there are thousands. */
+/** Linear equations. Each equates a sum of unknowns times factors with a measured value. Stored in flat arrays, because there are thousands. */
 export class Equations {
   readonly #measured: number[] = [];
   /** Index of the first term of each equation. */

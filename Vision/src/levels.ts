@@ -55,7 +55,7 @@ export interface Light {
 
 export const lightOf = ({ width, height, data }: Grey): Light => ({ width, height, data: lightOfBytes(data, 0, 1) });
 
-/** Returns the light of a picture in red, green and blue, one after another; nothing if the picture has no colours. */
+/** Yields the light of a picture in red, in green and in blue. Yields nothing if the picture has no colours. */
 export function* coloursOf({ width, height, colours }: Grey): Generator<Light> {
   if (colours) for (const colour of [0, 1, 2]) yield { width, height, data: lightOfBytes(colours, colour, 4) };
 }
@@ -71,7 +71,7 @@ function lightOfBytes(bytes: Uint8Array | Uint8ClampedArray, first: number, stri
  * pixels; NaN outside the picture.
  *
  * @param points u and v of each point, one after another.
- * @param lights Gets the light at the points from `first` to `end`, exclusive.
+ * @param lights Receives the light at the points from `first` to `end`, exclusive.
  */
 export function sampleLight(picture: Light, seen: Homography, points: Float64Array, lights: Float64Array, first: number, end: number): void {
   const { a, b, c, d, e, f, g, h } = seen;
@@ -97,7 +97,10 @@ export function sampleLight(picture: Light, seen: Homography, points: Float64Arr
   }
 }
 
-/** Light to which the brightest pixels of a dark picture are raised, the share of pixels that count as the brightest, and the maximum factor. */
+/**
+ * raisedTo: light to which the brightest pixels of a dark picture are raised. brightest: share of the pixels that count as the brightest. maxGain:
+ * maximum factor.
+ */
 const raisedTo = 0.5;
 const brightest = 0.001;
 const maxGain = 16;

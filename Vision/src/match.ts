@@ -15,8 +15,8 @@ export interface Agreement {
 const outerReach = 0.5;
 
 /**
- * Computes how well a picture agrees with codes, from the changes of light between adjacent cells (steps). The size of a step counts at most up to
- * the code's light, which is the median of the steps. Edges of the scene therefore affect only the few steps that they cross.
+ * Computes how well a picture agrees with codes, from the changes of light between adjacent cells (steps). The size of a step is clipped at the
+ * code's light, which is the median of the steps at which the light rises. Edges of the scene therefore affect only the few steps that they cross.
  */
 export class Matcher {
   readonly kinds: string[];
@@ -43,7 +43,7 @@ export class Matcher {
   /**
    * @param reach Distance from the edge of a cell at which light is sampled, in cells; 0.5 is the middle of the cell.
    * @param hidden Band of the code that is ignored.
-   * @param needed Minimum of light times share that the caller requires. An agreement that cannot reach it is not computed completely.
+   * @param needed Minimum of light times share that the caller requires. If it cannot be reached, the result is an agreement of zero.
    * @param given Light of the code if it is known, so that kinds and orientations of the same quad can be compared.
    */
   agreement(picture: Light, quad: Quad, kind: number, reach: number, hidden?: Band, needed = 0, given?: number): Agreement {
@@ -66,7 +66,7 @@ export class Matcher {
     for (let i = 0; i < riseCount; i++) rises[i] = lights[2 * i] - lights[2 * i + 1] || 0;
     const light = given ?? medianOf(rises, riseCount);
     if (!(light > 0)) return none;
-    // The values from the median on are at least as large as the light. All other steps are assumed to agree.
+    // medianOf has moved the values that are at least as large as the light to the end. Steps that are not sampled yet are assumed to agree.
     const smaller = given === undefined ? riseCount >> 1 : riseCount;
     let sum = (riseCount - smaller + pairCount) * light;
     for (let i = 0; i < smaller; i++) sum += Math.max(-light, Math.min(rises[i], light));
@@ -87,14 +87,14 @@ export class Matcher {
 
 const none: Agreement = { light: 0, share: 0 };
 
-/** Number of steps that are sampled before the agreement is compared with the needed one. */
+/** Number of steps that are sampled between two comparisons of the agreement with the needed one. */
 const block = 8;
 /** Bound of the relative rounding error of a sum. */
 const rounding = 1e-9;
 
 const bands = [Band.Top, Band.Right, Band.Bottom, Band.Left, Band.Columns, Band.Rows];
 
-/** Steps of a code or of a part of it: first those at which the light rises, then those of pairs, then those without a change of light. */
+/** Steps of a code or of a part of it: first those at which the light rises, then those within pairs, then those without a change of light. */
 class Steps {
   readonly count: number;
   readonly riseCount: number;

@@ -1,4 +1,4 @@
-/** Returns the upper median of the first `count` values, with Hoare's selection algorithm. Moves smaller values before it and larger ones behind it. */
+/** Returns the upper median of the first `count` values, with Hoare's selection algorithm. Moves smaller values before it, larger ones after it. */
 export function medianOf(values: Float64Array, count: number): number {
   const middle = count >> 1;
   for (let first = 0, last = count - 1; first < last;) {

@@ -18,7 +18,7 @@ const minShareOnTheWay = 0.6;
 /** Minimum agreement of a visible outer edge. */
 const minShareOfEdge = 0.3;
 
-/** Range of the ratio of a candidate's sides at which it can be the visible part of a code, of which up to a third is hidden. */
+/** Range of the ratio of a candidate's longer to its shorter side at which it can be the visible part of a code, of which up to a third is hidden. */
 const minRatio = 1.06;
 const maxRatio = 1.7;
 
@@ -27,7 +27,7 @@ const maxRatio = 1.7;
  * completely, because its pairs and its ring are redundant. Structured scenes have no such redundancy.
  *
  * @param candidates Quads in px of the picture. The quad of a partly hidden code contains only the visible part.
- * @param fits Fits with any agreement.
+ * @param fits Fits of whole quads, regardless of their agreement.
  * @param known Whole codes. Their positions are not searched.
  * @param deviationOf Returns the mean deviation of the visible pairs.
  */
@@ -47,7 +47,7 @@ export function clearestPart(candidates: Quad[], fits: Placed[], known: Fit[], l
 
 const bands = [Band.Top, Band.Right, Band.Bottom, Band.Left, Band.Columns, Band.Rows];
 
-/** Extends a candidate that is too short in one direction to a square, on either side, and refines it without the added part. */
+/** Extends a candidate that is too short in one direction to a square, on one side or the other, and refines both results without the added part. */
 function partsAt(candidate: Quad, layers: Layer[], isKnown: (quad: Quad, layer: Layer) => boolean): Placed[] {
   const [top, right, bottom, left] = candidate.map((p, i) => distance(p, candidate[(i + 1) & 3]));
   const ratio = (left + right) / (top + bottom);

@@ -40,7 +40,7 @@ export interface Step {
   /** Middle between the two samples, to the right and down from the top left corner. */
   x: number;
   y: number;
-  /** Maximum distance between the two samples, in the direction of the brighter cell. */
+  /** Vector from the darker to the brighter sample if both are as far from the edge as possible. */
   dx: number;
   dy: number;
   expected: Expected;
@@ -66,11 +66,11 @@ export function isWithinBand(band: Band, x: number, y: number): boolean {
   return [y < bandWidth, x > far, y > far, x < bandWidth, isMiddle(x), isMiddle(y)][band];
 }
 
-/** Returns the index of a band after the first corner of the quad has moved by a number of quarter turns. */
+/** Returns a band as it is named after the first corner of the quad has moved by a number of quarter turns. */
 export const turnedBand = (band: Band, turns: number): Band =>
   band >= Band.Columns ? (turns & 1 ? Band.Columns + Band.Rows - band : band) : (band - turns) & 3;
 
-/** Returns a function that gets the kind of each cell of a code. Cells outside the code are dark. */
+/** Returns a function that returns the kind of a cell of a code. Cells outside the code are dark. */
 export function cellAt({ side, pairs, ring }: Pattern, { lit }: Kind): (row: number, column: number) => Cell {
   const cells = new Array<Cell>(side * side);
   ring.forEach((cell, i) => {

@@ -33,7 +33,7 @@ export async function readPicture(path: string): Promise<Grey> {
   try {
     return greyOf(isPng(bytes) ? PNG.sync.read(bytes) : await readJpeg(bytes));
   } catch {
-    // Replaces the decoder's error, which does not help a user and can be without a message.
+    // Replaces the error from the decoder, which is of no help to users and may have no message.
     throw new Error(pictureMessages.damagedOrIncomplete);
   }
 }

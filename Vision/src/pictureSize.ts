@@ -1,11 +1,11 @@
 import { pictureMessages } from './messages';
 
 /**
- * Maximum size of a picture: the size of pictures from phone cameras. A decoded picture takes four bytes per pixel, and there are several workers.
+ * Maximum size of a picture. It allows for pictures from phone cameras. A decoded picture takes four bytes per pixel in each of several workers.
  */
 const maxMegapixels = 110;
 
-/** Throws an error if the header of a PNG or JPEG file states too large a size, or if the file is truncated. */
+/** Throws an error if the size in the header of a PNG or JPEG file is too large, or if the file is truncated. */
 export function checkSize(bytes: Buffer): void {
   const [width, height] = isPng(bytes) ? pngSize(bytes) : jpegSize(bytes);
   if (width * height > maxMegapixels * 1e6) throw new Error(pictureMessages.tooLarge(width, height, maxMegapixels));
@@ -24,7 +24,7 @@ function pngSize(bytes: Buffer): [number, number] {
   return [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
 }
 
-/** Returns the size in the frame header. Also requires the end of the image, because decoders invent missing data. */
+/** Returns the size in the frame header. Also requires the end-of-image marker, because decoders fill in missing data. */
 function jpegSize(bytes: Buffer): [number, number] {
   const frame = segment(bytes, isFrame);
   const scan = segment(bytes, marker => marker === startOfScan);

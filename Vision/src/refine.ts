@@ -15,7 +15,7 @@ export interface Fit extends Start {
   kind: number;
 }
 
-/** Start positions around a candidate: factors of its size, and shifts in cells. */
+/** Start positions around a candidate. sizes: factors of its size. shifts: shifts in each direction, in cells. */
 const sizes = [0.8, 0.9, 1, 1.1, 1.2];
 const shifts = [-1, 0, 1];
 /** Number of start positions that are refined: those with the best agreement. */
@@ -30,13 +30,14 @@ interface RefineStep {
   by: number;
   /** Distance from the edges of cells at which light is sampled, in cells. */
   reach: number;
-  /** Minimum share of agreeing steps of light after this step. Below it, the refinement ends early. */
+  /** Minimum share of brightness edges between cells that agree with the code after this refinement step. Below it, the refinement ends early. */
   minShare: number;
 }
 
 /**
- * Steps for fitting all steps of light, from one cell down to a negligible size. In 128 rendered pictures, all codes that were found had at least
- * 0.53, 0.61, 0.63 and 0.66 after the first four steps, and four fifths of the other objects had less than 0.45 after the first one.
+ * Refinement steps that fit all changes of light between cells, with step sizes from one cell down to a negligible size. In 128 rendered pictures,
+ * all codes that were found had shares of at least 0.53, 0.61, 0.63 and 0.66 after the first four steps, and four fifths of the other objects had
+ * less than 0.45 after the first one.
  */
 const steps: RefineStep[] = [
   { by: 1, reach: 0.4, minShare: 0.42 },
@@ -46,7 +47,10 @@ const steps: RefineStep[] = [
   { by: 0.06, reach: 0.2, minShare: 0.5 },
 ];
 
-/** Sampling distance at the middle of cells. Larger distances find codes from farther away but are disturbed more often by the scene. */
+/**
+ * Sampling distance at the middle of cells. With a larger distance, a start position can be farther from the code, but the scene disturbs the fit
+ * more often.
+ */
 const middle = 0.5;
 /** Sampling distance for determining kind and orientation of a code whose position is known. */
 const inPlace = 0.3;
@@ -88,7 +92,7 @@ export class Refiner {
       .slice(0, followed);
   }
 
-  /** Moves start positions to the best fit of their outer edge. Returns those that are worth refining in decreasing order of agreement. */
+  /** Fits the outer edge of each start position. Returns the results that are worth refining, in decreasing order of agreement. */
   guesses(starts: Start[]): Fit[] {
     return starts
       .map(start => {
@@ -120,12 +124,12 @@ export class Refiner {
     return first.kind === fit.kind && first.quad[0] === fit.quad[0] && first.share - second.share > minLead;
   }
 
-  /** Returns the fit with its agreement computed without a band. */
+  /** Returns the fit with its agreement recomputed without the steps in a band. */
   without(fit: Fit, hidden: Band): Fit {
     return { ...fit, hidden, ...this.#matcher.agreement(this.#picture, fit.quad, fit.kind, this.#reach(fit.kind, inPlace), hidden) };
   }
 
-  /** Refines a fit whose kind and orientation are known with small steps. */
+  /** Refines, with small steps, a fit whose kind and orientation are known. */
   refineLast(fit: Fit): Fit {
     return this.#refined(fit, steps.slice(-3));
   }
@@ -143,7 +147,7 @@ export class Refiner {
     return isPlausible(best.quad, 5 * this.#matcher.side) ? best : fit;
   }
 
-  /** Returns the quad as each kind in each orientation, in decreasing order of agreement. */
+  /** Returns one fit of the quad for each kind of code in each of the four orientations, the best agreement first. */
   #alternatives(quad: Quad, reach: number, hidden?: Band): Fit[] {
     const { light } = this.#matcher.outerAgreement(this.#picture, quad, hidden);
     return [0, 1, 2, 3]
@@ -168,7 +172,7 @@ const byScore = (a: Agreement, b: Agreement) => score(b) - score(a);
 /**
  * Moves, scales and deforms a quad by steps of `by` px as long as this improves its score, for at most `rounds` rounds.
  *
- * @param at Returns the agreement of a quad. It can be incomplete if its score is below the needed one.
+ * @param at Returns the agreement of a quad. If its score cannot reach `needed`, the agreement may be zero.
  */
 function climb<T extends Start>(
   start: T,

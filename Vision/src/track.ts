@@ -17,7 +17,7 @@ export interface Place {
   score: number;
 }
 
-/** Search range around the last position relative to the size of the patch, and its minimum in px. */
+/** REACH: search range around the last position, relative to the size of the patch. MIN_REACH: its minimum, px. */
 const REACH = 0.75;
 const MIN_REACH = 24;
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Web.Messages;
 
-/// <summary>Errors of scripts that Node.js runs, with remedies.</summary>
+/// <summary>Error messages about scripts that Node.js runs, with remedies.</summary>
 static class NodeMessages
 {
     public static string NotBuilt(string needed) => $"{needed}; this program was built without it: install it and build again";

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Nowpose.Web.Messages;
 
-/// <summary>Errors in the data of a page, with the allowed form.</summary>
+/// <summary>Error messages about the data of a page. Each states the allowed form.</summary>
 static class PageMessages
 {
     public static string NotJson(string reason) => $"the page's data is not JSON, but must be a JSON object: {reason}";

@@ -1,4 +1,4 @@
-// Takes the manual's pictures of pages and writes the texts that the test compares. Run by `npm run pictures`.
+// Takes the manual's pictures of web pages, and writes the texts of the pages that the test compares. Run by `npm run pictures`.
 // `npm run pictures -- --record` first replaces the stored data with the data of new runs of `demo` and `calibrate`.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -41,7 +41,7 @@ function thinned({ playback, clock, ...rest }) {
   return { ...rest, clock: every(5, clock.t.length, clock), playback: every(10, playback.t.length, playback) };
 }
 
-/** Returns an instant of the playback with fast motion whose compensated error is closest to the RMS error of the run. */
+/** Returns the instant with fast motion in the playback whose compensated error is closest to the RMS error of the run. */
 function typicalInstant({ error: { t, hold, compensated }, playback, summary: [rms] }) {
   const nearest = at => t.reduce((best, time, i) => (Math.abs(time - at) < Math.abs(t[best] - at) ? i : best), 0);
   const distance = i => Math.abs(compensated[i] - rms.compensated), max = Math.max(...hold);

@@ -15,10 +15,10 @@ export interface ChartOptions {
   data: uPlot.AlignedData;
   bands?: uPlot.Band[];
   scales?: uPlot.Scales;
-  /** Whether both axes can be zoomed. If not, the vertical axis is fitted to the data. */
+  /** Whether the vertical axis can be zoomed, too. If not, it is fitted to the data. */
   zoomY?: boolean;
   draw?: (u: uPlot) => void;
-  /** Called when the cursor moves, with its index; with null when the cursor leaves the plot. */
+  /** Called when the cursor moves. `inside` is false when the cursor has left the plot. */
   onCursor?: (u: uPlot, inside: boolean) => void;
 }
 
@@ -174,7 +174,7 @@ function tick(value: number): string {
 const redrawAll = () => charts.forEach(c => c.plot.redraw(false));
 onColoursChanged(redrawAll);
 
-// A canvas does not adapt to the narrower page and the light colours of a print, so all plots are redrawn.
+// A canvas does not adapt to the narrower page and the light colours of a printout, so all plots are redrawn.
 function print(printing: boolean): void {
   document.documentElement.classList.toggle('printing', printing);
   charts.forEach(c => c.fit());

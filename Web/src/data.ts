@@ -39,7 +39,7 @@ export interface ClaimData {
   verdict: Verdict;
 }
 
-/** Errors in mm over the time since the start in s. */
+/** Tool errors in mm over the time since the start in s. */
 export interface ErrorData {
   t: number[];
   hold: Value[];

@@ -61,8 +61,9 @@ export function pathsOf(field: FieldData): Path[] {
 }
 
 /**
- * Returns the initial ranges of the axes. At low speed, the latency that is computed from the error is arbitrary. The horizontal range
- * therefore covers 95 % of the points of the first path, which is the uncompensated one if there is one.
+ * Returns the initial upper ends of the axes. At low speed, the latency that is computed from the error is arbitrary. The horizontal range
+ * therefore covers 95 % of the points of the first path, which is the uncompensated one if there is one. The vertical range covers 99 % of the points
+ * of each path.
  */
 function extents(paths: Path[]): { latency: number; speed: number } {
   return {

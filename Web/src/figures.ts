@@ -10,7 +10,7 @@ export interface FigureOptions {
   title: string;
   /** Statement that the figure supports, in one sentence. */
   claim: string;
-  /** Figure of the paper, for example "Fig. 16". */
+  /** Place in the paper to which the figure refers, for example "Fig. 16" or "Sect. 3". */
   source: string;
 }
 

@@ -32,7 +32,7 @@ export interface LinePlotOptions {
   marks?: Mark[];
   /** Ranges of the horizontal axis that are shaded. */
   spans?: Span[];
-  /** Colour of the area between a trace and its mirrored trace. */
+  /** Colour of the area between a trace and the following trace with `mirror`. */
   band?: Ink;
   /** Whether the vertical axis starts at 0. */
   fromZero?: boolean;

@@ -2,7 +2,7 @@ import type { Value } from './data';
 
 const MINUS = '\u2212';
 
-/** Formats a number with three significant digits, which is the precision of these measurements. Integers keep all digits. */
+/** Formats a number with three significant digits, which is the precision of these measurements, but keeps all digits before the decimal point. */
 export function format(value: Value | undefined, unit = ''): string {
   if (value == null || !Number.isFinite(value)) return '–';
   const size = Math.abs(value);
@@ -20,7 +20,7 @@ export interface Statistics {
   p95: number;
 }
 
-/** Computes statistics of the finite numbers among the values; null if there are none. p95 is computed from absolute values. */
+/** Returns the statistics of the finite numbers among the values; null if there are none. p95 is the 95th percentile of the absolute values. */
 export function statistics(values: ArrayLike<Value>): Statistics | null {
   const numbers = Array.from(values).filter((v): v is number => v != null && Number.isFinite(v));
   if (numbers.length === 0) return null;

@@ -17,7 +17,7 @@ const LEGEND: Record<Part, { label: string; look: Look }> = {
   hold: { label: 'uncompensated', look: { ink: '--hold', width: 2, dash: [], mark: 'filled' } },
 };
 
-/** Plays the session with three robots: at the true position, at the displayed one, and as displayed without compensation. */
+/** Plays the session with three copies of the robot: at its true pose, at the displayed pose, and at the pose without compensation. */
 export class Playback {
   readonly element: HTMLElement;
   private readonly view = new RobotView(robotDescriptions.session);

@@ -1,6 +1,6 @@
 type Listener = (time: number, mover: unknown) => void;
 
-/** The time of the session that plots and robot show together, in seconds since the start. Listeners can also change it. */
+/** The time of the session that the plots and the view of the robot show, in seconds since the start. Listeners can also change it. */
 export class Playhead {
   private readonly listeners: Listener[] = [];
   private isMoving = false;
@@ -11,7 +11,7 @@ export class Playhead {
 
   /** @param mover The object that changes the time. It is notified like the other listeners and must ignore the notification. */
   move(time: number, mover: unknown): void {
-    // A plot moves its cursor when it is notified. This must not cause another change.
+    // A plot moves its cursor when it is notified, which calls this method again. The nested call must have no effect.
     if (this.isMoving) return;
     this.isMoving = true;
     try {

@@ -8,7 +8,7 @@ import type { Playhead } from './playhead';
 import { inWords, numbersOf, trace } from './sections';
 import { LOOKS } from './traces';
 
-/** Creates the section with render time and visualisation latency over time, and the runtime's range state. */
+/** Creates the section with render time and visualisation latency over time. The time spans of alarms are shaded. */
 export function rangeSection(range: RangeData, playhead?: Playhead): HTMLElement {
   const options: FigureOptions = { id: 'range', title: 'Constant-latency range', claim: claimMessages.range, source: 'Fig. 10' };
   const render = trace('render time', LOOKS.compensated, range.t, range.render_ms);

@@ -110,8 +110,8 @@ export function clockSection(clock: ClockData | null | undefined, playhead?: Pla
 }
 
 /**
- * Returns the range of the axis for the clock error: the range of the error after the clock has settled, but at least the 1 ms that the paper
- * reports. The bound and the error of the first exchanges are many times larger, and would make the settled error a flat line.
+ * Returns the maximum of the axis for the clock error, µs: 1.5 times the maximum error after the clock has settled, but at least the 1 ms that the
+ * paper reports. The bound and the error of the first exchanges are many times larger, so the settled error would look like a flat line.
  */
 function errorExtent({ t, error_us: error }: ClockData): number {
   const settled = t[0] + Math.min(10, (t[t.length - 1] - t[0]) / 2);

@@ -8,7 +8,7 @@ export interface Look {
   ink: Ink;
   width: number;
   dash: number[];
-  /** Whether squares are drawn in place of a line, and whether they are hollow or filled. */
+  /** Style of the squares that are drawn in place of a line. If absent, a line is drawn. */
   mark?: 'hollow' | 'filled';
 }
 

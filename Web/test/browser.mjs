@@ -5,8 +5,8 @@ import { delimiter, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
-// Without a graphics card, WebGL is rendered by the processor.
-// With these flags, plots are drawn more slowly and with lower quality.
+// Flags with which the processor renders WebGL, for machines without a graphics card. With these flags, plots are drawn more slowly and with lower
+// quality.
 export const WEBGL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-accelerated-2d-canvas'];
 export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
@@ -54,7 +54,10 @@ export class Browser {
     rmSync(this.folder, { recursive: true, force: true });
   }
 
-  /** Opens a page. Its `complaints` are console errors, exceptions, and all requests except the one for the page itself. */
+  /**
+   * Opens a page. Its `complaints` are exceptions, dialogs, console messages other than logs, and requests other than those for the page itself and
+   * for data URLs.
+   */
   async open(data, { fragment = '', name = this.name, ...options } = {}) {
     const file = join(this.folder, `${Math.random().toString(36).slice(2)}.html`);
     writeFileSync(file, render(data, name));

@@ -13,7 +13,7 @@ after(() => browser.stop());
 
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 
-/** Gets the share of pixels in one column of a plot's canvas that have the colour of the trace. It is large for an error bar and small for a line. */
+/** Returns the share of pixels in one column of a plot's canvas that have the colour of a trace: large for an error bar, and small for a line. */
 const inked = (page, plot, ink) => page.locator('.plot canvas').nth(plot).evaluate((canvas, name) => {
   const probe = document.createElement('canvas').getContext('2d');
   probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(name).trim();

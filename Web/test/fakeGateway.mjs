@@ -61,7 +61,7 @@ export class FakeGateway {
   pace = 1;
   /** Positions about which the joints swing. */
   rest = REST;
-  /** Sets of joints, which are published in turn. */
+  /** Sets of joints. Each message contains one of them, in turn. */
   sets = [JOINTS];
   /** Angle between the pose that "left door" displays and the true pose, rad; null if the headset does not report it. */
   turned = 0.1;

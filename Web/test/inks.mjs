@@ -1,6 +1,6 @@
 // Reads the canvases of a page's plots.
 
-/** Gets whether the canvas of a plot has a pixel with approximately the colour of a style sheet variable. */
+/** Returns whether the canvas of a plot has a pixel with approximately the colour of a style sheet variable. */
 export const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
   const probe = document.createElement('span');
   probe.style.color = `var(${ink})`;
@@ -25,7 +25,7 @@ export const luminance = (page, inks) => page.evaluate(inks => inks.map(ink => {
 }), inks);
 export const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 
-/** Gets the number of painted pixels and the number of colours in the canvas of each plot. */
+/** Returns the number of painted pixels and the number of colours in the canvas of each plot. */
 export const painted = page => page.evaluate(() => [...document.querySelectorAll('.plot canvas')].map(canvas => {
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
   const colours = new Set();
@@ -38,7 +38,7 @@ export const painted = page => page.evaluate(() => [...document.querySelectorAll
   return { pixels, colours: colours.size };
 }));
 
-/** Gets the median height of a signal, from 0 at the bottom of the plot area to 1 at its top. */
+/** Returns the median height of a signal, from 0 at the bottom of the plot area to 1 at its top. */
 export const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   const plot = document.querySelectorAll('.plot')[index], canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), top = over.top - canvas.getBoundingClientRect().top;
@@ -52,7 +52,7 @@ export const heightOf = (page, index, ink) => page.evaluate(([index, ink]) => {
   return 1 - rows[rows.length >> 1] / over.height;
 }, [index, ink]);
 
-/** Gets the share of a column of the render time plot that has the shade of an alarm. The column is at a time within the 10 s shown. */
+/** Returns the share of a column of the render time plot that has the shade of an alarm. The column is at a time within the 10 s shown. */
 export const shadedShare = (page, time) => page.evaluate(time => {
   const plot = document.querySelector('#range .plot'), canvas = plot.querySelector('canvas');
   const over = plot.querySelector('.u-over').getBoundingClientRect(), left = over.left - canvas.getBoundingClientRect().left;

@@ -57,7 +57,7 @@ const valueOf = cells => {
 const text = cells => cells.map(Number).join('');
 const codes = Array.from({ length: PERIOD }, (_, value) => text(controlCells(value)));
 
-/** Gets the time shown by the code minus the clock's time at the start of the frame, ms, and the error bound of the fastest exchange. */
+/** Returns the time of the code minus the clock's time at the start of the frame, ms, and the error bound of the fastest exchange. */
 function errorOf({ at, cells, times }) {
   const value = valueOf(cells);
   assert.notEqual(value, null, 'the cells are not a code');
@@ -96,7 +96,7 @@ describe('the code and its clock', () => {
   const exchange = { t1: 100, t4: 102, t2: 5_000_101_000_000n, t3: 5_000_101_000_000n, resolutionNs: 1 };
   const clockWith = (grainMs, ...exchanges) => exchanges.reduce((clock, e) => (clock.add(e), clock), new ControlClock(grainMs));
 
-  /** Gets the time of the clock minus 5000 s, ms, and its error bound. */
+  /** Returns the control time minus 5000 s, ms, and its error bound. */
   const shown = (clock, now) => {
     const { ns, boundMs } = clock.at(now);
     return [Number(ns - 5_000_000_000_000n) / 1e6, boundMs].map(ms => Math.round(ms * 1000) / 1000);
@@ -115,7 +115,8 @@ describe('the code and its clock', () => {
 
     const [ms, boundMs] = shown(clockWith(0, { ...exchange, resolutionNs: 20_000_000 }, late), 202);
 
-    // The offset is between −1 ms (first exchange) and 20 ms (second exchange). Since the first, the skew can have added 0.05 ms.
+    // The control clock is ahead of the page's clock by 5000 s − 1 ms (bound of the first exchange) to 5000 s + 20 ms (bound of the second one).
+    // Since the first exchange, the skew can have added 0.05 ms.
     assert.ok(Math.abs(ms - 211.5) < 0.06 && Math.abs(boundMs - 10.5) < 0.06, `${ms} ± ${boundMs} ms`);
   });
 
@@ -228,7 +229,7 @@ describe('the page of the control clock\'s code', () => {
     await page.fill('#token input', 'guess');
     await page.press('#token input', 'Enter');
     await unsynchronised(page, gatewayReasons.tokenRefused);
-    // Longer than the interval between two exchanges.
+    // Waits for longer than the interval between two exchanges.
     await page.waitForTimeout(600);
     assert.equal(gateway.refused, 2);
     await unsynchronised(page, gatewayReasons.tokenRefused);

@@ -8,16 +8,16 @@ namespace Nowpose.Cli.Calibrate.Head;
 /// At time t, the hologram appears where the control code was at t − L: h(t) = a + (1 + b) c(t − L). Here L is the latency, a is the
 /// distance between the codes, and b is not 0 if the codes have different distances to the camera. With the speed v of c:
 /// h − c = a + b c + k c² − (1 + b) L v.
-/// The term k c² models the distortion of lens and display. Over a motion back and forth, v and c are uncorrelated.
+/// The term k c² models the distortion of lens and display. Over a back-and-forth motion, v and c are uncorrelated.
 /// </remarks>
 static class HeadMotionFit
 {
     const int MinPictures = 60;
 
-    /// <summary>Minimum number of changes of direction: two periods of a motion back and forth.</summary>
+    /// <summary>Minimum number of changes of direction: two periods of a back-and-forth motion.</summary>
     const int MinTurns = 3;
 
-    /// <summary>Maximum share of the pictures that show motion in the same direction.</summary>
+    /// <summary>Maximum share of pictures in which the head moves in the same direction.</summary>
     const double MaxShareOfDirection = 0.8;
 
     /// <summary>A picture is an outlier if it deviates from the fit by more than this number of standard deviations.</summary>
@@ -34,7 +34,9 @@ static class HeadMotionFit
     /// </summary>
     const double MinScale = 0.7, MaxScale = 1.4;
 
-    /// <summary>Number of parts of the recording. The uncertainty comes from fits, each of which leaves out one part (jackknife).</summary>
+    /// <summary>
+    /// Number of parts into which the pictures are divided. The uncertainty is computed from fits that each omit one part (jackknife).
+    /// </summary>
     const int Parts = 10;
 
     /// <summary>Quantile of Student's distribution with 9 degrees of freedom, for 95 % confidence.</summary>

@@ -6,7 +6,7 @@ using Nowpose.Latency.Conditions;
 
 namespace Nowpose.Cli.Calibrate.Head;
 
-/// <summary>Creates the page of the latency for head motion, with the distance between both codes as a function of the speed.</summary>
+/// <summary>Creates the page that reports the latency for head motion. It shows the distance between both codes as a function of the speed.</summary>
 static class HeadPage
 {
     /// <summary>Maximum difference between the L_visu of a moving headset and the L_visu of a still one.</summary>

@@ -12,7 +12,7 @@ sealed class HeadResult
         var moving = HeadPictures.Of(pictures.Pictures, out var visu);
         VisuMs = visu.MeanMs;
         (LatencyMs, var uncertaintyMs, Used) = HeadMotionFit.Of(moving);
-        // The mean L_visu enters the time of every picture, so its uncertainty adds to the result.
+        // The mean L_visu is part of the time of every picture, so its uncertainty is added to that of the latency.
         UncertaintyMs = Math.Sqrt(uncertaintyMs * uncertaintyMs + visu.UncertaintyMs * visu.UncertaintyMs);
         SpeedPx = Math.Sqrt(Used.Average(picture => picture.Speed * picture.Speed));
     }

@@ -15,7 +15,7 @@ static class RangeProfile
         fit.LimitRenderMs, source, fit.ValidToRenderMs, head);
 
     /// <param name="more">Additional facts about the measuring method.</param>
-    /// <param name="warnings">Additional warnings, or null for none.</param>
+    /// <param name="warnings">Additional warnings; null if there are none.</param>
     public static CalibrationPageData Page(
         string title, LatencyProfile profile, RangeFitResult fit, IReadOnlyList<MeasuredPicture> pictures, IEnumerable<string[]> more,
         IEnumerable<string> warnings = null) =>

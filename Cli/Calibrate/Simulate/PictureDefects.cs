@@ -12,7 +12,7 @@ static class PictureDefects
     static readonly (string Name, Func<Shot, RandomStream, Shot> AddTo)[] Kinds =
         [("covered", Covered), ("glare", Dazzled), ("smeared", Smeared), ("cut off", CutOff), ("overexposed", Overexposed)];
 
-    /// <summary>Light of red, green and white LEDs in a camera's three colours.</summary>
+    /// <summary>Linear light of red, green and white LEDs in the red, green and blue channels of a camera.</summary>
     static readonly double[][] LedColours = [[1, 0.07, 0.03], [0.15, 1, 0.25], [1, 0.95, 0.9]];
 
     public static Shot AddRandom(Shot shot, RandomStream random, out string name)

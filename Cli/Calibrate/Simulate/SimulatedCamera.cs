@@ -54,7 +54,7 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
 
     static double MeanOf(double[][] corners, int axis) => corners.Average(corner => corner[axis]);
 
-    /// <summary>Gets the share of the exposure in which each cell is lit. A rolling shutter exposes the rows one after another.</summary>
+    /// <summary>Gets, for each cell, the share of the exposure for which it is lit. A rolling shutter exposes the rows one after another.</summary>
     double[] ControlLight(SimulatedMoment moment, double[][] corners, double[][] headset)
     {
         var lit = Ring(CodeKind.Control, 1);
@@ -84,7 +84,7 @@ sealed class SimulatedCamera(SimulationSettings settings, SimulatedSweep sweep)
         return lit;
     }
 
-    /// <summary>Gets how much later than the middle of the headset's code a cell's row is exposed, ms.</summary>
+    /// <summary>Gets the delay between the exposure of the middle of the headset's code and the exposure of a cell, ms.</summary>
     double DelayMs(int cell, double[][] corners, double[][] headset)
     {
         double u = (cell % TimestampCode.Side + 0.5) / TimestampCode.Side, v = (cell / TimestampCode.Side + 0.5) / TimestampCode.Side;

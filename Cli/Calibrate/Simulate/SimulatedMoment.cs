@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Simulate;
 
-/// <summary>True time values of a picture.</summary>
+/// <summary>The true times of a simulated picture.</summary>
 /// <param name="Middle">Control time at the middle of the exposure, for the row of the headset's code.</param>
 /// <param name="ExposureMs">Exposure time, ms.</param>
 /// <param name="Frame">Index of the frame that is lit at that time.</param>

@@ -12,10 +12,10 @@ namespace Nowpose.Cli.Calibrate.Simulate;
 /// </remarks>
 sealed class SimulatedSweep
 {
-    /// <summary>Number of frames between two pictures, for about 8 pictures per second.</summary>
+    /// <summary>Mean number of frames between two pictures, for about 8 pictures per second.</summary>
     const int FramesPerPicture = 7;
 
-    /// <summary>Number of frames between two pictures of a video, for 30 pictures per second. A moving headset needs this rate.</summary>
+    /// <summary>Mean number of frames between two pictures of a video, for 30 pictures per second. A moving headset needs this rate.</summary>
     const int FramesPerVideoPicture = 2;
 
     /// <summary>Number of frames before the first and after the last picture, so that every picture has neighbouring frames.</summary>
@@ -83,7 +83,7 @@ sealed class SimulatedSweep
         return new MeasuredPicture(null, row.Vertices, row.RenderMs, VisuMsOf(moment) + fraction - 0.5);
     }
 
-    /// <summary>Gets, for each frame, how much of its light a picture receives, relative to the maximum for one frame.</summary>
+    /// <summary>Gets, for each frame, the share of its light that a picture receives, relative to the maximum for one frame.</summary>
     /// <param name="middle">Middle of the exposure of the evaluated row.</param>
     public IEnumerable<(int Frame, double Share)> LightOf(SimulatedMoment moment, ControlTime middle)
     {

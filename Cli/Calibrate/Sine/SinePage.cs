@@ -5,12 +5,12 @@ using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>Creates the page of a jog back and forth: both motions, and the correlation as a function of the lag.</summary>
+/// <summary>Creates the page that reports a back-and-forth jog: both motions, and their correlation as a function of the lag.</summary>
 static class SinePage
 {
     static readonly FigureColumn Time = new("time", "s"), Place = new("place, scaled"), Lag = new("lag", "ms"), Correlation = new("correlation");
 
-    /// <param name="profile">The profile, or null if L_visu was not requested.</param>
+    /// <param name="profile">The profile; null if L_visu was not requested.</param>
     public static CalibrationPageData Of(SineResult result, LatencyProfile profile, string path) => new(SinePageTexts.Title, Sentence(result),
         [
             ["Total latency", Ms(result.TotalMs)], ["Standard error", Ms(result.DeviationMs)], .. profile == null ? [] : ProfileFacts.Of(profile),

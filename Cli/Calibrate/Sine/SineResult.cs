@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
-/// <summary>The result of a jog back and forth.</summary>
+/// <summary>The result of a back-and-forth jog.</summary>
 sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way)
 {
     public double TotalMs => 1000 * Lag.LagSeconds;
@@ -14,6 +14,6 @@ sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way)
     /// <summary>Maximum difference between T_s/2 and the mean age of the positions in the pictures, ms; 0 if positions are not held.</summary>
     public double StepsMs => Way.HeldMs is double held ? HeldSteps.MaxErrorMs(held, 1000 * Tracks.Interval, Tracks.Shown.Length) : 0;
 
-    /// <summary>L_visu, or null if it was not requested.</summary>
+    /// <summary>L_visu, ms; null if it was not requested.</summary>
     public double? VisuMs => TotalMs - Way.KnownMs;
 }

@@ -16,7 +16,7 @@ sealed class CodeContrasts
     /// </summary>
     const double MaxDeviation = 0.45;
 
-    /// <summary>Minimum share of white cells from which a code is overexposed or has a bright reflection.</summary>
+    /// <summary>Share of white cells from which a code counts as overexposed or covered by a bright reflection.</summary>
     const double MinWhiteShare = 0.05;
 
     /// <summary>
@@ -53,7 +53,10 @@ sealed class CodeContrasts
     /// <summary>Brightness of a lit cell; 1 is white.</summary>
     public double Light { get; }
 
-    /// <summary>Gets the reason why the code cannot be read: some pairs are too dark or too bright. Null if the code is readable.</summary>
+    /// <summary>
+    /// Gets the reason why the code cannot be read: some pairs are too dark or too bright, or the residual of a control code is too large. Null if
+    /// the code is readable.
+    /// </summary>
     public string Fault { get; }
 
     public double this[int pair] => _contrasts[pair];

@@ -15,12 +15,16 @@ static class ControlCode
     /// <summary>Maximum root mean square of the residual, relative to the explained part.</summary>
     const double MaxResidual = 0.17;
 
-    /// <summary>Minimum ratio of the second-best residual to the best one, and the value that replaces a smaller best residual.</summary>
+    /// <summary>
+    /// Margin: minimum ratio of the second-best residual to the best one. MinResidual: value that replaces a smaller best residual in this ratio.
+    /// </summary>
     const double Margin = 1.6, MinResidual = 0.06;
 
     const double MinAmplitude = 0.4, MaxAmplitude = 1.35;
 
-    /// <summary>Maximum difference between two runs that count as the same reading, ms.</summary>
+    /// <summary>
+    /// Maximum difference between the middles of two runs that count as the same reading, ms. For long runs, 20 % of the length is used instead.
+    /// </summary>
     const double Alike = 2;
 
     /// <summary>Maximum time for which a further code can be visible without being counted, ms.</summary>

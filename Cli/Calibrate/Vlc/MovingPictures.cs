@@ -26,7 +26,9 @@ static class MovingPictures
     /// <summary>Maximum share of pictures in motion. Above it, the whole series is rejected.</summary>
     const double MaxShare = 0.5;
 
-    /// <summary>Returns the pictures in the same order, with those taken in motion rejected. Rejects all if most were taken in motion.</summary>
+    /// <summary>
+    /// Returns the pictures in the same order. Marks those taken in motion as rejected, or all if most of them were taken in motion.
+    /// </summary>
     /// <param name="refusal">The reason why all pictures are rejected; null if they are not.</param>
     public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures, out string refusal)
     {

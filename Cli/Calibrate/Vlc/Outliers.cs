@@ -3,8 +3,8 @@ using Nowpose.Cli.Messages;
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>
-/// Rejects pictures whose L_visu is far from the L_visu of the other pictures: their codes were misread and passed the parity check by chance. Frames
-/// that wait for a slow GPU are late by less than <see cref="FarMs"/>.
+/// Rejects pictures whose L_visu is far from that of the other pictures. Their codes were misread and passed the parity check by chance.
+/// Frames that wait for a slow GPU are late by less than <see cref="FarMs"/>.
 /// </summary>
 static class Outliers
 {
@@ -16,7 +16,7 @@ static class Outliers
     /// <summary>Minimum number of pictures. With fewer, outliers cannot be identified.</summary>
     const int MinPictures = 10;
 
-    /// <summary>Returns the pictures in the same order, with the outliers rejected.</summary>
+    /// <summary>Returns the pictures in the same order. Marks the outliers as rejected.</summary>
     public static IReadOnlyList<PictureResult> Rejected(IReadOnlyList<PictureResult> pictures)
     {
         double[] visu = [.. pictures.Where(picture => picture.IsRead).Select(picture => picture.VisuMs)];

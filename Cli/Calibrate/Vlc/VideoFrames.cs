@@ -10,7 +10,7 @@ namespace Nowpose.Cli.Calibrate.Vlc;
 static class VideoFrames
 {
     /// <summary>
-    /// The ffmpeg option that outputs each frame once, independent of its time stamp: the current name, and the name before ffmpeg 5.1.
+    /// Names of the ffmpeg option that outputs each frame once, regardless of its time stamp: the current name, and the name before ffmpeg 5.1.
     /// </summary>
     static readonly string[] EachFrameOnce = ["-fps_mode", "-vsync"];
 
@@ -66,7 +66,7 @@ static class VideoFrames
         }
     }
 
-    // Warns that the video is truncated or damaged and contains fewer pictures than were filmed.
+    // If ffmpeg reported an error, warns that the video is truncated or damaged and contains fewer pictures than were filmed.
     static void WarnIfIncomplete(string path, int count, string errors)
     {
         var first = errors.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).FirstOrDefault();

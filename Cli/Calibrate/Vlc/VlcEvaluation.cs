@@ -7,13 +7,17 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 
-/// <summary>Computes a profile and a page from the L_visu of the pictures. If there is a sweep, also determines a render time limit.</summary>
+/// <summary>
+/// Computes a latency profile and the calibration page from the L_visu values of the pictures; with a sweep, also a render time limit.
+/// </summary>
 sealed class VlcEvaluation
 {
     /// <summary>Minimum share of pictures found in the sweep. Some codes match the log of another recording by chance.</summary>
     const double MinShareJoined = 0.2;
 
-    /// <summary>Minimum share if the order of the pictures is needed but unknown. In a wrong order, most pictures do not match.</summary>
+    /// <summary>
+    /// Minimum share of pictures found in the sweep if their order is needed but unknown. In a wrong order, most pictures do not match.
+    /// </summary>
     const double MinShareJoinedInUnknownOrder = 0.9;
 
     /// <summary>Minimum share of pictures near the median. At one load, only a few frames wait behind a slow one.</summary>
@@ -25,13 +29,13 @@ sealed class VlcEvaluation
     readonly VlcResult _result;
     readonly List<string> _warnings = [];
 
-    /// <param name="sweep">The sweep, or null for none.</param>
+    /// <param name="sweep">Rows of the sweep's log; null if there is none.</param>
     /// <param name="earlier">The earlier profile, whose limit is kept if no limit is found.</param>
     /// <exception cref="InputException">The sweep belongs to another recording.</exception>
     public VlcEvaluation(VlcResult result, IReadOnlyList<SweepRow> sweep, EarlierProfile earlier)
     {
         _result = result;
-        // Without a picture that was read, the sweep is not evaluated.
+        // If no picture could be read, the sweep is not evaluated.
         if (result.Read.Count == 0) sweep = null;
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         if (sweep != null) Pictures = Joined(sweep, sensitivity.Source);
@@ -42,7 +46,7 @@ sealed class VlcEvaluation
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
-    /// <summary>The pictures with the values of their frames in the sweep; empty without a sweep.</summary>
+    /// <summary>The pictures with the values of their frames in the sweep; empty if there is no sweep.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
 
     /// <summary>The profile, or null if there are too few pictures.</summary>

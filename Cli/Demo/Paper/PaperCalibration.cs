@@ -8,7 +8,9 @@ using Nowpose.Vision;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>The calibration of the simulated headset as in the paper: pictures of both codes, evaluated as by <c>calibrate vlc</c>.</summary>
+/// <summary>
+/// Calibration of the simulated headset with the paper's method: pictures of both codes, evaluated in the same way as by <c>calibrate vlc</c>.
+/// </summary>
 /// <param name="Profile">The profile for the run.</param>
 /// <param name="Page">The page that shows the calibration.</param>
 sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)

@@ -10,10 +10,10 @@ sealed class PaperRun
 {
     static readonly TimeSpan SettledAfter = TimeSpan.FromSeconds(ClockErrors.SettledAfter);
 
-    /// <summary>Frames are shown from this time before the start of a swing, s.</summary>
+    /// <summary>Frames are shown from this time before the start of a swing onwards, s.</summary>
     const double Before = 0.2;
 
-    /// <summary>Maximum time without a frame at the end of a whole swing, s.</summary>
+    /// <summary>Maximum time between the last frame and the end of a whole swing, s.</summary>
     const double Gap = 0.1;
 
     /// <summary>Maximum time between two frames of a whole swing, s. A longer pause is a stall of this machine.</summary>

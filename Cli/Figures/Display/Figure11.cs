@@ -12,7 +12,7 @@ static class Figure11
     /// <summary>Maximum relative difference between two limits. Each deviates by −6 to +2 % from the true limit.</summary>
     const double LimitShare = 0.08;
 
-    /// <summary>Maximum difference between a picture's L_visu and the stored one, ms.</summary>
+    /// <summary>Maximum difference between the L_visu of a picture and the L_visu of the profile, ms.</summary>
     const double Sufficient = 3;
 
     /// <summary>Minimum number of pictures for computing a spread. Few frames have the longest render times.</summary>

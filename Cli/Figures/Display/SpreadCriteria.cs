@@ -17,7 +17,7 @@ static class SpreadCriteria
     /// <param name="inside">L_visu of all pictures inside the range, ms.</param>
     /// <param name="beyond">
     /// The groups beyond the range; can be empty. They are judged together, each relative to its mean, because a latency that is only larger
-    /// beyond the range does not scatter. The result also names the groups that alone do not meet the criterion.
+    /// beyond the range does not scatter. The result also names the groups that do not meet the criterion on their own.
     /// </param>
     public static IReadOnlyList<Criterion> Of(string where, IEnumerable<double> inside, IReadOnlyCollection<SpreadGroup> beyond)
     {

@@ -20,7 +20,7 @@ static class CalibrationPictures
         yield return ("nudge.svg", NudgePage.Section(marks, marks.Result()).Plots[0]);
     }
 
-    // Simulates a jog of 200 px back and forth in 2.2 s. The hologram is 124 ms late, and positions are accurate to 1 px.
+    // Simulates a back-and-forth jog of 200 px with a period of 2.2 s. The hologram is 124 ms late, and positions are accurate to 1 px.
     static SineTracks Jog()
     {
         const double Period = 2.2, Lag = 0.124;

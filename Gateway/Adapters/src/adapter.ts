@@ -9,7 +9,7 @@ import type { PlantOutput } from './samples/plantOutput';
 export interface AdapterContext {
   configuration: Configuration;
   gateway: GatewayLink;
-  /** The clock to be attached to the plant's clock while the plant is connected. */
+  /** Offers the plant's clock to the gateway. The adapter attaches it after connecting to the plant, and detaches it after a disconnection. */
   clock: PlantClock;
   /** Receives the plant's values in the order of their arrival. */
   output: PlantOutput;
@@ -22,7 +22,7 @@ export interface AdapterContext {
 /** Reads the plant, and reconnects after failures, until `stopping` is aborted. Rejects only for errors that waiting cannot fix. */
 export type RunAdapter = (context: AdapterContext) => Promise<void>;
 
-/** The functions of a kind of plant that are available without loading its libraries. */
+/** The functions of a kind of plant that are available without loading the kind's libraries. */
 export interface Kind {
   check: OwnCheck;
   /** Gets the reason why the adapter cannot run on this machine, with the remedy; null if it can. Changes nothing. */

@@ -1,6 +1,6 @@
 import { logMessages } from './messages/gateway';
 
-/** Rate limit per subject, because a state may change with each value that arrives. */
+/** Rate limit for each subject: MAX_LINES lines in PERIOD_MS. A state may change with each value that arrives. */
 const MAX_LINES = 10;
 const PERIOD_MS = 60_000;
 
@@ -54,7 +54,7 @@ export class Log {
     if (lines > MAX_LINES) this.line(logMessages.moreLines(newest, lines - MAX_LINES, PERIOD_MS / 1000));
   }
 
-  /** Converts any text, for example one from a plant, to one line of printable characters without secrets. */
+  /** Converts any string, for example one from a plant, to one line of printable characters without secrets. */
   clean(text: string): string {
     const bare = this.#secrets.reduce((rest, secret) => rest.replaceAll(secret, '***'), text);
     return bare

@@ -34,7 +34,7 @@ async function main(): Promise<number> {
   return obstacle === null ? 0 : BAD_INPUT;
 }
 
-/** Writes a text and waits until it is written. Otherwise the end of the process could cut off a text longer than the pipe's buffer. */
+/** Writes a string and waits until it is written. Otherwise, the end of the process could truncate a string longer than the pipe's buffer. */
 const written = (text: string): Promise<unknown> =>
   new Promise(done => {
     process.stdout.write(text, done);

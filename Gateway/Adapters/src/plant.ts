@@ -19,7 +19,7 @@ const CHANGE_MS = 100;
 const GROUP_MS = 0.5;
 const OLDEST_MS = 10_000;
 
-/** Runs one adapter until a signal or the end of the gateway that started it. Returns the exit status. */
+/** Runs one adapter until the process receives a signal, or until the gateway that started it ends. Returns the exit status. */
 export async function runPlant(configuration: Configuration): Promise<number> {
   const { plant, robot, robots } = configuration;
   const log = new Log(`plant/${plant.name}`, configuration.secrets);

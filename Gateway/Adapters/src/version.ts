@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import type { Log } from './log';
 import { gatewayMessages } from './messages/gateway';
 
-/** Defined by the bundler, with the version in package.json. */
+/** The version in package.json. The bundler defines this constant. */
 declare const NOWPOSE_VERSION: string;
 
 export const VERSION = NOWPOSE_VERSION;
@@ -24,5 +24,5 @@ export function compareVersions(log: Log, gateway: unknown): void {
   else log.change('version', String(gateway), gatewayMessages.otherVersion(String(gateway), VERSION));
 }
 
-/** Gets the major and minor number of a version, for example 0.2 for 0.2.0-rc.1; undefined for a text that is not a version. */
+/** Gets the major and minor version numbers, for example "0.2" for "0.2.0-rc.1"; undefined if the string is not a version. */
 const seriesOf = (version: string): string | undefined => /^(\d{1,9}\.\d{1,9})\.\d{1,9}([-+][0-9A-Za-z.+-]{1,64})?$/.exec(version)?.[1];

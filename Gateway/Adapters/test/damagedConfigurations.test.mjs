@@ -13,7 +13,7 @@ const folder = join(adapters, 'examples');
 const NAMES = readdirSync(folder, { recursive: true }).filter(name => name.endsWith('.yaml')).sort();
 const EXAMPLES = NAMES.map(name => readFileSync(join(folder, name), 'utf8'));
 
-/** Texts that replace values or are inserted. */
+/** Strings that replace values or are inserted into a configuration. */
 const ODD = [
   '', '~', '[]', '{}', '[[[]]]', '-1', '0', '1e400', '.nan', '-.inf', '0x10', '99999999999999999999', 'true', '"', "'", '|', '>-', '&a', '*a',
   '<<: *a', '? [a]', '!!binary x', '!!set {a}', '!own x', '%YAML 9.9', '---', '...', '#', ': :', '- - -', '\t',

@@ -9,7 +9,7 @@ const program = join(adapters, 'dist', 'plant.mjs');
 // Timeout of a wait. It is much longer than any event takes on a busy machine.
 const PATIENCE_MS = 60_000;
 
-/** Starts the program. `out` and `err` contain its output; `ended` resolves with its exit status. The end of the test stops it. */
+/** Starts the program. `out` and `err` contain its output; `ended` resolves with its exit status. It is stopped when the test ends. */
 export function start(test, args, { env = {}, stdin = 'ignore' } = {}) {
   const child = spawn(process.execPath, [program, ...args], { env: { ...process.env, ...env }, stdio: [stdin, 'pipe', 'pipe'] });
   const run = { child, out: '', err: '' };

@@ -9,7 +9,7 @@ const { refusalMessages, silenceMessages, stateMessages } = messages;
 
 const { AdapterStatus, Log, diagnostics } = await parts('gateway/status', 'log', 'gateway/messages');
 
-/** Moves joint a at 1 rad/s for half a second and then sends no values of it. Joint b keeps moving. */
+/** Moves joint a at 1 rad/s for half a second and then sends no more values of this joint. Joint b keeps moving. */
 function moveAndStop(cell, seconds, hold = true) {
   for (; cell.time.ms < 1000 * seconds; cell.time.ms += 10) {
     const s = cell.time.ms / 1000;

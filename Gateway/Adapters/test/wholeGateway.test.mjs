@@ -21,7 +21,7 @@ async function listen(t, address) {
   return heard;
 }
 
-/** Sends positions until one arrives. Returns its time stamp as the robot sent it, and as it arrived. */
+/** Sends positions until one arrives. Returns the time stamp of this position in the message of the robot and in the message that arrived. */
 async function passed(robot, heard) {
   const sent = new Map();
   let position = 0;

@@ -27,7 +27,7 @@ sealed class SignalStatusTopic : IDisposable
     readonly IControlClock _clock;
     readonly Func<DateTimeOffset> _utcNow;
     readonly HubSource _source;
-    // Signals whose source has ended, in the order of their end.
+    // Signals whose source has ended, in the order in which the sources ended.
     readonly List<Row> _ended = [];
     IReadOnlyList<CellReport> _reported = [];
 

@@ -23,7 +23,7 @@ sealed class Conditions(
 
     const string DoesNotReport = "does not report";
 
-    /// <summary>Beginning of a remedy within the reason that an adapter gives for an uncertain rest.</summary>
+    /// <summary>Start of the remedy within the reason that an adapter gives why a joint may not be at rest.</summary>
     const string OwnRemedy = "; set ";
 
     static readonly string[] CurrentPoses = ["current", "coarse"];
@@ -69,7 +69,7 @@ sealed class Conditions(
             Remedy = row.Uncertainty.Contains(OwnRemedy, StringComparison.Ordinal) ? EventRemedies.CheckRest : EventRemedies.SetDeceleration,
         });
 
-    // These conditions do not block, because the robot can be shown without objects and signals.
+    // These conditions do not affect the gateway's readiness, because headsets can show the robot without objects or signals.
     IEnumerable<Condition> OfCell(string kind, string prefix) => cell.Troubled(prefix).Select(
         one => new Condition(
             kind, $"{one.Name} ({one.Adapter})", $"is {(one.Report.State == JointDataState.Fault ? "in fault" : JointDataStates.Of(one.Report.State))}", one.Report.Reason,

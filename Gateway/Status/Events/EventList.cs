@@ -59,7 +59,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
     }
 
     /// <summary>Gets the newest events and all active events, the newest first.</summary>
-    /// <param name="newest">Number of newest events.</param>
+    /// <param name="newest">Maximum number of newest events. Older events that are still active are added.</param>
     public IReadOnlyList<StatusEvent> Read(int newest = MaxEvents)
     {
         lock (_lock) return [.. Enumerable.Reverse(_events).Where((one, i) => i < newest || one.Until == null)];

@@ -7,7 +7,7 @@ static class EventText
 {
     const string Header = "id,kind,which,what,reason,level,since_utc,until_utc,text";
 
-    // First characters that make a spreadsheet interpret a text as a formula. Such texts are quoted, because names come from clients.
+    // First characters that make a spreadsheet interpret a string as a formula. Such strings are quoted, because names come from clients.
     static readonly char[] FormulaStarts = ['=', '+', '-', '@', '\t', '\r'];
 
     public static string Csv(IEnumerable<EventView> events)

@@ -14,7 +14,7 @@ namespace Nowpose.Gateway.Status.Joints;
 /// </remarks>
 /// <param name="time">Time source.</param>
 /// <param name="robot">Returns the described robot; null if no robot is described.</param>
-/// <param name="log">Called once, when an adapter uses a former key; null for none.</param>
+/// <param name="log">Called once, when an adapter uses a former key; null for no log.</param>
 sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action<string> log = null)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;

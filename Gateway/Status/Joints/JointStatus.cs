@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Status.Joints;
 readonly record struct JointStatus(
     string Name, string Source, JointDataState State, DateTimeOffset Since, TimeSpan? Age, double RateHz, string Reason)
 {
-    /// <summary>The reason why a joint assumed at rest may not be at rest; empty for none.</summary>
+    /// <summary>The reason why a joint assumed at rest may not be at rest; empty if there is none.</summary>
     public string Uncertainty { get; init; } = "";
 
     public bool IsGood => State.IsGood();

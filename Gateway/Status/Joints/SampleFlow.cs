@@ -27,7 +27,7 @@ sealed class SampleFlow(TimeProvider time)
 
     public bool IsFlowing => HasAny && Silence < JointBoard.StaleAfter;
 
-    /// <summary>Control time minus the newest sample's stamp.</summary>
+    /// <summary>Control time minus the newest sample's stamp; null before the first sample.</summary>
     public TimeSpan? Age => HasAny ? _ageAtArrival + Silence : null;
 
     public double RateHz => IsFlowing && _meanSeconds > 0 ? 1 / Math.Max(_meanSeconds, Silence.TotalSeconds) : 0;

@@ -18,7 +18,7 @@ sealed class UnpublishedJoints(TimeProvider time)
     readonly Dictionary<string, (long Count, DateTimeOffset Utc)> _since = [];
 
     /// <summary>Gets the unpublished joints.</summary>
-    /// <param name="robot">The described robot; null for none.</param>
+    /// <param name="robot">The described robot; null if no robot is described.</param>
     /// <param name="hasSource">Returns whether a source publishes a joint or an adapter has the joint in its configuration.</param>
     public IEnumerable<JointStatus> Judge(RobotModel robot, Func<string, bool> hasSource)
     {

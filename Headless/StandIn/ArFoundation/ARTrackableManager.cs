@@ -21,7 +21,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
 
     protected XROrigin origin { get; private set; }
 
-    /// <summary>The manager of this type that was enabled last.</summary>
+    /// <summary>The manager of this type that was enabled most recently.</summary>
     internal static ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProvider, TSessionRelativeData, TTrackable> Latest { get; private set; }
 
     protected virtual void Awake() => origin = GetComponent<XROrigin>();
@@ -43,7 +43,7 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
         subsystem.Removed.Clear();
     }
 
-    /// <summary>Makes a component that a script has added a trackable of the device.</summary>
+    /// <summary>Registers a component that a script has added as a trackable of the device. It is pending until the device reports it.</summary>
     internal void Adopt(TTrackable trackable, TSessionRelativeData data)
     {
         m_Trackables.Add(data.trackableId, trackable);

@@ -10,7 +10,7 @@ public class SubsystemLifecycleManager<TSubsystem, TSubsystemDescriptor, TProvid
 {
     public TSubsystem subsystem { get; private set; }
 
-    // As in Unity, this is the only place where the manager searches for its subsystem.
+    // As in Unity, the manager searches for its subsystem only here.
     protected virtual void OnEnable()
     {
         subsystem = ArDevice.Current?.Find<TSubsystem>();

@@ -31,7 +31,7 @@ public class XRAnchorSubsystem : TrackingSubsystem<XRAnchor, XRAnchorSubsystem, 
         return true;
     }
 
-    /// <summary>Sets the pose and state of an anchor: simulates a correction of the device's map, the loss of the map, or a loaded anchor.</summary>
+    /// <summary>Sets the pose and state of an anchor. Simulates a correction of the device's map, the loss of the map, or a loaded anchor.</summary>
     internal void Place(TrackableId id, Pose pose, TrackingState state)
     {
         _anchors[id] = new XRAnchor(id, pose, state);

@@ -13,7 +13,7 @@ public class OpenXRTime
     /// <summary>Function of the simulated runtime that predicts display times; null simulates the Editor, which has no runtime.</summary>
     internal static Func<FrameTime, long> PredictedXrTime { get; set; }
 
-    /// <summary>OpenXR time, in nanoseconds, at the count 0 of the performance counter.</summary>
+    /// <summary>OpenXR time, in nanoseconds, at which the performance counter is 0.</summary>
     internal static long XrTimeAtCountZero { get; set; }
 
     /// <summary>Frequency of the performance counter in Hz.</summary>

@@ -6,10 +6,10 @@ namespace Microsoft.MixedReality.OpenXR.ARSubsystems;
 
 public class XRMarkerSubsystem : TrackingSubsystem<XRMarker, XRMarkerSubsystem, XRMarkerSubsystemDescriptor, XRMarkerSubsystem.Provider>
 {
-    /// <summary>Texts of the codes that the device has decoded.</summary>
+    /// <summary>Contents of the codes that the device has decoded, by the ids of the trackables.</summary>
     internal Dictionary<TrackableId, string> Texts { get; } = new();
 
-    /// <summary>Number of requests for the text of a code.</summary>
+    /// <summary>Number of requests for the content of a code.</summary>
     internal int TextsAsked { get; set; }
 
     public abstract class Provider : SubsystemProvider<XRMarkerSubsystem>

@@ -5,7 +5,8 @@ using System.Threading;
 namespace NativeWebSocket
 {
     /// <summary>
-    /// Raises events as the package does: in the synchronisation context in which the socket was created; without a context, on request.
+    /// Raises events as the package does: posts them to the synchronisation context in which the socket was created. Without a context, events wait
+    /// for <see cref="Dispatch"/>.
     /// </summary>
     sealed class EventPump
     {

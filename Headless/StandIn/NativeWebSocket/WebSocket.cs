@@ -10,10 +10,10 @@ using SystemState = System.Net.WebSockets.WebSocketState;
 namespace NativeWebSocket
 {
     /// <summary>
-    /// Behaves like the package. The constructor stores the current synchronisation context and posts events to it; without a context, events
-    /// wait for <see cref="DispatchMessageQueue"/>. The task of <see cref="Connect"/> completes when the connection ends, and never fails. Text and
-    /// binary messages are not distinguished, arrive as a whole and have no size limit. A message that is sent while the socket is not open is
-    /// lost without an error.
+    /// Behaves like the class of the package NativeWebSocket. The constructor stores the current synchronisation context and posts events to it;
+    /// without a context, events wait for <see cref="DispatchMessageQueue"/>. The task of <see cref="Connect"/> completes when the connection ends,
+    /// and never fails. Text and binary messages are not distinguished, arrive as a whole and have no size limit. A message that is sent while the
+    /// socket is not open is lost without an error.
     /// </summary>
     public class WebSocket : IWebSocket
     {
@@ -82,7 +82,7 @@ namespace NativeWebSocket
             }
         }
 
-        /// <summary>Receives until the connection ends. A failure is not thrown, but reported as an abnormal end.</summary>
+        /// <summary>Receives until the connection ends. Reports a failure as an abnormal closure instead of throwing an exception.</summary>
         public async Task Receive()
         {
             var code = WebSocketCloseCode.Abnormal;

@@ -12,8 +12,8 @@ namespace Nowpose.UnityPlayer;
 
 /// <summary>Loads the assets of a Unity project from Unity's text format. Finds assets by their .meta files.</summary>
 /// <remarks>
-/// The library is stricter than the editor: for example, it reports a reference to a missing object, an unknown field, or a missing script as an
-/// error. Scripts and assembly definitions need only their .meta files. Each player loads an asset once. The class is not thread-safe.
+/// The library is stricter than the editor. For example, it reports a reference to a missing object, an unknown field, or a missing script as an
+/// error. Scripts and assembly definitions need only their .meta files. A player loads each asset once. The class is not thread-safe.
 /// </remarks>
 public sealed class AssetLibrary
 {

@@ -11,8 +11,8 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer;
 
 /// <summary>
-/// Writes objects in Unity's text format. The same objects give the same text on every machine. The objects of a file loaded by
-/// <see cref="AssetLibrary"/> give the text of the file again.
+/// Writes objects in Unity's text format. The same objects produce the same text on every machine. Writing the objects of a file that
+/// <see cref="AssetLibrary"/> has loaded reproduces the text of the file.
 /// </summary>
 public sealed class AssetWriter
 {
@@ -31,7 +31,7 @@ public sealed class AssetWriter
 
     /// <summary>Writes a stand-in for a prefab of another package, with the fileIDs of the original.</summary>
     /// <param name="root">Root object of the prefab. Its descendants are included.</param>
-    /// <param name="fileIds">FileIDs of the original for some of the objects. The writer generates the fileIDs of the other objects.</param>
+    /// <param name="fileIds">FileIDs that some of the objects have in the original. The writer generates the fileIDs of the other objects.</param>
     internal string Prefab(GameObject root, IReadOnlyDictionary<Object, long> fileIds)
     {
         return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name, fileIds));

@@ -82,7 +82,7 @@ sealed class FrameLoop
 
     void SendFocus() => Send((script, value) => script.Script.Focus(script, value), _world.Host.Focused);
 
-    // Disabled scripts on active objects receive these messages, too.
+    // Disabled scripts on active objects also receive these messages.
     void Send(Action<MonoBehaviour, bool> call, bool value)
     {
         foreach (var gameObject in _world.Scenes.GameObjects())

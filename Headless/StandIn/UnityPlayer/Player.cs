@@ -7,7 +7,7 @@ namespace Nowpose.UnityPlayer;
 
 /// <summary>Plays scenes like a built application, frame by frame, at times that the caller gives.</summary>
 /// <remarks>
-/// Unity's static members (Time, Application, Object.Instantiate, …) refer to the player that was created or stepped last. An object belongs to
+/// Unity's static members, such as those of Time, Application and Object, refer to the player that was created or stepped last. An object belongs to
 /// the player in which it was created. Only <see cref="Debug"/> may be used from other threads.
 /// </remarks>
 public sealed class Player : IDisposable
@@ -38,13 +38,14 @@ public sealed class Player : IDisposable
     public IReadOnlyList<PlayerLogEntry> Logs => _log.Entries;
 
     /// <summary>
-    /// Number of objects that are not destroyed: objects of scenes, and objects that scripts have created (meshes, materials, …). Assets do not
-    /// count.
+    /// Number of objects that are not destroyed: objects of scenes, and objects that scripts have created, for example meshes and materials. Assets
+    /// do not count.
     /// </summary>
     public int ObjectCount => _world.ObjectCount;
 
     /// <summary>
-    /// Number of delegates that are subscribed to Unity's events (of Application, Camera, …). Tests use it to find missing unsubscriptions.
+    /// Number of delegates that are subscribed to Unity's events, for example those of Application and Camera. Tests use it to find missing
+    /// unsubscriptions.
     /// </summary>
     public int SubscriberCount => _world.SubscriberCount;
 
@@ -52,7 +53,9 @@ public sealed class Player : IDisposable
 
     /// <summary>Loads a scene, makes it the active scene, and activates its objects.</summary>
     /// <param name="path">Path within the project (<c>Assets/Scenes/Demo.unity</c>) or an absolute path.</param>
-    /// <param name="prepare">Called with the root objects of the scene before their activation, to change them; may be null.</param>
+    /// <param name="prepare">
+    /// Called with the root objects of the scene before their activation, so that the caller can change them; may be null.
+    /// </param>
     /// <exception cref="AssetException">The scene does not exist or is invalid.</exception>
     public void LoadScene(string path, Action<IReadOnlyList<GameObject>> prepare = null)
     {

@@ -6,7 +6,8 @@ public static class AssetNames
     public const string MetaSuffix = ".meta";
 
     /// <summary>
-    /// Gets whether Unity ignores a name. It ignores names with a leading dot, a trailing tilde or the extension .tmp, and the name cvs.
+    /// Returns whether Unity ignores files and folders of this name: names with a leading dot, a trailing tilde or the extension .tmp, and the name
+    /// cvs.
     /// </summary>
     public static bool IsHidden(string name)
     {
@@ -17,9 +18,11 @@ public static class AssetNames
 
     public static bool IsMeta(string name) => name.EndsWith(MetaSuffix, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Gets whether a name is the name of a build folder of .NET. Unity would import such folders inside Assets/ and Packages/.</summary>
+    /// <summary>Returns whether .NET gives its build folders this name. Unity would import such folders inside Assets/ and Packages/.</summary>
     public static bool IsBuildFolder(string name) => name is "bin" or "obj";
 
-    /// <summary>Gets whether a name is the name of a build file of .NET. Unity would import such files inside Assets/ and Packages/.</summary>
+    /// <summary>
+    /// Returns whether this is a file name of a .NET project or solution. Unity would import such files inside Assets/ and Packages/.
+    /// </summary>
     public static bool IsBuildFile(string name) => Path.GetExtension(name) is ".csproj" or ".sln" or ".slnx";
 }

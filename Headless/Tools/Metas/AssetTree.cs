@@ -1,8 +1,8 @@
 namespace Nowpose.Metas;
 
 /// <summary>
-/// Lists the assets that the editor would import: everything in Assets/, in each embedded package and in each sample. The editor ignores a
-/// sample until the user imports it, but a sample already contains its .meta files.
+/// Lists the assets that the editor would import: everything in Assets/, in each embedded package and in each sample. The editor ignores a sample
+/// until the user imports it, but the .meta files of a sample must already exist.
 /// </summary>
 public sealed class AssetTree
 {

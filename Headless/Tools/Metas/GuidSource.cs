@@ -13,7 +13,9 @@ public sealed class GuidSource
     /// <param name="taken">GUIDs that are already used in the project.</param>
     public GuidSource(IEnumerable<string> taken) => _taken = new HashSet<string>(taken);
 
-    /// <summary>Gets an unused GUID for a path. If the first GUID of the path belongs to an asset that was moved, returns the next one.</summary>
+    /// <summary>
+    /// Returns an unused GUID for a path. If an asset that was moved already has the first GUID of the path, returns the next GUID of the path.
+    /// </summary>
     public string Next(string path)
     {
         for (var attempt = 0; ; attempt++)

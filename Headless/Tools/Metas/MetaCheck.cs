@@ -1,6 +1,6 @@
 namespace Nowpose.Metas;
 
-/// <summary>Finds faults that would make Unity's import fail, or make it differ between two machines.</summary>
+/// <summary>Finds faults that would make Unity's import fail or give different results on two machines.</summary>
 public static class MetaCheck
 {
     /// <returns>One line per fault, starting with the path; empty if there are none.</returns>

@@ -19,7 +19,7 @@ public sealed record ArchiveEntry(string Name, UnixFileMode Mode)
 
     public bool IsFolder => Open == null && LinkTarget == null;
 
-    /// <summary>Lists the contents of a folder, sorted by name. Of the permissions, only the executable bit is kept.</summary>
+    /// <summary>Lists the contents of a folder, sorted by name. Of the permissions, keeps only the executable bit.</summary>
     /// <param name="place">Path of the folder in the archive; empty for the top level.</param>
     public static IReadOnlyList<ArchiveEntry> OfFolder(string folder, string place)
     {

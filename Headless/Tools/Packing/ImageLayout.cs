@@ -62,7 +62,7 @@ public sealed class ImageLayout
         var images = Blob("index.v1+json", Index(_manifests, annotations));
         images["annotations"] = new JsonObject
         {
-            // containerd's tools read the name; tools that support only the standard key read the tag.
+            // containerd's tools read the full name; tools that support only the standard key read the tag.
             ["io.containerd.image.name"] = name,
             ["org.opencontainers.image.ref.name"] = name[(name.LastIndexOf(':') + 1)..],
         };

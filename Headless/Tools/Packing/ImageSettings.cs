@@ -3,12 +3,12 @@ using System.Text.Json.Nodes;
 namespace Nowpose.Packing;
 
 /// <summary>Settings with which a container runs its program, from the last stage of a Containerfile.</summary>
-/// <param name="Json">Settings in the format of OCI images, which does not support health checks.</param>
+/// <param name="Json">Settings in the format of OCI images. This format does not support health checks.</param>
 /// <param name="UserId">Id of the user and the group.</param>
 /// <param name="State">Folder that the user owns.</param>
 public sealed record ImageSettings(JsonObject Json, int UserId, string State)
 {
-    /// <param name="userId">Id of the user. The file contains only the name of a user of the base image.</param>
+    /// <param name="userId">Id of the user. The Containerfile contains only the user's name, which the base image defines.</param>
     public static ImageSettings Read(string containerfile, int userId)
     {
         var lines = containerfile.Replace("\\\n", " ", StringComparison.Ordinal).Split('\n')

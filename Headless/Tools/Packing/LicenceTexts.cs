@@ -3,9 +3,10 @@ using System.Xml.Linq;
 
 namespace Nowpose.Packing;
 
-/// <summary>Collects the licences of NuGet packages with their texts.</summary>
+/// <summary>Collects the licence texts of NuGet packages.</summary>
 /// <param name="standard">
-/// Licence texts by SPDX identifier, for packages that state only identifiers. The first identifier with a text is used.
+/// Licence texts by SPDX identifier, for packages that contain no licence text. If a package states several identifiers, the first one that has a
+/// text here is used.
 /// </param>
 public sealed class LicenceTexts(IReadOnlyDictionary<string, string> standard)
 {

@@ -72,7 +72,7 @@ static BillOfMaterials Joined(string notices, string adapterLicences, string oth
     var shipped = Notices.ShippedIn(notices).Concat(Notices.BundledIn(adapterLicences)).ToHashSet(StringComparer.Ordinal);
     var joined = new BillOfMaterials();
     foreach (var bill in bills.Select(path => JsonNode.Parse(File.ReadAllText(path)).AsObject()))
-        // The bill for npm also lists packages that only the build uses. The bill for NuGet marks such packages itself.
+        // npm's bill of materials also lists packages that only the build uses. NuGet's bill marks such packages itself.
         joined.Add(bill, IsOfNpm(bill) ? shipped.Contains : _ => true);
     foreach (var line in File.ReadLines(others).Select(line => line.Split('\t'))) joined.Add(line[0], line[1]);
     return joined;
@@ -83,7 +83,7 @@ static bool IsOfNpm(JsonObject bill) =>
 
 static void WriteLicences(string file, string licence, string apache, string[] packages)
 {
-    // The text of the MIT licence is always the same; only the copyright line differs.
+    // The MIT licence has the same text in all packages, except for the copyright line.
     var mit = licence[licence.IndexOf("Permission is hereby granted", StringComparison.Ordinal)..];
     var texts = new LicenceTexts(new Dictionary<string, string> { ["MIT"] = mit, ["Apache-2.0"] = apache });
     foreach (var package in packages) texts.Add(package);

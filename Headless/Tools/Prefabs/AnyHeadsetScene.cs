@@ -29,7 +29,7 @@ static class AnyHeadsetScene
         return assets.Scene(rig, Props.Light(hasShadows: false), cell);
     }
 
-    /// <summary>Adds the handle whose pose is the robot's base frame. It is 6 cm large, and its nose points along the robot's x axis.</summary>
+    /// <summary>Adds the handle whose pose is the robot's base frame. It is a cube of 6 cm, with a nose along the robot's x axis.</summary>
     static void AddHandle(PackageAssets assets, Transform cell, Transform rig)
     {
         var handle = new GameObject("Base Handle");

@@ -3,16 +3,21 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Creates the objects for measuring a display: the code of each frame, the load behind it, and the sweep with its text.</summary>
+/// <summary>
+/// Creates the objects for the calibration of a display: the code with the time of each frame, the rendering load behind the code, and the load sweep
+/// with its text.
+/// </summary>
 static class CalibrationObjects
 {
     /// <summary>Distance of the code from the user. At this distance, its height is an eighth of the picture of the headset's camera.</summary>
     const float DistanceMetres = 1;
 
-    /// <summary>Angle below the line of sight. It is negative: the code is above the status panel and leaves space for three lines of text.</summary>
+    /// <summary>
+    /// Angle below the line of sight. The negative value places the code above the status panel, with space for three lines of text.
+    /// </summary>
     const float DegreesBelow = -6;
 
-    /// <summary>Distance of the load behind the status panel, so that the load hides nothing.</summary>
+    /// <summary>Distance of the load behind the code. The load is therefore also behind the status panel and hides nothing.</summary>
     const float LoadBehindMetres = 0.5f;
 
     const float WordsAboveMetres = 0.06f;

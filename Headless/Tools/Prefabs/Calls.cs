@@ -19,7 +19,7 @@ static class Calls
     public static void Add(Component owner, string eventField, Object target, string method, bool argument) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.Bool, argument));
 
-    /// <summary>Adds a call that passes on the argument of the event.</summary>
+    /// <summary>Adds a call that receives the argument of the event.</summary>
     public static void AddDynamic(Component owner, string eventField, Object target, string method) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.EventDefined, null));
 

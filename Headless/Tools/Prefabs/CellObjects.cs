@@ -3,10 +3,10 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Adds objects of a scene to a cell of the package.</summary>
+/// <summary>Adds the actions of a cell to the package's cell prefab in a scene.</summary>
 static class CellObjects
 {
-    /// <summary>Adds the component with the actions of the cell.</summary>
+    /// <summary>Adds the component that provides the actions of the cell, for example for buttons and menus.</summary>
     public static CellActions AddActions(PackageAssets assets, MrilSession session)
     {
         var actions = session.gameObject.AddComponent<CellActions>();

@@ -18,7 +18,7 @@ sealed class CellPrefab
         _session = new GameObject(name).AddComponent<MrilSession>();
     }
 
-    /// <param name="path">Path of the prefab. The prefab has the name of the file.</param>
+    /// <param name="path">Path of the prefab. The name of the prefab is the file name.</param>
     /// <param name="robotPath">Path of the robot's description; null to use the robot that the gateway describes.</param>
     public static string Make(PackageAssets assets, string path, string robotPath)
     {
@@ -65,7 +65,7 @@ sealed class CellPrefab
         rig.gameObject.SetActive(false);
     }
 
-    /// <summary>Creates the rig. The gripper is a child of the flange or, while the robot is unknown, of the rig.</summary>
+    /// <summary>Creates the rig. The parent of the gripper is the flange or, if the robot is not known yet, the rig.</summary>
     RobotRig Rig(Transform anchor, Material arm, Material tool, out GameObject gripper)
     {
         var rig = Rigs.Build(_robot, anchor, arm, tool);

@@ -4,12 +4,12 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;
 
-/// <summary>Creates the youBot's gripper as a separate prefab in the flange's frame, with closed fingers.</summary>
+/// <summary>Creates the youBot's gripper as a separate prefab, in the frame of the flange and with closed fingers.</summary>
 static class GripperPrefab
 {
     const string Words = "Words";
 
-    /// <summary>Gets the text of a gripper instance that states why its pose is not current.</summary>
+    /// <summary>Returns the text object of a gripper instance, which states why the gripper's pose is not current.</summary>
     public static TextMesh WordsOf(GameObject gripper) => gripper.transform.Find(Words).GetComponent<TextMesh>();
 
     public static string Make(PackageAssets assets)
@@ -34,7 +34,7 @@ static class GripperPrefab
         return assets.Prefab(gripper);
     }
 
-    /// <summary>Adds the appearance to the gripper itself, so that a gripper without a rig also shows when its pose is outdated.</summary>
+    /// <summary>Adds the appearance to the gripper itself. A gripper without a rig therefore also shows that its pose is outdated.</summary>
     static void AddAppearance(PackageAssets assets, GameObject gripper, Material substitute)
     {
         var words = Texts.Add(assets, Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);

@@ -10,7 +10,9 @@ static class MaterialAssets
     /// <summary>Render queue of opaque objects.</summary>
     const int Opaque = 2000;
 
-    /// <summary>Render queue after the virtual parts. An object in this queue does not hide the parts behind it: they are already drawn.</summary>
+    /// <summary>
+    /// Render queue after the virtual parts. An object in this queue does not hide the virtual parts behind it, because they are already drawn.
+    /// </summary>
     const int AfterVirtualParts = 3100;
 
     /// <summary>Creates the material of virtual parts. It is bright, because a headset's display can only add light.</summary>
@@ -21,13 +23,15 @@ static class MaterialAssets
     /// </summary>
     public static string Arm(PackageAssets assets) => Make(assets, "Arm", new Color(1, 0.55f, 0.15f, 1));
 
-    /// <summary>Creates the material of workpieces. It is yellow, so that they differ from the gripper that holds them.</summary>
+    /// <summary>Creates the material of workpieces. It is yellow to distinguish a workpiece from the gripper that holds it.</summary>
     public static string Workpiece(PackageAssets assets) => Make(assets, "Workpiece", new Color(1, 0.85f, 0.2f, 1));
 
     /// <summary>Creates the material of the uncompensated pose. It is grey and half transparent, so that it differs not only in colour.</summary>
     public static string Ghost(PackageAssets assets) => Make(assets, "Ghost", new Color(0.8f, 0.8f, 0.8f, 0.4f), AfterVirtualParts);
 
-    /// <summary>Creates the material of real objects in a desktop scene. It is grey and shaded without a light in both render pipelines.</summary>
+    /// <summary>
+    /// Creates the material of real objects in a desktop scene. It is grey, and shaded even without a light in both render pipelines.
+    /// </summary>
     public static string Solid(PackageAssets assets) => Make(assets, "Solid", new Color(0.6f, 0.6f, 0.6f, 1), Opaque);
 
     /// <summary>Creates the material of text that objects in front of it can hide.</summary>
@@ -44,7 +48,7 @@ static class MaterialAssets
     }
 
     /// <summary>
-    /// Creates the dark material behind the status panel's text. It is nearly invisible on a headset and a background in the editor.
+    /// Creates the dark material behind the status panel's text. It is nearly invisible on a headset; in the editor, it serves as a background.
     /// </summary>
     public static string Panel(PackageAssets assets) => Make(assets, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
 

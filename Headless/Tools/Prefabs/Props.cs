@@ -42,7 +42,8 @@ static class Props
     public static void SetNearClip(Camera camera) => camera.nearClipPlane = 0.1f;
 
     /// <summary>
-    /// Creates a directional light. A headset's scene has no shadows: they need a second rendering pass, and a headset's display cannot darken.
+    /// Creates a directional light. The scene of a headset has no shadows, because they need a second rendering pass, and a headset's display cannot
+    /// darken the room.
     /// </summary>
     public static GameObject Light(bool hasShadows = true)
     {

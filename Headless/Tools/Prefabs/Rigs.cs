@@ -7,8 +7,8 @@ namespace Nowpose.Prefabs;
 /// <summary>Builds rigs in the same way as the component at run time, to store them in a prefab.</summary>
 static class Rigs
 {
-    /// <param name="robot">Description of the robot; null for a rig that builds itself when its robot is known.</param>
-    /// <param name="parent">Parent of the rig; null for none.</param>
+    /// <param name="robot">Description of the robot; null to create a rig that builds itself when its robot is known.</param>
+    /// <param name="parent">Parent of the rig; null to create the rig without a parent.</param>
     /// <param name="arm">Material of the links up to the flange.</param>
     /// <param name="tool">Material of the links beyond the flange.</param>
     public static RobotRig Build(RobotDescriptionAsset robot, Transform parent, Material arm, Material tool)

@@ -6,8 +6,8 @@ namespace Nowpose.Prefabs;
 static class RobotAssets
 {
     /// <summary>
-    /// Creates an asset with the URDF's text that prefabs can reference. The assets that an importer creates from a .urdf file have fileIDs that
-    /// only Unity can determine.
+    /// Creates an asset that contains the URDF's text and that prefabs can reference. An importer could also create it from a .urdf file, but only
+    /// Unity can determine the fileIDs of imported objects.
     /// </summary>
     public static string Description(PackageAssets assets, string path, string urdfPath)
     {

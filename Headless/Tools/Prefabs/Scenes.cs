@@ -22,7 +22,7 @@ static class Scenes
         return Save(assets, cell);
     }
 
-    /// <summary>Creates a scene that also draws the real arm at its simulated position. The arm hides the virtual parts behind it.</summary>
+    /// <summary>Creates a scene that also draws the real arm, at its simulated position. The arm hides the virtual parts behind it.</summary>
     public static string VirtualRobotCell(PackageAssets assets)
     {
         var cell = Cell(assets, PackagePaths.Cell, PackagePaths.VirtualSettings);
@@ -67,7 +67,7 @@ static class Scenes
         return cell;
     }
 
-    /// <summary>Gets the invisible renderers that hide the gripper where it is behind the real arm.</summary>
+    /// <summary>Returns the invisible renderers of the arm, which hide the gripper where it is behind the real arm.</summary>
     static IEnumerable<MeshRenderer> Arm(PackageAssets assets, GameObject cell)
     {
         var occluder = assets.Load<Material>(PackagePaths.Occluder);
@@ -75,7 +75,7 @@ static class Scenes
             .Where(r => r.sharedMaterial == occluder);
     }
 
-    /// <summary>Makes the arm visible, also if it is built at run time.</summary>
+    /// <summary>Makes the arm visible, even if it is built at run time.</summary>
     static void Draw(PackageAssets assets, GameObject cell)
     {
         var material = assets.Load<Material>(PackagePaths.Arm);

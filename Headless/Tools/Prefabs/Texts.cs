@@ -6,10 +6,10 @@ namespace Nowpose.Prefabs;
 
 static class Texts
 {
-    /// <summary>Font size of the font's texture. With it, letters are sharp at arm's length.</summary>
+    /// <summary>Font size at which the font's texture is generated. At this size, letters are sharp at arm's length.</summary>
     const int Points = 48;
 
-    /// <summary>Scale at which letters are half a degree high at 1 m. The components adapt it to the distance of the user.</summary>
+    /// <summary>Scale at which letters are half a degree high at 1 m. Components adapt it to the distance from the user.</summary>
     const float Scale = 0.0035f;
 
     public static TextMesh Add(PackageAssets assets, string name, Transform parent, TextAnchor anchor, TextAlignment alignment)

@@ -12,7 +12,7 @@ static class WorkObjects
     /// <summary>Width of the belt; thickness of belt and fixture, m.</summary>
     const float Width = 0.05f, Thickness = 0.01f;
 
-    /// <summary>Number of the belt's points per straight section.</summary>
+    /// <summary>Number of points on each straight section of the belt.</summary>
     const int PointsPerSection = 2;
 
     public static GameObject Build(PackageAssets assets, MrilSession session, RobotModel robot)
@@ -38,7 +38,7 @@ static class WorkObjects
         return root;
     }
 
-    // Adds no text: six texts would hide the objects, and the status panel names the objects that are not current.
+    // Adds no text, because six texts would hide the objects. The status panel names the objects that are not current.
     static GameObject Shown<T>(string name, string frame, GameObject parent, MrilSession session, Material substitute)
         where T : Component
     {

@@ -16,7 +16,7 @@ namespace Nowpose.Editor
     {
         const string Folder = "GameObject/Nowpose/";
 
-        // With this priority, the entries are between Create Empty and the first group of Unity.
+        // This priority places the entries between Create Empty and the first group of Unity's own entries.
         const int Priority = 10;
 
         /// <summary>Names and actions of the menu's entries.</summary>

@@ -66,7 +66,8 @@ namespace Nowpose.Editor
             var again = GUILayout.Button("Check again");
             var part = DrawParts();
 
-            // Executes the action after this event: the number of controls must not change within an event, and a fix may recompile all scripts.
+            // Executes the action after this event, because the number of controls must not change within an event, and a fix may recompile all
+            // scripts.
             if (chosen != shown) EditorApplication.delayCall += () => Choose(Platforms[chosen]);
             else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
             else if (again) EditorApplication.delayCall += Refresh;

@@ -7,7 +7,7 @@ namespace Nowpose.Editor
 {
     /// <summary>Reads meshes in the binary and in the ASCII STL format. Unity itself imports neither.</summary>
     /// <remarks>
-    /// The length of the file determines its format. The first word does not, because many exporters also start binary files with "solid".
+    /// The length of the file determines its format. The first word cannot, because many exporters also start binary files with "solid".
     /// </remarks>
     public static class StlReader
     {
@@ -39,7 +39,7 @@ namespace Nowpose.Editor
             return Read(File.ReadAllBytes(path), sourceName);
         }
 
-        /// <inheritdoc cref="ReadFile"/>
+        /// <summary>Reads an STL file from memory.</summary>
         /// <param name="content">Content of the whole file.</param>
         public static StlTriangles Read(byte[] content, string sourceName)
         {

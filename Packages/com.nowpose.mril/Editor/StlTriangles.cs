@@ -31,7 +31,7 @@ namespace Nowpose.Editor
             double bx = (double)c[6] - c[0], by = (double)c[7] - c[1], bz = (double)c[8] - c[2];
             double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
             var longest = System.Math.Max(ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz);
-            // A ratio of width to length below 1e-7 is within the rounding error of float coordinates, so the area is regarded as zero.
+            // A width of less than 1e-7 of the length is within the rounding error of float coordinates, so the area counts as zero.
             return x * x + y * y + z * z > longest * longest * 1e-14;
         }
     }

@@ -17,7 +17,7 @@ namespace Nowpose.Editor
     [ScriptedImporter(Version, "urdf", AfterModels)]
     public sealed class UrdfImporter : ScriptedImporter
     {
-        // Increase this number when the import of an unchanged file gives another result, so that Unity imports all files again.
+        // Increase this number when the import of an unchanged file gives a different result. Unity then imports all files again.
         const int Version = 1;
 
         // Position in Unity's import order: after textures, shaders and models, to which a URDF refers, and before prefabs (1500), which may refer
@@ -66,7 +66,7 @@ namespace Nowpose.Editor
             return File.ReadAllText(path);
         }
 
-        // Unity calls this method by its name before an import, and imports the returned files first. OnImportAsset reports the errors.
+        // Unity calls this method by name before an import, and imports the returned files first. OnImportAsset reports the errors.
         internal static string[] GatherDependenciesFromSourceFile(string path)
         {
             try

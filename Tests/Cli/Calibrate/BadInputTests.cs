@@ -8,7 +8,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Tests invalid input of calibrations. Each prints one line with the reason and leaves the existing profile unchanged.</summary>
+/// <summary>
+/// Tests calibrations with invalid input. Each of them must print one line with the reason and leave the existing profile unchanged.
+/// </summary>
 public sealed class BadInputTests : CalibrationFolder
 {
     const int Width = 640, Height = 360, Side = 128;
@@ -16,7 +18,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     byte[] _good;
 
-    // Renders the pictures of all tests. Starting a worker takes as long as rendering twenty pictures.
+    // Renders the pictures of all tests. It is shared, because starting a worker takes as long as rendering twenty pictures.
     VisionPool _renderer;
 
     [OneTimeTearDown]
@@ -39,7 +41,7 @@ public sealed class BadInputTests : CalibrationFolder
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(_good));
     }
 
-    // The results of rejected pictures are printed to stdout, like those of valid pictures.
+    // The results of rejected pictures are printed to stdout, as are those of valid pictures.
     async Task RejectedWith(string message, params string[] arguments)
     {
         var run = await CliRun.OfAsync(["calibrate", .. arguments, "--out", Out]);
@@ -73,7 +75,7 @@ public sealed class BadInputTests : CalibrationFolder
             [[left, top], [left + size, top], [left + size, top + size], [left, top + size]], [.. lit.Select(each => each ? 1.0 : 0)], 0.6, 0, panel);
     }
 
-    // Also removes the scene, because its edges can look like a code at first.
+    // Also removes the scene, because the reader may at first mistake its edges for a code.
     static Shot WithoutCodes(Shot shot) => shot with { Codes = [], SceneLight = 0 };
 
     // Half of one code is outside the left edge of the picture. The other code is complete.
@@ -131,7 +133,8 @@ public sealed class BadInputTests : CalibrationFolder
         Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain("two.png").And.Contain("z.HEIC"));
     }
 
-    // Reads each picture alone, together with others in both orders, and with two workers: the results must be independent of each other.
+    // Reads each picture alone, together with the others in both orders, and with two workers. The result for a picture must not depend on the other
+    // pictures.
     [Test]
     public void Read_PicturesInAnotherOrder_GivesTheSameCodes()
     {
@@ -141,7 +144,7 @@ public sealed class BadInputTests : CalibrationFolder
             Picture("d.png", Moved),
         ];
 
-        // Workers of a given script are new, so each has read no other picture.
+        // If the path of the script is given, new workers are started, so none of them has read another picture before.
         var alone = files.Select(file => CodesOf([file], 1, Path.Combine(AppContext.BaseDirectory, "vision", "worker.mjs"))[0]).ToArray();
 
         Assert.That(CodesOf(files, 1), Is.EqualTo(alone));

@@ -4,13 +4,14 @@ using Nowpose.Vision;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Creates codes as they are found in pictures, from the lit cell of each pair.</summary>
+/// <summary>Creates codes as they are found in pictures, from the states of the pairs of cells.</summary>
 static class CodeLevels
 {
     public const double Light = 0.4;
 
     /// <param name="signOf">
-    /// Gets, for each pair, 1 if the left cell is lit, −1 if the right cell is lit, or a value in between if both share the exposure.
+    /// Returns, for each pair, 1 if the left cell is lit, −1 if the right cell is lit, or a value in between if each of them is lit for a part of the
+    /// exposure.
     /// </param>
     public static FoundCode Of(CodeKind kind, Func<int, double> signOf, double top = 300)
     {

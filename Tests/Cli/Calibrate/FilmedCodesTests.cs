@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>A filmed load sweep. The video shows every fourth frame, with both codes side by side in front of a dark wall.</summary>
+/// <summary>Tests a filmed load sweep. The video shows every fourth frame, with both codes side by side in front of a dark wall.</summary>
 [NonParallelizable]
 public class FilmedCodesTests : VideoFolder
 {
@@ -86,7 +86,7 @@ public class FilmedCodesTests : VideoFolder
         Assert.That(File.ReadLines(Path.Combine(Out, "pairs.csv")).Count(), Is.EqualTo(1 + _truth.Count));
         var profile = LatencyProfileFile.Load(ProfilePath);
         Assert.That(profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(TrueMs).Within(1));
-        // The loads are coarse, so the limit can be anywhere between the loads below and above it. The render times also scatter.
+        // The steps between the loads are large, so the limit can be anywhere between the loads below and above it. The render times also scatter.
         Assert.That(profile.Range.Limit.TotalMilliseconds, Is.InRange(14.1, 1.02 * TrueLimitMs));
         Assert.That((profile.Device, profile.Range.Source), Is.EqualTo(("HoloLens 2", RenderTimeSourceKind.EngineGpuTime)));
     }

@@ -9,7 +9,8 @@ public sealed class HeadResultTests
 {
     static HeadResult ResultOf(SwungPictures pictures) => new(new VlcResult(pictures.Take()));
 
-    // With late-stage reprojection, a few ms remain; without it, all of L_visu. If a runtime predicts too far, the latency is negative.
+    // With late-stage reprojection, the latency for head motion is a few ms; without it, it equals L_visu. If a runtime predicts too far ahead, it is
+    // negative.
     [Test]
     public void HeadResult_AnyLatencyAndLVisu_EstimatesThemSeparately(
         [Values(-3, 0, 2, 5, 20, 40)] double latencyMs, [Values(25, 40, 60)] double visuMs, [Values(1, 2)] int seed)

@@ -6,7 +6,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Tests the verb from rendered pictures of a moving headset to a profile. Needs Node.js, like the build.</summary>
+/// <summary>
+/// Tests the verb <c>calibrate head</c>, from rendered pictures of a moving headset to a profile. Needs Node.js, as the build does.
+/// </summary>
 public sealed class HeadVerbTests : CalibrationFolder
 {
     async Task<string> TakenAsync(string name, params string[] more)

@@ -59,7 +59,7 @@ public sealed class MovingPicturesTests
         }
     }
 
-    // A hand-held camera drifts, and pictures from all periods of the codes have the same times within the period.
+    // A hand-held camera drifts. Pictures from different periods of the codes have the same times within the period.
     [Test]
     public void Rejected_StillHeadsetOverSeveralPeriods_KeepsAllPictures()
     {

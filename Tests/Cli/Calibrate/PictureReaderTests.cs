@@ -54,7 +54,7 @@ public sealed class PictureReaderTests
     {
         FoundCode[] codes = [CodeLevels.Run(10_040, 1), CodeLevels.Of(CodeKind.Headset, 10_000)];
         var second = codes.Single(code => code.Kind == (CodeKind)kind) with { IsWeak = true };
-        // A part of another object, whose pairs match no code.
+        // A part of another object that looks like a weak code; its pairs match no code.
         var other = CodeLevels.Of((CodeKind)kind, pair => pair % 2 == 0 ? 1 : 0.4) with { IsWeak = true };
 
         Assert.That(Read(new PictureReader(0, 0), [.. codes, second]).Fault, Does.StartWith("two "));
@@ -168,7 +168,7 @@ public sealed class PictureReaderTests
                 var brighter = value - 10_000 + (share < 0.5 ? 0 : step);
                 Assert.That(result.VisuMs, Is.EqualTo(brighter).Within(Math.Max(2, step / 2.0)), $"{value} ms, {share}");
             }
-        // Only the shares 0.1, 0.3 and 0.8 can be read. With the others, both frames are about equally bright.
+        // Only the shares 0.1, 0.3 and 0.8 can be read. With the other shares, both frames are about equally bright.
         Assert.That(read, Is.GreaterThanOrEqualTo(40 * 3));
     }
 

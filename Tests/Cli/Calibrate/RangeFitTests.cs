@@ -28,7 +28,7 @@ public class RangeFitTests
         Assert.That(near, Is.GreaterThanOrEqualTo(95), limits);
     }
 
-    // A picture has the render time of the newest finished frame. Near the limit, this render time does not show which frames are late.
+    // The render time that is logged for a picture is that of the newest finished frame. Near the limit, it does not show which frames are late.
     [TestCase(30, 85)]
     [TestCase(100, 95)]
     public void Fit_RenderTimesOfEarlierFrames_ErrsByMinusSixToPlusTwoPercent(int perLoad, int minCount)
@@ -190,7 +190,7 @@ public class RangeFitTests
         }
         catch (InputException)
         {
-            // A profile without a limit would not be correct, either.
+            // The exception is an acceptable result, because no limit must be found.
         }
 
         Assert.That(limit, Is.Null);
@@ -220,7 +220,7 @@ public class RangeFitTests
         }
     }
 
-    // Any input must give a plausible result or a message that states why there is none.
+    // Any input must lead to a plausible result or to an error message that states why there is none.
     [Test]
     public void Fit_RandomPairs_ReturnsAPlausibleResultOrThrows()
     {

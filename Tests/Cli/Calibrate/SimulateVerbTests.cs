@@ -16,7 +16,8 @@ public sealed class SimulateVerbTests
     }
 
     /// <summary>
-    /// Thirty camera positions with different scenes, sizes, lights, LEDs and squares. Fails if more than one in ten cannot be read.
+    /// Checks the simulation with thirty camera positions and different scenes, sizes, lights, LEDs and squares. Fails if more than one picture in
+    /// ten cannot be read.
     /// </summary>
     [Test]
     public void SimulationCheck_ThirtyCameraPositions_Reads90PercentWithoutMisreading()

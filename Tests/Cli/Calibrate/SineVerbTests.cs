@@ -10,7 +10,7 @@ public class SineVerbTests : CalibrationFolder
 {
     const double Fps = 60;
 
-    /// <summary>A filmed jog: positions of robot and hologram in pixels, each with noise of one pixel.</summary>
+    /// <summary>Simulates a filmed jog: positions of robot and hologram in pixels, each of them with noise of one pixel.</summary>
     sealed record Jog(double LagMs)
     {
         public int Seed { get; init; } = 1;
@@ -90,7 +90,7 @@ public class SineVerbTests : CalibrationFolder
     [Test]
     public async Task Sine_UncompensatedGhost_SubtractsTheDelayOfTheSamples()
     {
-        // The lag consists of 60 ms to the arrival of a sample, up to 47 ms until the next one replaces it, and 40 ms in the display.
+        // The lag consists of 60 ms until a sample arrives, up to 47 ms until the next sample replaces it, and 40 ms for the display.
         var result = await Measured(new Jog(100) { SamplingMs = 47, Seconds = 12 }, "--app-ms", "60", "--sampling-ms", "47");
 
         Assert.That(result.GetProperty("visu_ms").GetDouble(), Is.EqualTo(40).Within(3));

@@ -125,7 +125,7 @@ public sealed class SweepJoinTests
 
             foreach (var picture in joined.Where(picture => picture.File != "astray"))
                 Assert.That("p" + picture.Vertices, Is.EqualTo(picture.File), "seed " + seed);
-            // A wrong picture whose frame fits by chance can replace a neighbouring picture.
+            // A wrong picture whose frame matches by chance can replace a neighbouring picture.
             Assert.That(joined.Count(picture => picture.File != "astray"), Is.InRange(right - 2, right), "seed " + seed);
         }
     }

@@ -18,7 +18,7 @@ sealed record SwungPictures
     /// <summary>Standard deviation of both positions, px.</summary>
     public double NoisePx { get; init; } = 0.3;
 
-    /// <summary>Delay between the exposures of the control code's and the headset code's rows.</summary>
+    /// <summary>Time by which the camera exposes the rows of the headset's code later than the rows of the control code, ms.</summary>
     public double LaterMs { get; init; }
 
     /// <summary>
@@ -33,7 +33,7 @@ sealed record SwungPictures
 
     public int Seed { get; init; } = 1;
 
-    /// <summary>Gets the readings of 30 pictures per second. The headset's code has a resolution of 1 ms.</summary>
+    /// <summary>Returns the readings of pictures at about 30 pictures per second. The headset's code has a resolution of 1 ms.</summary>
     public IReadOnlyList<PictureResult> Take()
     {
         var random = new Random(Seed);

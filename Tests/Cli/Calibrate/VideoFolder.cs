@@ -19,13 +19,15 @@ public abstract class VideoFolder : CalibrationFolder
     [TearDown]
     public void RestorePath() => Environment.SetEnvironmentVariable("PATH", _path);
 
-    /// <summary>Path of the raw pictures in the format of ffmpeg's output: red, green and blue of each pixel, picture after picture.</summary>
+    /// <summary>
+    /// Path of the file with the raw pictures, in the format of ffmpeg's output: red, green and blue of each pixel, one picture after the other.
+    /// </summary>
     protected string FramesPath => Path.Combine(Folder, "frames.rgb");
 
     /// <returns>Path of the video.</returns>
     /// <param name="frames">Grey values of each picture, row by row.</param>
     /// <param name="times">Time of each picture, s.</param>
-    /// <param name="colour">Shares of red, green and blue in the light.</param>
+    /// <param name="colour">Relative intensities of red, green and blue.</param>
     protected string Video(string name, int width, int height, IEnumerable<byte[]> frames, IEnumerable<double> times, double[] colour = null)
     {
         using (var raw = File.Create(FramesPath))

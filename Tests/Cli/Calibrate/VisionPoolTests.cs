@@ -70,7 +70,7 @@ public sealed class VisionPoolTests
         }
     }
 
-    // The second worker also gets a picture, at any time.
+    // Never ends, so the second worker also gets a picture, regardless of when it is ready.
     static IEnumerable<PictureRequest> WithoutEnd()
     {
         while (true) yield return PictureRequest.File("a.png");
@@ -133,7 +133,7 @@ public sealed class VisionPoolTests
         Assert.That(RemoveKept(), Is.EqualTo(workers[..KeptWorkers.Max].Reverse()));
     }
 
-    // Other fixtures of this process also keep workers, but not at the same time.
+    // Takes all kept workers. Other test fixtures in this process also keep workers, but they do not run at the same time.
     static List<VisionWorker> RemoveKept()
     {
         var kept = new List<VisionWorker>();

@@ -124,7 +124,7 @@ public sealed class VlcEvaluationTests
             Throws.TypeOf<InputException>().With.Message.Contains("--sweep: the log has the frames of only").And.Message.Contains("the log of the sweep that the pictures show"));
     }
 
-    /// <summary>Uses the default duration of a load sweep, 126 s.</summary>
+    /// <summary>The simulated sweep lasts 126 s, which is the default duration.</summary>
     [Test]
     public void Evaluation_LongSweep_RequiresPicturesInOrder()
     {

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
-/// <summary>Tests the verb from pictures to a profile. Needs Node.js, like the build.</summary>
+/// <summary>Tests the verb <c>calibrate vlc</c>, which reads pictures and writes a latency profile. Needs Node.js, as the build does.</summary>
 public sealed class VlcVerbTests
 {
     string _folder;
@@ -110,7 +110,7 @@ public sealed class VlcVerbTests
         var whole = File.ReadAllBytes(In("pictures/picture-00001.jpg"));
         var tables = whole.AsSpan().IndexOf([(byte)0xff, (byte)0xc4]);
         File.WriteAllBytes(In("a.jpg"), whole[..(tables + 6)]);
-        // A decoder would invent the missing lower half.
+        // A decoder would fill the missing lower half with other pixels.
         File.WriteAllBytes(In("b.jpg"), whole[..(whole.Length / 2)]);
         whole.AsSpan(tables + 4, 60).Fill(0x11);
         File.WriteAllBytes(In("c.jpg"), whole);

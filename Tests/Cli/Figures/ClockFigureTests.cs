@@ -65,7 +65,7 @@ public class ClockFigureTests
         Assert.That(steps.Min(step => step.RoundTripMs), Is.GreaterThan(3), "each direction takes at least 1.5 ms");
     }
 
-    // In this network, 5.5 % of the exchanges are in a burst with delays of 5 to 30 ms. For 4.6 % of the others, half the difference of two
+    // In this network, 5.5 % of the exchanges are in a burst with delays of 5 to 30 ms. For 4.6 % of the other exchanges, half the difference of two
     // gamma-distributed jitters (shape 1.2, scale 0.6 ms) is 1 ms or more.
     [Test]
     public void FitErrors_TrueOffset_MatchTheNetworksDelays()

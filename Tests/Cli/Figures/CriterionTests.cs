@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Cli.Figures;
 
 public class CriterionTests
 {
-    // "+" is a criterion that is met, "-" one that is not met, "?" one that was not measured.
+    // "+" stands for a criterion that is met, "-" for a criterion that is not met, "?" for a criterion that was not measured.
     [TestCase("+", "holds")]
     [TestCase("+++", "holds")]
     [TestCase("+-+", "holds partly")]

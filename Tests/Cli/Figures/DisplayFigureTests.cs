@@ -13,7 +13,9 @@ public class DisplayFigureTests
 {
     const double StoredMs = 40, LimitMs = 15.2;
 
-    /// <summary>Half the width of a uniform scatter, ms: of a camera, of a refresh interval, and of a value in between.</summary>
+    /// <summary>
+    /// Half-widths of a uniform scatter, ms. Still: scatter of the camera. Refresh: scatter over a refresh interval. Between: a value in between.
+    /// </summary>
     const double Still = 1, Refresh = 8.3, Between = 5;
 
     static readonly Dictionary<int, Figure[]> Seeds = [];
@@ -39,7 +41,7 @@ public class DisplayFigureTests
                 Assert.That(criterion.IsMet, Is.True, $"seed {seed}: {criterion.Measured}");
     }
 
-    // Computed from the data that the figure shows.
+    // Computes the deviations from the data that the figure shows.
     [Test]
     public void Figure10_EachSeed_DeviatesThreeTimesAsMuchAtTheHighLoad()
     {
@@ -52,7 +54,7 @@ public class DisplayFigureTests
         }
     }
 
-    // A picture is taken at any time within the 4 ms in which its frame is lit. The headset's code has a resolution of 1 ms.
+    // A picture is taken at a random time within the 4 ms for which its frame is lit. The headset's code has a resolution of 1 ms.
     [Test]
     public void Figure10_NormalLoad_ScattersByLitTimeAndCodeResolution()
     {
@@ -68,7 +70,7 @@ public class DisplayFigureTests
         }
     }
 
-    // Computed independently: in steps three times as narrow, each with its own variance.
+    // Computes the deviation independently of the figure, with steps three times as narrow and a separate variance for each step.
     [Test]
     public void Figure11_EachSeed_DeviatesThreeTimesAsMuchAboveTheLimit()
     {

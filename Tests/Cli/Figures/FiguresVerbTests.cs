@@ -5,7 +5,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>Tests the complete verb with the minimum number of runs. The results do not depend on the run time.</summary>
+/// <summary>
+/// Tests the complete verb <c>figures</c> with the minimum number of runs. The results do not depend on how long the computation takes.
+/// </summary>
 public partial class FiguresVerbTests
 {
     static readonly FigureSettings Least = new() { Phases = 1, ClockRuns = 1, ClockSeconds = 30, SwingSeconds = 4, RandomSeconds = 4, Profile = SwingProfile.Of(40) };

@@ -37,7 +37,7 @@ public class LedMatrixPictureTests
         Assert.That(RowsOf("board", "#9ccbff"), Is.EqualTo(new byte[] { 0, 0x7e, 0x7e, 0x7e, 0x7e, 0x7e, 0x7e, 0 }));
     }
 
-    /// <summary>Gets the squares of one colour as rows of bits. The leftmost square is the highest bit.</summary>
+    /// <summary>Returns the squares of one colour as rows of bits. The leftmost square is the highest bit.</summary>
     static byte[] RowsOf(string group, string colour)
     {
         var all = XDocument.Parse(LedMatrixPicture.Draw()).Descendants(Svg + "g").Single(g => (string)g.Attribute("id") == group).Elements(Svg + "rect").ToList();

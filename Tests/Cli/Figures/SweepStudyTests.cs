@@ -6,7 +6,7 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>Compares the figures' data for the paper's polynomials with the data of an independent simulation in Python.</summary>
+/// <summary>Compares the data of the figures for the paper's polynomials with the results of an independent simulation in Python.</summary>
 public class SweepStudyTests
 {
     const double Tolerance = 0.02;

@@ -132,7 +132,7 @@ public class SwingFigureTests
             Assert.That(figure.Verdict, Is.EqualTo(Verdict.Holds), $"{figure.Number}: {string.Join("; ", figure.Criteria.Select(c => c.Measured))}");
     }
 
-    // The values of the first run alone would be different.
+    // With the first run alone, the values would be different.
     [Test]
     public void Runs_GapRatiosAndLatencies_IncludeAllRuns()
     {

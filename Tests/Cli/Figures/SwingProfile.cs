@@ -4,7 +4,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
 
-/// <summary>Creates profiles for the swing's display, whose true L_visu is 40 ms.</summary>
+/// <summary>Creates latency profiles for the simulated display of the swing study, whose true L_visu is 40 ms.</summary>
 static class SwingProfile
 {
     public static LatencyProfile Of(double visuMs) => new(

@@ -9,7 +9,9 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Headset;
 
-/// <summary>Tests runs of 20 s in virtual time in which the samples stop once. They are scored like a <c>headset</c> run.</summary>
+/// <summary>
+/// Tests runs of 20 s in virtual time in which the samples stop once. The runs are scored in the same way as a run of the verb <c>headset</c>.
+/// </summary>
 public class HeadsetOutageTests
 {
     const int Seed = 3;
@@ -36,7 +38,7 @@ public class HeadsetOutageTests
     [TestCase(0.6, 1)]
     [TestCase(0.9, 1)]
     [TestCase(3.5, 1)]
-    public void Result_SamplesStop_DividesStretchesAtReportedOutages(double silence, int count)
+    public void Result_SamplesStop_SplitsTheRunAtReportedOutages(double silence, int count)
     {
         var (stretches, outages) = Play(silence);
 

@@ -13,7 +13,7 @@ public class PoseStretchesTests
     PoseOutages _outages;
     int _frame;
 
-    // The control clock is 1000 s ahead of the time of the run.
+    // Adds frames with a state at 60 Hz. The control time is 1000 s ahead of the time since the start of the run.
     void Play(double seconds, PoseState state, double? errorMm = null)
     {
         for (var end = _frame + (int)(seconds * FramesPerSecond); _frame < end; _frame++)

@@ -7,7 +7,7 @@ using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
 
 namespace Nowpose.Headless.Tests.Gateway.Cell;
 
-/// <summary>Tests state and metrics of a gateway with frames, signals and robots in namespaces.</summary>
+/// <summary>Tests the state and the metrics of a gateway with frames, signals and robots in namespaces.</summary>
 public class CellStatusTests
 {
     GatewayServer _gateway;

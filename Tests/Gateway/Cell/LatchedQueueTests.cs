@@ -18,7 +18,7 @@ public class LatchedQueueTests
     void Publish(HubSource source, string name, double value, long? receivedAt = null) => Assert.That(
         source.Publish(new SignalsMessage(Gateways.Start, new SignalValue(name, value)), [], receivedAt), Is.Null);
 
-    // Lets the subscription send until it has sent the text `last`, and returns all sent texts.
+    // Lets the subscription send messages until it has sent the message `last`. Returns all sent messages as text.
     static async Task<List<string>> SentAsync(Subscription subscription, string last, bool isReaderSlow)
     {
         var sent = new List<string>();

@@ -81,7 +81,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Quality_SelectedClockUnknown_EqualsQualityOfTheServedClock()
+    public void Quality_SelectedClockUnknown_EqualsQualityOfTheGatewaysOwnClock()
     {
         var own = new StopwatchControlClock(ControlTime.FromSeconds(1), 40e-6)
         {

@@ -289,7 +289,7 @@ public class StampWatchTests
 
     void Run(int seconds, params Func<ControlTime>[] sources) => Run(_watch, _own, seconds, sources);
 
-    // Adds ten samples per second of each source, and checks once per second.
+    // Adds ten samples per second from each source, and checks the time stamps once per second.
     void Run(StampWatch watch, IControlClock control, int seconds, params Func<ControlTime>[] sources)
     {
         for (var i = 0; i < seconds * 10; i++)

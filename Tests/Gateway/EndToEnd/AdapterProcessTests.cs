@@ -194,7 +194,7 @@ public class AdapterProcessTests
             new[] { "arm1/shoulder_lift_joint", "arm1/elbow_joint", "arm1/wrist_1_joint", "arm1/wrist_2_joint", "arm1/wrist_3_joint" }));
     }
 
-    /// <summary>The description is longer than the buffer of a pipe, so the end of the adapter's process could truncate it.</summary>
+    /// <summary>The description is longer than the buffer of a pipe, so it could be truncated when the adapter's process exits.</summary>
     [Test]
     public async Task Check_LongRobotDescription_ArrivesCompletely()
     {

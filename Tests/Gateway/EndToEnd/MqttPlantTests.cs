@@ -67,7 +67,7 @@ public class MqttPlantTests
             },
             () => _gateway.All);
         await client.PublishAsync("cell/closed", "false");
-        // The adapter repeats the values that it sent first.
+        // The adapter sends each value repeatedly, so the old value can arrive several times.
         SignalsMessage changed;
         do
             changed = (await signals.ReceiveAsync()).Signals;

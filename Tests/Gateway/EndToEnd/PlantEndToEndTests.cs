@@ -55,7 +55,7 @@ public class PlantEndToEndTests
 
         await Task.Factory.StartNew(
             () => score.Play(session, clock, TimeSpan.FromSeconds(6)), default, TaskCreationOptions.LongRunning, TaskScheduler.Default);
-        // The plant's clock did not step, although the gateway corrects its estimate of it.
+        // No clock step is counted. The gateway only corrects its estimate of the plant's clock.
         Assert.That(session.Statistics(clock.Now).ClockSteps, Is.EqualTo(steps), score.ToString());
         return score;
     }

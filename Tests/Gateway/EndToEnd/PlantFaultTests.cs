@@ -14,7 +14,7 @@ public class PlantFaultTests
 {
     const string Joint = "arm_joint_3";
 
-    /// <summary>Documented maximum time until a fault is reported. Time in which a task waited for a processor does not count.</summary>
+    /// <summary>Documented maximum time until a fault is reported. Excludes time during which a task waited for a processor.</summary>
     static readonly TimeSpan Promise = TimeSpan.FromSeconds(2);
 
     /// <summary>Maximum time on a busy machine, or if the kernel does not measure the time in which tasks wait for a processor.</summary>

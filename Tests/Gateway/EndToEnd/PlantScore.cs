@@ -27,7 +27,7 @@ sealed class PlantScore(IPlantTruth plant, RobotModel robot, TimeSpan visualisat
     /// <summary>95th percentile of the absolute error of the headset's estimate of the plant's clock, in ms.</summary>
     public double ClockErrorMs => P95(_clock);
 
-    /// <summary>95th percentile of the error bound of this estimate, in ms. It increases with the machine's load.</summary>
+    /// <summary>95th percentile of the error bound of this estimate, in ms. It increases with the load of the machine.</summary>
     public double ClockBoundMs => P95(_bound);
 
     /// <summary>Fraction of the frames in which the true error of the clock was within the error bound.</summary>

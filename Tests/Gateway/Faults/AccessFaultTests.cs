@@ -36,7 +36,7 @@ public class AccessFaultTests
         using var headset = new FaultHeadset(sync.Port, positions.Port, gateway.Pin);
         await headset.BecomesAsync(PoseState.Current);
 
-        // The certificate is written only now, because connecting and synchronising on a busy machine may take longer than its 10 s.
+        // The certificate is written only now, because it is valid for 10 s, and a busy machine may take longer to connect and synchronise.
         CertificatesOfOneKey.Write(path, key, DateTimeOffset.UtcNow.AddSeconds(10));
         await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: expired on")), "logged by gateway: " + string.Join('\n', _log));
         Assert.That(await ReadinessAsync(gateway), Is.EqualTo(503));

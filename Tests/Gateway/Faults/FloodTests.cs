@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Faults;
 
-/// <summary>Tests that very many connections, fast or slow, do not affect a connected headset.</summary>
+/// <summary>Tests that a flood of fast or slow connections does not affect a connected headset.</summary>
 /// <remarks>These tests run alone, because they count handles and threads of the process, and the flood would disturb other tests.</remarks>
 public class FloodTests
 {

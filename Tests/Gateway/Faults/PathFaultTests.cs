@@ -50,7 +50,7 @@ public class PathFaultTests
         await second.SendAsync(Gateways.StateText(2));
         await second.ExpectErrorAsync("another source");
 
-        // From now on, the first client is not reachable, but its connection is not closed (no FIN).
+        // From now on, the first client cannot be reached, but its connection is not closed (no FIN).
         path.GoQuiet();
 
         var since = Stopwatch.GetTimestamp();

@@ -6,7 +6,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
 
-/// <summary>Tests that a gateway that a service manager stops while messages arrive exits normally and loses no message.</summary>
+/// <summary>Tests that a gateway exits normally and loses no message when a service manager stops it while messages arrive.</summary>
 [Platform(Exclude = "Win")]
 public class GracefulEndTests
 {

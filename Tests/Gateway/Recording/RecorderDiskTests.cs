@@ -104,8 +104,8 @@ public class RecorderDiskTests
             return new LineFile(new SmallDisk(100_000));
         }, time, maxBytes: 80_000);
         recorder.SwitchOn();
-        // The recorder requests the next file when it receives a message. It receives all these messages before it writes the file, and no
-        // message between the time at which the file exceeds its maximum size and the failure of the disk.
+        // The recorder requests the next file when it receives a message. It receives all these messages before it starts to write the file, so it
+        // receives none between exceeding the maximum size and the failure of the disk.
         _cell.Publish(2000, "a");
         goOn.Set();
         await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the disk is full");
@@ -113,7 +113,7 @@ public class RecorderDiskTests
         await Soon.BecomesAsync(() => time.Asked == 2, "the first file and a file after the maximum size");
 
         _cell.Publish(2000, "a");
-        // Waits until the thread pool has executed all work items that these messages added to its queue.
+        // Waits until the thread pool has executed all work items that were queued because of these messages.
         var isQueueDone = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         ThreadPool.UnsafeQueueUserWorkItem(_ => isQueueDone.SetResult(), null);
         await isQueueDone.Task.Bounded();

@@ -12,7 +12,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Headless.Tests.Gateway.Security;
 
 /// <summary>
-/// Tests that an adapter that the gateway has started is a source from any address. Without tokens, other clients are sources only from
+/// Tests that an adapter that the gateway has started has the role of a source at any address. Without tokens, other clients have this role only on
 /// this machine.
 /// </summary>
 public class AdapterRoleTests

@@ -26,7 +26,7 @@ public class AnswerReaderTests
     public Task Answer_NotRead_IsAborted() => AskAndReadNothingAsync();
 
     [Test]
-    public async Task WebSocket_NotReadAsLongAsAnAbortedAnswer_StaysOpen()
+    public async Task WebSocket_NotReadUntilAnHttpAnswerWouldBeAborted_StaysOpen()
     {
         await using var gateway = await Gateways.StartAsync(Options with { PongTimeout = TimeSpan.FromMinutes(5) });
         using var client = await RawRosbridgeClient.ConnectAsync(gateway, options => options.SetBuffer(1024, 1024));

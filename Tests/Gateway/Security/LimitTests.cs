@@ -16,7 +16,7 @@ public class LimitTests
 
     static readonly GatewayOptions WithTokens = Gateways.Options() with { Tokens = Gateways.Tokens };
 
-    // Long timeouts keep clients connected that never answer a ping or end their message, because measuring the memory may take long.
+    // Measuring the memory may take long, so the timeouts are long enough for clients that never answer a ping or never end their message.
     static readonly GatewayOptions Patient = WithTokens with
     {
         MaxPendingConnections = Clients,
@@ -73,7 +73,7 @@ public class LimitTests
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
-        // The message is deeply nested, so a parser would refuse it with another reason.
+        // The message is deeply nested, so a parser would refuse it for another reason.
         await client.SendAsync(new string('[', 900_000));
 
         await client.ExpectErrorAsync("longer");
@@ -155,7 +155,7 @@ public class LimitTests
 
     static async Task SendsAgainAsync(RawRosbridgeClient client)
     {
-        // Repeats the call until the second with too many messages is over.
+        // Repeats the call until the second in which there were too many messages has passed.
         while (true)
         {
             await client.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "again"));

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.Gateway.Security;
 public class ReadOnlyTests
 {
     [Test]
-    public async Task Source_WithoutSubscriptions_ReceivesNoMessagesOfOtherClients()
+    public async Task Source_WithoutSubscriptions_ReceivesNoMessagesFromOtherClients()
     {
         await using var gateway = await Gateways.StartAsync();
         using var plant = await RawRosbridgeClient.ConnectAsync(gateway);

@@ -54,7 +54,7 @@ public class RevocationTests
         Assert.That(await RefusalAsync(gateway, "gone-token"), Is.EqualTo(HttpStatusCode.Unauthorized));
     }
 
-    /// <summary>Checks the sum of the waits in the design, because the delays of a busy machine are not part of the promise.</summary>
+    /// <summary>Checks the sum of the designed delays, because the documented limit does not include the delays of a busy machine.</summary>
     [Test]
     public void Token_Removed_EndsItsConnectionsWithinTwoSeconds() =>
         Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.CloseTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
@@ -70,7 +70,7 @@ public class RevocationTests
         Write("observer other");
 
         await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "ended");
-        // At most half a second until the next check, a quarter until the file is stable, and one second of waiting for the close frame.
+        // At most half a second until the next check, a quarter of a second until the file is stable, and one second for the close frame.
         PrintTime("revoked token of a client that reads nothing: ended", since);
         Assert.That(gateway.WebSocketConnections[Closure.Token], Is.EqualTo(1));
     }

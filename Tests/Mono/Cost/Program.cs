@@ -75,7 +75,7 @@ namespace Nowpose.Mono.Cost
                 sorted.Average(), sorted[sorted.Length * 99 / 100], sorted[sorted.Length - 1]);
         }
 
-        /// <summary>Holds the computation times of one predictor for each of seven joints: per sample and per frame, in µs.</summary>
+        /// <summary>Measures the computation times of one predictor for seven joints, per sample and per frame, in µs.</summary>
         sealed class Arm
         {
             const int Samples = 3000;

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>Simulates a device that sees the markers of a base at 30 Hz, with noise of 1 mm and 0.2°. Tests can make it blind.</summary>
+/// <summary>
+/// Simulates a device that sees the markers of a base at 30 Hz, with noise of up to 1 mm and 0.2° per axis. Tests can stop new sightings.
+/// </summary>
 sealed class FakeMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
 {
     readonly System.Random _random = new(3);

@@ -5,7 +5,9 @@ using static Nowpose.Unity.Tests.Assets.TemporaryProject;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Tests that invalid assets, which Unity would load differently from the text, are refused with file, id and field.</summary>
+/// <summary>
+/// Tests that invalid assets, which Unity would load with values other than those in the text, are refused. The error must name file, id and field.
+/// </summary>
 public sealed class InvalidAssetTests
 {
     ProbedProject _probed;

@@ -9,7 +9,7 @@ sealed class TemporaryProject : IDisposable
 
     readonly string _root = Directory.CreateTempSubdirectory("nowpose-assets-").FullName;
 
-    /// <summary>Returns the GUID of the asset with a number: the number in hexadecimal digits, so that it is easy to write in a test.</summary>
+    /// <summary>Returns the GUID for an asset number: the number as 32 hexadecimal digits, so that it is easy to write in a test.</summary>
     public static string GuidOf(int number) => number.ToString("x32", System.Globalization.CultureInfo.InvariantCulture);
 
     public AssetLibrary Library() => new(_root);

@@ -95,7 +95,7 @@ public sealed class LoadGeneratorTests
         while (!_load.IsReady && frames.Count < 5000) frames.Add(FrameMs() - without);
 
         Assert.That(_load.VerticesShown, Is.EqualTo(vertices));
-        // The second StepMs is for the reading of the clock before the first step.
+        // The second StepMs allows for the reading of the clock before the first step.
         Assert.That(frames.Max(), Is.LessThanOrEqualTo(Math.Max(msPerFrame, StepMs) + StepMs + 1e-3));
         Assert.That(frames.Skip(frames.Count / 2).Average(), Is.GreaterThan(0.6 * msPerFrame), "the time is used");
     }

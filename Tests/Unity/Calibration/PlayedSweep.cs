@@ -32,7 +32,7 @@ sealed class PlayedSweep : IAsyncDisposable
         var material = new Material((Shader)null);
         var wall = new GameObject("Load");
         wall.transform.SetParent(Session.transform, worldPositionStays: false);
-        // With this clock step, only a few building steps fit into a frame, so a load takes some time.
+        // With this clock step, only a few building steps fit into a frame, so building a load takes several frames.
         Cell.Clock.Step = TimeSpan.FromMicroseconds(5);
         Load = wall.AddComponent<LoadGenerator>().With("_material", isPainted ? material : null).With("_vertices", 7777).With("_msPerFrame", 0.1f);
         Display = Session.gameObject.AddComponent<TimestampDisplay>().With("_light", material);

@@ -19,7 +19,7 @@ public sealed class AnchoredCellTests
     static readonly TrackableId Code = new(5, 5);
     static readonly RigidTransform Base = RigidTransform.FromXyzRpy(2, 0.3, 0.1, 0, 0, 0.7);
 
-    // The code is upright on the front of the base: its print faces x, and its upper edge is up.
+    // The code is upright on the front of the base: its printed side faces along x, and its upper edge points up.
     static readonly RigidTransform MarkerInBase = RigidTransform.FromXyzRpy(0.2, 0.05, 0.3, Math.PI / 2, 0, Math.PI / 2);
     static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 

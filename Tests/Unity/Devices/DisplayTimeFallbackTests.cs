@@ -131,7 +131,7 @@ public sealed class DisplayTimeFallbackTests
         _played.Run(1);
 
         Assert.That(_played.Session.Statistics.IsLightPredicted, Is.False);
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains("is not the performance counter")), Is.EqualTo(1));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains("does not read the performance counter")), Is.EqualTo(1));
     }
 
     [Test]

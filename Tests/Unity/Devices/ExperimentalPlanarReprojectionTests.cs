@@ -127,7 +127,7 @@ public sealed class ExperimentalPlanarReprojectionTests
 
         Assert.That(during, Is.EqualTo(ReprojectionMode.PlanarManual));
         Assert.That(paused, Is.EqualTo((ReprojectionMode.Depth, ReprojectionMode.Depth)));
-        Assert.That(problem, Does.Contain("paused because the rig does not move"));
+        Assert.That(problem, Does.Contain("paused because the rig receives no poses"));
         Assert.That(_session.Reprojection, Is.EqualTo(ReprojectionMode.PlanarManual));
         Assert.That(_plane.Problem, Is.Null);
     }

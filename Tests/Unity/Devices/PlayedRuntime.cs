@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Tests.Devices;
 /// <summary>Simulates an OpenXR runtime that predicts the display time of frames.</summary>
 sealed class PlayedRuntime : IDisposable
 {
-    /// <summary>OpenXR time at the count 0. It is not 0, because OpenXR and the counter have different epochs.</summary>
+    /// <summary>OpenXR time at the count 0, ns. It is not 0, because OpenXR and the counter have different epochs.</summary>
     const long XrTimeAtCountZero = 987_654_321_123_456_789;
 
     /// <summary>Reading of the counter when the stopwatch starts: the counter starts with the device, the stopwatch with the application.</summary>

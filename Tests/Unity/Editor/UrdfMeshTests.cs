@@ -23,7 +23,7 @@ public sealed class UrdfMeshTests : EditorFixture
     [TestCase("<mesh filename='../meshes/a.stl'/>", 1, 1, 1)]
     [TestCase("<mesh filename='package://arm_description/meshes/a.stl'/>", 1, 1, 1)]
     [TestCase("<mesh filename='../meshes/a.stl' scale='0.001 0.002 -0.003'/>", 0.001, 0.002, -0.003)]
-    public void Import_Stl_IsPlacedByItsCoordinates(string mesh, double x, double y, double z)
+    public void Import_Stl_AppliesOriginAndScaleToTheVertices(string mesh, double x, double y, double z)
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0"), ("10 20 30", "11 20 30", "10 20 31")));
 

@@ -122,7 +122,7 @@ public sealed partial class ManualTests
 
     static string UnitOf(string label) => label.Split(' ').Select(word => Units.GetValueOrDefault(word)).FirstOrDefault(unit => unit != null);
 
-    // Returns whether the unit follows a number of the cell; true for a cell without digits. Not each number needs it: "0.005 to 5 m, or 0".
+    // Returns whether the unit follows a number of the cell; true for a cell without digits. Not every number needs the unit: "0.005 to 5 m, or 0".
     static bool HasUnit(string cell, string unit) => !cell.Any(char.IsDigit) || Regex.IsMatch(cell, $@"\d\)? {Regex.Escape(unit)}(?!\w)");
 
     /// <summary>Matches the name in `event Shown`, `Connect()` or `Settings {get; set;}`.</summary>

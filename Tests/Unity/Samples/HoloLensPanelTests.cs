@@ -33,7 +33,7 @@ public sealed class HoloLensPanelTests
     }
 
     [Test]
-    public void Panel_HeldByItsBar_StaysUntilFollowIsPressed()
+    public void Panel_GraspedByItsBar_StaysUntilUnpinned()
     {
         var panel = _sample.Child<BodyFollow>("Status Panel (MRTK3)");
 

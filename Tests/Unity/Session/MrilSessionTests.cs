@@ -184,7 +184,7 @@ public class MrilSessionTests
         _cell.Frame(session);
         _cell.Player.Pause(true);
         session.gameObject.SetActive(false);
-        // The inactive object does not receive the message about the end of the pause.
+        // The object is inactive, so it does not receive the message that ends the pause.
         _cell.Player.Pause(false);
 
         session.gameObject.SetActive(true);

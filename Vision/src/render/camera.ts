@@ -27,7 +27,7 @@ export interface Shot {
   noiseSeed: number;
 }
 
-/** Computed with the first picture, because most workers render none. */
+/** Computed when the first picture is rendered, because most workers render none. */
 let noiseTable: Float32Array | undefined;
 const steps = 4095;
 /** Converts linear light to sRGB. This is the inverse of `lightOfByte`. */

@@ -45,7 +45,7 @@ export function addCode(scene: Mat, code: DrawnCode): void {
     warp(cover);
     const kept = new cv.Mat();
     cv.multiply(region, seen, kept, code.panel - 1);
-    // Computes region − region·cover·(1 − panel): the panel reflects only a part of the light in the hall.
+    // Computes region − region·cover·(1 − panel), because the panel reflects only a part of the ambient light.
     cv.add(region, kept, region);
     for (const made of [inside, cover, kept]) made.delete();
   }

@@ -10,7 +10,7 @@ export function randomOf(seed: number): () => number {
   };
 }
 
-/** Returns normally distributed random numbers with mean 0 and deviation 1, by the Box–Muller method. */
+/** Returns normally distributed random numbers with mean 0 and standard deviation 1, by the Box–Muller method. */
 export function normals(count: number, seed: number): Float32Array {
   const random = randomOf(seed);
   const values = new Float32Array(count);

@@ -6,7 +6,7 @@ export interface CalibrationData {
   title: string;
   /** Result in one sentence. */
   result: string;
-  /** Warnings that a reader must know before using the result. */
+  /** Warnings to read before the result is used. */
   warnings: string[];
   facts: Fact[];
   sections: SectionData[];

@@ -1,4 +1,4 @@
-/** Texts of the operations page in place of empty tables. */
+/** Texts that the operations page shows in place of empty tables. */
 export const emptyMessages = {
   adapters: 'No adapter is running: joint positions come from the gateway itself, or from other rosbridge clients.',
   joints: 'No joint is configured, and no joint positions have arrived.',
@@ -39,7 +39,7 @@ export const operationsLabels = {
   recordingDeleted: 'the file was deleted',
 };
 
-/** Explanations of the hops that add up to the latency. */
+/** Definitions of the hops, which add up to the end-to-end latency. */
 export const hopMeanings = {
   plant: 'from taking the sample to its arrival at the gateway',
   gateway: 'within the gateway',

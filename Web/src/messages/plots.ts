@@ -13,7 +13,7 @@ export const plotMessages = {
 /** Captions of plots and tables. */
 export const plotLabels = { numbers: 'Numbers of this plot', toolError: 'Tool error over time' };
 
-/** Descriptions of the report's plots for screen readers. Each ends with the values, as complete sentences. */
+/** Descriptions of the report's plots for screen readers. `values` consists of complete sentences. */
 export const plotDescriptions = {
   error: (values: string) => `Distance between the displayed and the true position of the tool over time. ${values}`,
   joint: (joint: string, values: string) => `Position of joint ${joint} over control time. ${values}`,

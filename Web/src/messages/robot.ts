@@ -18,7 +18,7 @@ export const robotMessages = {
   late: 'Joint positions arrive too late for a comparison.',
   noHeadset: 'No headset is shown.',
   toolUnknown: 'The position of the tool is not known, because the position of a joint is not known.',
-  /** @param displayedMm Null if the headset does not report it. The same applies to `heldMm`. */
+  /** @param displayedMm Tool error of the displayed pose; null if the headset does not report the pose. The same applies to `heldMm`. */
   toolError: (headset: string, displayedMm: number | null, heldMm: number | null) => {
     const shown =
       displayedMm == null

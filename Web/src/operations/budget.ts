@@ -4,7 +4,7 @@ import { format } from '../numbers';
 import { type Column, LiveTable } from './liveTable';
 import { type Headset, HOPS } from './state';
 
-/** Shows how the latency of each headset is composed, as numbers and as a bar. */
+/** Shows the hops of the latency of each headset, as numbers and as a bar. */
 export class Budget {
   readonly element: HTMLElement;
   private readonly bars = new Map<string, HTMLElement>();

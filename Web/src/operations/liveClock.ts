@@ -1,10 +1,10 @@
-/** Length of the window from which the time stamps with the smallest delay are used, in seconds. */
+/** Length of the window in which the time stamp with the smallest delay is determined, in seconds. */
 const WINDOW_S = 10;
 
-/** Minimum jump of the time stamps that indicates another clock, in seconds. */
+/** If the time stamps minus the local time jump by more than this number of seconds, they come from another clock. */
 const STEP_S = 2;
 
-/** Estimates the current control time from the time stamps with the smallest delay, accurately enough to show the state half a second ago. */
+/** Estimates the current control time from the time stamp with the smallest delay, accurately enough to show the state of half a second ago. */
 export class LiveClock {
   private seen: [at: number, ahead: number][] = [];
 
@@ -13,7 +13,7 @@ export class LiveClock {
     const ahead = stamp - now;
     const last = this.seen[this.seen.length - 1];
     if (last && Math.abs(last[1] - ahead) > STEP_S) this.seen = [];
-    // Discards time stamps that can no longer be the maximum of a window.
+    // Discards time stamps that arrived earlier with a larger delay, because they can no longer have the smallest delay in the window.
     while (this.seen.length > 0 && this.seen[this.seen.length - 1][1] <= ahead) this.seen.pop();
     this.seen.push([now, ahead]);
     while (this.seen[0][0] < now - WINDOW_S) this.seen.shift();

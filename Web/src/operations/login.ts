@@ -22,7 +22,7 @@ export class Login {
   /** @param isNeeded Whether the gateway refused the request. */
   show(isNeeded: boolean): void {
     if (this.form.hidden === !isNeeded) return;
-    // Moves the focus before its element is hidden. Otherwise, the focus would move to the top of the page.
+    // Moves the focus before the focused element is hidden. Otherwise, the focus would move to the top of the page.
     if (!isNeeded && this.form.contains(document.activeElement)) byId('content').focus();
     this.form.hidden = !isNeeded;
     if (isNeeded) this.remember(false);

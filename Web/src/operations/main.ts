@@ -21,7 +21,7 @@ import { ask, type State } from './state';
 
 const POLL_MS = 1000;
 
-/** Polling interval while no user is logged in. It is long because the gateway refuses, counts and logs each request. */
+/** Polling interval while the gateway requires a login. It is long because the gateway refuses, counts and logs each request. */
 const REFUSED_POLL_MS = 10_000;
 
 const link = new Rosbridge();
@@ -69,7 +69,7 @@ let asked = 0;
 async function read(): Promise<void> {
   const own = ++asked;
   const answer = await ask<State>('state');
-  // A newer request, after a login or logout, has made this answer obsolete.
+  // A newer request was sent in the meantime, for example after a login, so this answer is obsolete.
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;
   login.show(isRefused);

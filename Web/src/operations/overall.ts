@@ -23,7 +23,7 @@ export class Overall {
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
   }
 
-  /** Shows the state as unknown, because the gateway does not answer. */
+  /** Shows that the state is unknown. Called when the gateway does not answer. */
   lose(): void {
     document.title = `Not known: ${document.title.replace(/^(Warning|Fault|Not known): /, '')}`;
     this.setLine('unknown', operationsMessages.noState);
@@ -50,7 +50,7 @@ export class Overall {
   }
 }
 
-/** Returns the text of an event: fault, place, reason and remedy. Older gateways send only the parts. */
+/** Returns the text of an event: fault, place, reason and remedy. Composes it from its parts if the gateway is older and does not send it. */
 export function eventWords({ kind, which, what, reason, text }: StatusEvent): string {
   return text ?? `${kind} ${which} ${what}${reason ? `: ${reason}` : ''}`;
 }

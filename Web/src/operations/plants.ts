@@ -111,7 +111,7 @@ export class Plants {
   }
 }
 
-/** Returns the reason for a joint's state, and the reason why its rest is uncertain. */
+/** Returns the reason for a joint's state, and the reason why it is uncertain that the joint is at rest. */
 function jointNote({ reason, uncertain }: Joint): string {
   return uncertain && !reason.includes(uncertain) ? [reason, uncertain].filter(Boolean).join('; ') : reason;
 }

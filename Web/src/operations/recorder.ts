@@ -9,7 +9,7 @@ export class Recorder {
   private readonly button = byId<HTMLButtonElement>('record');
   private isOn = false;
 
-  /** @param changed Called after a change; requests the state again. */
+  /** @param changed Called after the recorder has been started or stopped, to request the state again. */
   constructor(changed: () => void) {
     this.button.addEventListener('click', () => void this.turn(changed));
   }

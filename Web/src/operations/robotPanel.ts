@@ -11,18 +11,21 @@ import { OtherRobots } from './otherRobots';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';
 import { type Headset, type Joint, numberOf } from './state';
 
-/** Age of the displayed state, in seconds. After this time, the following samples and the headset's report have arrived. */
+/**
+ * BEHIND_S: age of the displayed state, in seconds. After this time, the following samples and the headset's report have arrived. KEEP_S: length of
+ * the stored history, in seconds.
+ */
 const BEHIND_S = 0.5;
 const KEEP_S = 5;
 const TRANSFORMS = 'tf2_msgs/msg/TFMessage';
 const NUMBERS_MS = 500;
 
-/** Interval between pictures. The motion looks smooth, with half the work of the maximum rate. */
+/** Minimum interval between two pictures. The motion still looks smooth, and the work is half of that at the maximum frame rate. */
 const PICTURE_MS = 30;
 
 const seconds = () => performance.now() / 1000;
 
-/** Shows the true robot half a second ago, and the pose that the selected headset displayed at that time. */
+/** Shows the true pose of the robot half a second ago, and the pose that the selected headset displayed at that time. */
 export class RobotPanel {
   readonly element: HTMLElement;
   private readonly view = new RobotView(robotDescriptions.live);
@@ -34,7 +37,7 @@ export class RobotPanel {
   private readonly clock = new LiveClock();
   private readonly others: OtherRobots;
   private headset: Headset | null = null;
-  /** Reason for each joint whose newest position is not current. */
+  /** Joints whose newest position is not current, each with the reason. */
   private faults = new Map<string, string>();
   private shownAt = 0;
   private drawn = 0;
@@ -42,7 +45,8 @@ export class RobotPanel {
   constructor(link: Rosbridge, isCalm: boolean) {
     this.element = el('div', {}, this.words, this.unknown, this.view.element);
     link.subscribe('/robot_description', 'std_msgs/msg/String', text => this.describe(text));
-    // The rate is sufficient for a smooth motion. The queue allows several messages, because arm and gripper are often published separately.
+    // A throttle interval of 20 ms is short enough for a smooth motion. The queue holds several messages, because arm and gripper are often published
+    // separately.
     link.subscribe('/joint_states', JOINT_STATE, text => this.sample(text), 20, 8);
     link.subscribe('/tf', TRANSFORMS, text => this.frames.take(text, false), 0, 8);
     link.subscribe('/tf_static', TRANSFORMS, text => this.frames.take(text, true), 0, 256);
@@ -60,7 +64,10 @@ export class RobotPanel {
     this.headset = headset;
   }
 
-  /** Sets the states of the joints. Links below a joint that is neither live nor at rest are not drawn. */
+  /**
+   * Sets the states of the joints. Links below a joint that is neither live nor at rest are not drawn at the true pose and at the pose without
+   * compensation.
+   */
   setJoints(joints: Joint[]): void {
     const isGood = (joint: Joint) => joint.state === 'live' || joint.state === 'rest';
     const good = new Set(joints.filter(isGood).map(joint => joint.name));
@@ -119,7 +126,7 @@ export class RobotPanel {
     if (performance.now() - this.shownAt < NUMBERS_MS) return;
     this.shownAt = performance.now();
     this.showUnknown(bodies.joints, new Set(poses.truth?.names));
-    // The true position is not known after the last sample.
+    // After the last sample, the true position is not known.
     if ((this.truth.last ?? 0) < time) setText(this.words, robotMessages.late);
     else this.showDistances(bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }

@@ -18,7 +18,7 @@ interface Topic {
   take: (text: string) => void;
 }
 
-/** Connection to the gateway's rosbridge. It reconnects automatically. This page only subscribes and publishes nothing. */
+/** Connection to the rosbridge port of the gateway. It reconnects automatically. The page subscribes to topics and publishes nothing. */
 export class Rosbridge {
   private readonly topics = new Map<string, Topic>();
   private socket: WebSocket | null = null;
@@ -40,7 +40,7 @@ export class Rosbridge {
     this.connect();
   }
 
-  /** Closes the connection until `open` is called, so that a refused client does not reconnect repeatedly. */
+  /** Closes the connection and does not reconnect before `open` is called, because the gateway would refuse the client again. */
   close(): void {
     this.isWanted = false;
     clearTimeout(this.timer);

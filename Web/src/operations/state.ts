@@ -1,6 +1,6 @@
 import { gatewayReasons } from '../messages/gateway';
 
-/** Answer to /operations/state. A field that is missing or null is unknown. The names of numbers contain their units. */
+/** Answer to a request for /operations/state. The value of a field that is missing or null is unknown. The names of numbers contain their units. */
 export interface State {
   cell?: string | null;
   host?: string;
@@ -111,7 +111,7 @@ export interface PlantClock {
   last_failure?: string | null;
 }
 
-/** Diagnostics of a headset or an adapter. Values are numbers if possible, otherwise texts. */
+/** Diagnostics of a headset or an adapter. Values are numbers if possible, otherwise strings. */
 export type Words = { name: string; seen_s_ago: number } & Record<string, unknown>;
 
 export interface Source {
@@ -162,7 +162,7 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
   }
 }
 
-/** Returns a number of the diagnostics; null if there is none. */
+/** Returns a value of the diagnostics; null if it is missing or not a finite number. */
 export function numberOf(words: Words, key: string): number | null {
   const value = words[key];
   return typeof value === 'number' && Number.isFinite(value) ? value : null;

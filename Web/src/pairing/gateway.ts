@@ -1,12 +1,12 @@
 import { gatewayReasons } from '../messages/gateway';
 
-/** Answer of the gateway, or the reason in one line why it did not answer. */
+/** Answer of the gateway, or one line with the reason why there is no answer. */
 export type Answer<T> = { value: T } | { trouble: string };
 
 export interface ShownCode {
   text: string;
   left_s: number;
-  /** Part of the gateway's key that the headset shows when it asks for consent; empty without encryption. */
+  /** Part of the gateway's key that the headset shows when it asks the wearer for consent; empty without encryption. */
   key: string;
 }
 

@@ -53,7 +53,7 @@ async function show(fields: Record<string, string>, end: AbortSignal): Promise<v
 
 function tick(): void {
   const left = Math.max(0, Math.ceil((endsAt - performance.now()) / 1000));
-  // A code that can be invalid must not look valid.
+  // Fades a code that may be invalid.
   byId('token').classList.toggle('gone', trouble !== '' || left === 0);
   const clock = `${Math.floor(left / 60)}:${String(left % 60).padStart(2, '0')}`;
   byId('left').textContent = trouble || pairingLabels.validFor(clock);

@@ -37,5 +37,5 @@ function page(data: FiguresData): Node[] {
 const data = readFigures();
 document.title = data.title;
 document.getElementById('page')!.replaceChildren(...page(data));
-// When the browser evaluated the fragment of the address, the sections did not exist yet.
+// Scrolls to the section in the fragment of the address. The sections did not exist yet when the browser tried this.
 document.getElementById(location.hash.slice(1))?.scrollIntoView();

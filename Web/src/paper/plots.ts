@@ -8,7 +8,7 @@ import { lookOf, pointsOf } from './looks';
 const LINES = 300;
 const ONE_OF_SEVERAL = 220;
 
-/** @param figure Name of the figure, with which the plot's description for screen readers begins. */
+/** @param figure Name of the figure. The plot's description for screen readers begins with it. */
 export function plotOf(plot: PlotData, figure: string, isOneOfSeveral: boolean): Plot {
   const description = `${figure}, ${plot.title}: ${inWords(plot)}`;
   if (plot.iso_mm) return operatingPlot(plot.traces.map(pathOf), plot.iso_mm, description);

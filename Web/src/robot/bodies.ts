@@ -17,14 +17,14 @@ import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, 
 /** Poses of a robot that can be drawn together. */
 export type Part = 'truth' | 'displayed' | 'hold';
 
-/** Style of each pose. Poses are drawn in the order of `place`, so the last one covers the others where they coincide. */
+/** Style of each pose. Poses are drawn in ascending order of `place`, so the last one covers the others where they coincide. */
 export const PARTS: Record<Part, { ink: Ink; opacity: number; place: number }> = {
   truth: { ink: '--truth', opacity: 1, place: 2 },
   displayed: { ink: '--compensated', opacity: 0.5, place: 1 },
   hold: { ink: '--hold', opacity: 0.35, place: 0 },
 };
 
-/** Moves faces back by an invisible distance: one pixel on a slope, and about 3 mm in depth if a robot of 1 m fills the picture. */
+/** Moves faces away from the camera by an invisible distance: one pixel on a slope, and about 3 mm in depth if a robot of 1 m fills the picture. */
 export const BACK = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 200 };
 
 /** Several copies of one robot, each with its own colour and joint positions. */

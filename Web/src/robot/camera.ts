@@ -48,7 +48,10 @@ export class OrbitCamera {
     this.place();
   }
 
-  /** @returns Whether the key controls the camera. */
+  /**
+   * Moves the camera if a key controls it.
+   * @returns Whether the key controls the camera.
+   */
   onKey(key: string): boolean {
     const turns: Record<string, () => void> = {
       ArrowLeft: () => this.turn(-STEP, 0, 1),
@@ -98,7 +101,7 @@ export class OrbitCamera {
     this.changed();
   }
 
-  // Returns the camera's position relative to the centre, in the camera's axes, at which all corners are visible and centred.
+  // Returns the camera's position relative to the centre, in the camera's axes, at which all corners of the box are visible and centred.
   private fitted(centre: Vector3): Vector3 {
     const turned = this.camera.quaternion.clone().invert();
     const { min, max } = this.framed;

@@ -3,11 +3,11 @@ import { AxesHelper, type Box3, Group, Matrix4, Quaternion, Vector3 } from 'thre
 /** Length of a drawn axis, m. */
 const AXES = 0.05;
 
-/** Limits of the protocol: the gateway rejects deeper trees and more frames. */
+/** Limits of the protocol: maximum depth of the tree of frames, and maximum number of frames. The gateway rejects what exceeds them. */
 const MAX_DEPTH = 16;
 const MAX_FRAMES = 256;
 
-/** Maximum age of a pose that is drawn, s. */
+/** Maximum age at which a pose is still drawn, s. */
 const MAX_AGE = 1;
 
 /** Number of samples stored per frame. At 100 samples per second, they cover more than the delay of the display. */
@@ -47,7 +47,7 @@ export class Frames {
       transforms = JSON.parse(text).msg.transforms;
       for (const transform of transforms) this.add(transform, isStationary);
     } catch {
-      // Ignores a message that cannot be read. The gateway has checked the message, so it has a format that this page does not know.
+      // Ignores a message that cannot be read. The gateway has checked it, so it has a format that this page does not support.
     }
   }
 
@@ -63,7 +63,7 @@ export class Frames {
     }
   }
 
-  /** Returns the pose of a frame in the world: null if it is unknown at that time, the identity if no frame has this name. */
+  /** Returns the pose of a frame in the world; null if the pose is unknown at that time, and the identity if no frame has this name. */
   baseAt(name: string, time: number, linkOf: (name: string) => Matrix4 | null): Matrix4 | null {
     return this.frames.has(name) ? this.worldOf(name, time, linkOf, 0) : new Matrix4();
   }
@@ -106,7 +106,7 @@ export class Frames {
   }
 }
 
-// Interpolates between two samples. After the last sample, keeps its pose for a limited time.
+// Interpolates between two samples. Before the first sample, returns the first one; after the last sample, the last one for a limited time.
 function sampleAt(samples: Sample[], time: number): Sample | null {
   const after = samples.findIndex(sample => sample.stamp > time);
   const last: Sample | undefined = samples[samples.length - 1];

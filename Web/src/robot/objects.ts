@@ -16,7 +16,7 @@ import type { ObjectsData } from '../data';
 import { colour } from '../theme';
 import { BACK, type Part, PARTS } from './bodies';
 
-/** Count of numbers per object: x, y, z in m and a unit quaternion with the scalar part last. */
+/** Number of values per object: x, y, z in m and a unit quaternion with the scalar part last. */
 const NUMBERS = 7;
 
 const ALL = Object.keys(PARTS) as Part[];

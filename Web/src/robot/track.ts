@@ -10,7 +10,10 @@ export class JointTrack {
     return this.times[this.times.length - 1];
   }
 
-  /** Adds a sample. Ignores samples out of order; a sample older than the stored history starts a new history. */
+  /**
+   * Adds a sample. Ignores a sample that is less than 2 s older than the newest one, or less than the length of the history if this is shorter. An
+   * even older sample starts a new history.
+   */
   add(time: number, position: number): void {
     const last = this.last;
     if (last !== undefined && time <= last) {

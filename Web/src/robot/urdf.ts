@@ -2,12 +2,12 @@ import { MeshPhongMaterial, type Object3D, Vector3 } from 'three';
 import URDFLoader, { type URDFJoint, type URDFRobot } from 'urdf-loader';
 import { robotReasons } from '../messages/robot';
 
-/** Names of the tool's link in the order in which they are searched for. The headset uses the same order. */
+/** Possible names of the tool's link, in the order in which they are searched for. The headset uses the same order. */
 const TOOLS = ['tool_centre_point', 'tool0', 'flange'];
 
 const MOVING = ['revolute', 'continuous', 'prismatic'];
 
-/** A robot that was read from a URDF and whose joints can be set. */
+/** A robot that was read from a URDF. The positions of its joints can be set. */
 export interface Robot {
   root: URDFRobot;
   tool: Object3D;

@@ -109,7 +109,7 @@ export class RobotView {
     this.note.hidden = words === '';
   }
 
-  // Moves the camera back when the robot leaves the area seen so far. The zero pose does not show the range of the robot.
+  // Moves the camera back when the robot leaves the area shown so far. The zero pose does not show how far the robot can reach.
   private widen(): void {
     const box = new Box3();
     this.bodiesShown?.addTo(box);

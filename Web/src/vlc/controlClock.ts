@@ -4,11 +4,11 @@ export interface Exchange {
   t2: bigint;
   t3: bigint;
   t4: number;
-  /** Resolution of the control clock, ns. The clock shows the start of a step. */
+  /** Resolution of the control clock, ns. A reading is the start of the current step. */
   resolutionNs: number;
 }
 
-/** Control time in ns, and its maximum error in ms. */
+/** Control time in ns, and its error bound in ms. */
 export interface Reading {
   ns: bigint;
   boundMs: number;

@@ -7,7 +7,7 @@ const QUICK_MS = 60;
 const SLOW_MS = 250;
 const TIMEOUT_MS = 1000;
 
-/** Time without a reply after which the clock is unknown. It allows for two consecutive lost exchanges. */
+/** Time without a reply after which the control time counts as unknown. It allows for two consecutive lost exchanges. */
 const SILENCE_MS = 2000;
 
 /** Maximum error bound. A code with a larger error would be misleading, so no code is shown. */

@@ -1,6 +1,6 @@
 const STEPS = 5;
 
-/** Resolution of the most precise clocks, ms. Browsers document no better value. */
+/** Lower limit of the returned resolution, ms. Browsers do not document a finer resolution. */
 const MIN_MS = 0.1;
 
 /**

@@ -59,7 +59,7 @@ function delayInWords(): string {
 function frame(at: number): void {
   requestAnimationFrame(frame);
   monitor.frame(at);
-  // Uses the start of the frame, because the light follows it after a whole number of refreshes.
+  // Uses the time of the start of the frame, because the code becomes visible a whole number of refreshes later.
   const reading = exchanges.clock.at(at);
   const why = exchanges.reasonWithoutCode(performance.now());
   show(reading == null ? (why ?? clockCodeReasons.noExchange) : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);

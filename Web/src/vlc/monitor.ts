@@ -1,6 +1,6 @@
 const FRAMES = 120;
 
-/** Measures the refresh interval of the monitor, and computes from it the delay until the light of a frame. */
+/** Measures the refresh interval of the monitor, and computes from it the delay from the start of a frame to its display time. */
 export class Monitor {
   private readonly intervals: number[] = [];
   private last = NaN;
@@ -21,8 +21,8 @@ export class Monitor {
   }
 
   /**
-   * Mean delay from the time of a code to its light, without the panel's own delay, and the maximum deviation from this mean, ms. The code
-   * reaches the middle of the picture after one to two refreshes and is shown for one refresh.
+   * Mean delay from the time that a code encodes to the emission of its light, without the panel's own delay, and the maximum deviation from this
+   * mean, ms. The code reaches the middle of the picture after one to two refreshes and is shown for one refresh.
    */
   get delayMs(): { mean: number; maxError: number } {
     return { mean: 2 * this.refreshMs, maxError: this.refreshMs / 2 };

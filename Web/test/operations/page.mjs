@@ -17,7 +17,7 @@ afterEach(async () => {
 });
 after(() => Promise.all([...browsers.values()].map(each => each.stop())));
 
-/** Runs the enclosing tests with WebGL. Without WebGL, a page takes a third less time. */
+/** Runs the tests of the enclosing block with WebGL. The other tests run without it, because a page then takes a third less time. */
 export function withGraphics() {
   before(() => { graphics = WEBGL; });
   after(() => { graphics = NO_WEBGL; });

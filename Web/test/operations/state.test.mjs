@@ -8,7 +8,7 @@ import { becomes, cells, gateway, open } from './page.mjs';
 
 const { emptyMessages, operationsLabels, operationsMessages } = messages;
 
-/** Gets the text of the note below a row; null if there is none. */
+/** Returns the text of the note below a row; null if there is none. */
 const noteOf = async (page, row) => {
   const note = page.locator(`#plants tbody:has(th:has-text("${row}")) .note`).last();
   return (await note.isVisible()) ? note.innerText() : null;

@@ -1,6 +1,6 @@
 import type { Nanoseconds } from '../times';
 
-/** Number of cycles whose values may wait for their time, in addition to the cycles within two maximum delays. */
+/** Number of cycles whose values may wait for the cycle's time, in addition to the cycles within two maximum delays. */
 const MORE_WAITING = 16;
 
 /** Maximum number of stored times. It covers the longest delay, 10 s, for a task with a cycle of 5 ms. */
@@ -13,7 +13,7 @@ export interface CycleValue {
 }
 
 /**
- * Assigns to each PLC value the time that the time variable contained in the same cycle. Values with equal stamps belong to the same cycle.
+ * Assigns to each PLC value the time that the time variable had in the same cycle. Values with equal stamps belong to the same cycle.
  */
 export class Cycles {
   readonly #waiting = new Map<bigint, CycleValue[]>();
@@ -21,8 +21,8 @@ export class Cycles {
 
   /**
    * @param perDelay Number of cycles that are sampled within one maximum delay.
-   * @param take Receives the values of a cycle and its time; null if the variable had no valid time.
-   * @param drop Receives the values for which no time arrived.
+   * @param take Receives the time and the values of a cycle. The time is null if the variable had no valid time.
+   * @param drop Receives the values of a cycle for which no time arrived.
    */
   constructor(
     readonly perDelay: number,
@@ -30,7 +30,7 @@ export class Cycles {
     readonly drop: (values: CycleValue[]) => void,
   ) {}
 
-  /** Adds the values of one cycle from one frame. `time` is undefined if the frame does not contain the time. */
+  /** Adds the values of one cycle that one frame contains. `time` is undefined if the frame does not contain the time. */
   add(stamp: bigint, values: CycleValue[], time: Nanoseconds | null | undefined): void {
     if (time !== undefined) remember(this.#times, stamp, time, MAX_TIMES);
     const all = [...(this.#waiting.get(stamp) ?? []), ...values];

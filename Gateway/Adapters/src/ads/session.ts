@@ -20,7 +20,10 @@ const GOODBYE_MS = 500;
 /** Address of the state of the runtime. It exists in every PLC, independently of the loaded program. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
 
-/** Delay of a value in addition to the sampling and publishing intervals, and maximum time for which a value may remain unconfirmed. */
+/**
+ * SLACK_MS: maximum delay of a value in addition to the sampling and publishing intervals. UNCONFIRMED_MS: time for which a value may remain
+ * unconfirmed; long intervals increase it.
+ */
 const SLACK_MS = 100;
 const UNCONFIRMED_MS = 1500;
 
@@ -113,7 +116,10 @@ export class AdsSession {
     this.#reportState();
   }
 
-  /** Gets the configured symbols; null for a symbol that the PLC does not have, so that the others can be read. */
+  /**
+   * Gets the configured symbols; null for a symbol that the PLC does not have or that is not usable, so that the others can be read. Rejects if no
+   * symbol is usable.
+   */
   async #findSymbols(): Promise<(AdsSymbol | null)[]> {
     const found = await Promise.allSettled(
       this.settings.values.map((named, index) => this.#find(named, this.#isSignal(index) ? stateNeeded : numberNeeded)),

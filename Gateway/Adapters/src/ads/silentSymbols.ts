@@ -1,6 +1,6 @@
 import { pause } from '../backoff';
 
-/** Interval of the checks while values arrive (LOOK_MS), and after QUIET_MS without any value. Headsets show a sample for about 300 ms. */
+/** Interval of the checks: LOOK_MS while values arrive, QUIET_LOOK_MS after QUIET_MS without any value. Headsets show a sample for about 300 ms. */
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 90;
 const QUIET_MS = 50;
@@ -19,7 +19,7 @@ interface SymbolState {
   heardAt: number;
   value: number | null;
   isLost: boolean;
-  /** Start of the current series of reads whose value came without a notification; null if the last read is not part of one. */
+  /** Start of the current series of reads whose value arrived without a notification; null if the last read is not part of such a series. */
   missedSince: number | null;
 }
 

@@ -3,7 +3,7 @@ import { MqttLink } from '../mqtt/link';
 import type { BrokerSettings } from './settings';
 
 /**
- * MQTT topics below the plant's topic: topics with ROS names, preceded by the robot's namespace; the joints that are not live; and the
+ * MQTT topics below the plant's topic: topics with ROS names, prefixed with the robot's namespace; the list of joints that are not live; and the
  * presence of the publishing bridge. All except the joint states are retained.
  */
 export const STATES = 'joint_states';
@@ -12,17 +12,17 @@ export const DESCRIPTION = 'robot_description';
 export const STATUS = 'joint_status';
 export const ALIVE = 'alive';
 
-/** Gets the topic of a robot. `robot` is its namespace; empty for none. */
+/** Prefixes a topic with the namespace of a robot: `arm1/joint_states`. Returns the topic unchanged if the namespace is empty. */
 export const below = (robot: string, topic: string): string => (robot === '' ? topic : `${robot}/${topic}`);
 
-/** Values on ALIVE: bridge and gateway are connected, only the bridge is connected, or the bridge is not connected. */
+/** Values of the topic ALIVE. true: bridge and gateway are connected. no gateway: only the bridge is connected. false: the bridge is disconnected. */
 export type Presence = 'true' | 'no gateway' | 'false';
 
 export interface BrokerEvents {
   opened(): void;
   away(reason: string): void;
   heard(topic: string, payload: Buffer): void;
-  /** A message on this topic caused an exception in `heard`. */
+  /** Called when `heard` has thrown an exception for a message on this topic. */
   malformed(topic: string, problem: string): void;
 }
 

@@ -69,7 +69,7 @@ export class ReceivedObjects {
     else this.#takeFrames(kind === STATIONARY, message);
   }
 
-  /** Sends the signals that waited for the clock. Called several times per second. */
+  /** Sends the signals that have waited for the clock. Called several times per second. */
   check(): void {
     this.#sender.check();
   }

@@ -4,7 +4,7 @@ import { BrokerLink, below, DESCRIPTION, STATES, STATUS, TRAJECTORY } from './br
 import { publishObjects } from './objects';
 import type { BrokerSettings } from './settings';
 
-/** Publishes the messages of the plant's gateway on the broker, in the same JSON as headsets receive. */
+/** Publishes the messages of the plant's gateway on the broker, in the same JSON format that headsets receive. */
 export async function publish({ configuration, gateway, status, stopping }: AdapterContext, settings: BrokerSettings): Promise<void> {
   const broker = new BrokerLink(settings, configuration.plant.name, [], {
     opened: () => status.enter('connected'),

@@ -46,13 +46,13 @@ export class ReportedJoints {
     if (this.#isThere) this.#apply(reports);
   }
 
-  /** Records that the other gateway is present, and applies its newest message. */
+  /** Records that the other gateway is present. Applies its newest message. */
   enter(): void {
     this.#isThere = true;
     if (this.#newest !== null) this.#apply(this.#newest);
   }
 
-  /** Records that the other gateway is absent, and discards its newest message, because it may be outdated. */
+  /** Records that the other gateway is absent. Discards its newest message, because it may be outdated. */
   leave(): void {
     this.#isThere = false;
     this.#newest = null;
@@ -73,7 +73,7 @@ export class ReportedJoints {
   }
 }
 
-/** Gets the reports in a message about joints or signals; a text if the message is invalid. */
+/** Gets the reports in a message about joints or signals, without those of the state live; a description of the error if the message is invalid. */
 export function reportsOf(message: Record<string, unknown>, now: number): Report[] | string {
   const { header, status } = message as { header?: { stamp?: unknown }; status?: { values?: unknown }[] };
   const written = ofRosTime(header?.stamp);
@@ -95,7 +95,7 @@ function reportOf(entry: { key?: unknown; value?: unknown } | null, written: Nan
   if (typeof joint !== 'string' || joint === '' || joint.length > MAX_NAME || typeof value !== 'string') return null;
   const [, word, seconds, text = ''] = VALUE.exec(value) ?? [];
   if (word === undefined) return null;
-  // Neglects the transmission time, so that only differences between times of the same clock are used.
+  // Ignores the transmission time, so that only differences between times of the same clock are used.
   const since = Math.max(0, now - Math.max(0, toMilliseconds(written) - 1000 * Number(seconds)));
   const reason = text.slice(0, MAX_REASON);
   const isUncertain = word === 'rest' && reason.startsWith(UNCERTAIN);

@@ -28,7 +28,7 @@ export interface BrokerSettings {
   /** Namespaces of the robots. The first entry is empty, for the robot without a namespace. */
   namespaces: string[];
   oldest: Nanoseconds;
-  /** Sync port from which the control time is read; null to leave the gateway with its own clock. */
+  /** Sync port from which the control time is read; null if the gateway uses its own clock. */
   clock: Upstream | null;
 }
 

@@ -48,7 +48,7 @@ export class SyncClient {
 
   /**
    * Makes one exchange.
-   * @throws Error No valid reply arrived within 2 s. The connection is closed.
+   * @throws Error No valid reply arrived within 2 s, after which the connection is closed; or another exchange is running.
    */
   async read(): Promise<ClockReading> {
     const sequence = (this.#sequence = (this.#sequence + 1) >>> 0);

@@ -24,7 +24,7 @@ export class ComponentTrack {
     [this.#previous, this.#newest] = [this.#newest, { value, stamp }];
   }
 
-  /** Sets the value that the component had before the connection. */
+  /** Sets the value that the component already had before the connection was made. */
   rest(value: number): void {
     this.#resting = value;
   }

@@ -12,11 +12,14 @@ import { MAX_TRANSFORMS, type Pose, TF, TF_STATIC, transform } from './messages'
 import { IDENTITY, ofAngles, ofVector, type Quaternion, unit } from './rotation';
 import { refusalMessages } from '../messages/values';
 
-/** Minimum time without changes after which a pose is repeated, and the interval of repetitions. Headsets predict for about 300 ms. */
+/** SILENCE: minimum time without changes after which a pose is repeated. REPETITION: interval of repetitions. Headsets predict for about 300 ms. */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
 const REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
-/** Time without changes after which a pose is repeated, as a multiple of the time between changes, and the maximum of that time. */
+/**
+ * SILENT_INTERVALS: time without changes after which a pose is repeated, as a multiple of the time between changes. MAX_INTERVAL: times between
+ * changes of at least this length are ignored.
+ */
 const SILENT_INTERVALS = 2n;
 const MAX_INTERVAL: Nanoseconds = 500n * NS_PER_MS;
 
@@ -25,7 +28,7 @@ export interface PoseOptions {
   tolerance: Nanoseconds;
   oldest: Nanoseconds;
   /**
-   * Time without data in ms after which a frame without its own setting has a fault; absent or null if a silent frame counts as at rest.
+   * Time without data, in ms, after which a frame without its own setting has a fault; absent or null if a silent frame counts as at rest.
    */
   faultAfterMs?: number | null;
 }
@@ -36,7 +39,7 @@ const PATIENCE_INTERVALS = 5;
 /** Maximum change of a quaternion or rotation vector component between two samples. A larger change means that all signs have changed. */
 const MAX_STEP = 1;
 
-/** Marks a number that must not be interpolated. */
+/** Value of `jump` for a number that must not be interpolated. */
 const STEP = 0;
 
 interface Publisher {
@@ -125,7 +128,7 @@ export class PoseOutput {
    * Repeats the poses of frames at rest, for a plant that sends only changes.
    * @param time Control time up to which all changes have been passed to `publish`.
    * @param silence Maximum interval between the samples of a moving frame.
-   * @param except Values that have changed since, or that may have changed.
+   * @param except Indices of values that have changed, or may have changed, after `time`.
    */
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number>): void {
     const { now, isSettled } = this.clock;
@@ -247,7 +250,7 @@ function silenceOf({ intervals, isRepeated }: Track, silence: Nanoseconds): Nano
 
 /**
  * Computes the pose of a frame; null if a number is missing, and a refusal if the numbers do not form a valid parent and rotation.
- * @param numberOf Gets the number of a value. Two numbers that differ by more than `jump` must not be interpolated.
+ * @param numberOf Gets the number of a value. Between two numbers that differ by more than `jump`, it must not interpolate.
  */
 function poseOf(
   { frame, parents, selector, position, scale, rotation }: Frame,

@@ -24,7 +24,7 @@ export class SignalOutput {
   readonly silence: Silence;
 
   /**
-   * @param offset Index of the value of the first signal. The values of the other signals follow.
+   * @param offset Index of the first signal's value. The values of the other signals follow it.
    * @param counter Monotonic clock in ms; by default, the clock of this machine.
    */
   constructor(
@@ -53,7 +53,7 @@ export class SignalOutput {
     for (const value of values) this.#take(value);
   }
 
-  /** Confirms that the signals still have their last values, except the signals whose values are in `except`. */
+  /** Confirms that the signals still have their last values. Excludes the signals whose value indices are in `except`. */
   hold(except: ReadonlySet<number>): void {
     for (const i of this.#valid) if (!except.has(i + this.offset)) this.silence.heard(this.signals[i].signal);
   }

@@ -55,7 +55,7 @@ export class SignalSender {
     this.#repeat();
   }
 
-  /** Sends changes that waited for the clock, and repetitions that are due. Called several times per second. */
+  /** Sends changes that have waited for the clock, and repetitions that are due. Called several times per second. */
   check(): void {
     const now = this.counter();
     if (now < this.#repeatedUntil && now - this.#repeated >= REPEAT_EVERY_MS) this.#repeat();

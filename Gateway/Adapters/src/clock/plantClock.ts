@@ -30,13 +30,16 @@ export class ClockStopped extends Error {
 
 export const isClockStopped = (error: unknown): boolean => (error as Error | undefined)?.name === 'ClockStopped';
 
-/** Minimum and maximum number of readings, and minimum number of changes of the time. Between two changes lies a complete standstill. */
+/**
+ * Conditions for the end of a resolution measurement: at least MIN_READINGS readings and CHANGES changes of the time, and a known resolution or
+ * MAX_READINGS readings. Between two changes lies a complete standstill.
+ */
 const MIN_READINGS = 16;
 const MAX_READINGS = 64;
 const CHANGES = 2;
 const BETWEEN_READINGS_MS = 3;
 
-/** Resolution with which a gateway no longer synchronises. With a resolution of 30 ms, the synchronisation takes two to three minutes. */
+/** Resolution at and above which a gateway no longer synchronises. With a resolution of 30 ms, the synchronisation takes two to three minutes. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
 
 /** Interval of the resolution measurements, which are needed because a gateway reads the time too rarely to detect standstills. */
@@ -96,8 +99,8 @@ export class PlantClock {
   }
 
   /**
-   * Offers the clock of the plant, which has connected. First measures the clock's resolution, because an error of the resolution causes an offset
-   * error of half its size. Resolves with false if the plant has disconnected in the meantime.
+   * Offers the clock of a plant that has connected. First measures the clock's resolution, because an error of the resolution causes an offset error
+   * of half its size. Resolves with false if the plant has disconnected in the meantime.
    */
   async attach(read: ReadClock, stop: AbortSignal): Promise<boolean> {
     this.#detached = new AbortController();
@@ -122,7 +125,7 @@ export class PlantClock {
     return this.#without;
   }
 
-  /** Ends the readings of the clock, because the plant has disconnected. */
+  /** Stops reading the clock, because the plant has disconnected. */
   detach(): void {
     this.#detached.abort();
     this.#read = null;

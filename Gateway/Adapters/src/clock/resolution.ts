@@ -7,7 +7,7 @@ const REMEMBERED = 32;
 /** Maximum duration of a standstill. A clock that shows the same time for longer has stopped, for example in a paused simulation. */
 const STOPPED: Nanoseconds = NS_PER_S;
 
-/** A standstill is taken into account for one to two of these periods. */
+/** The length of a standstill is taken into account for one to two of these periods. */
 const PERIOD: Nanoseconds = 30n * NS_PER_S;
 
 /**

@@ -32,7 +32,7 @@ export interface Joint extends Address, NamedJoint {
   [own: string]: unknown;
 }
 
-/** Default meaning of silence for the kinds of plant that send each joint periodically, even at rest. */
+/** Default meaning of missing data for the kinds of plant that send each joint periodically, even at rest. */
 const PERIODIC: Record<string, SilenceEntry> = { ros: { fault_after_s: 1 }, rtde: { fault_after_s: 1 }, broker: { fault_after_s: 3 } };
 
 export interface Configuration {
@@ -51,11 +51,11 @@ export interface Configuration {
   robot: string | null;
   /** The texts of the URDFs of the robots with a namespace, by namespace. */
   robots: Record<string, string>;
-  /** Texts that must not appear in the log. */
+  /** Strings that must not appear in the log. */
   secrets: string[];
   /** Whether the gateway has started the adapter. The gateway then passes its address in the environment. */
   isSupervised: boolean;
-  /** Gets the text "FILE, line L: path.to.entry", for errors that are detected only after connecting to the plant. */
+  /** Gets the string "FILE, line L: path.to.entry", for errors that are detected only after connecting to the plant. */
   where(path: Path): string;
   /** Gets the line of an entry, counted from 1. */
   lineOf(path: Path): number;
@@ -77,7 +77,7 @@ export type OwnCheck = (file: YamlFile, configuration: Configuration, environmen
 /**
  * Reads and checks a configuration.
  * @param environment Environment variables, which take precedence over the file if a gateway has set them.
- * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries.
+ * @throws ConfigurationError The configuration is invalid. The error contains all invalid entries that the first failing check has found.
  */
 export function readConfiguration(path: string, environment: NodeJS.ProcessEnv, ownChecks: Record<string, OwnCheck>): Configuration {
   const file = new YamlFile(path);
@@ -188,7 +188,7 @@ function robotsOf(file: YamlFile, { robots = {} }: Sections): Record<string, str
   return Object.fromEntries(found.filter(([, urdf]) => urdf !== null));
 }
 
-/** Gets the names of the joints, frames and signals that are read, as text for a summary. */
+/** Gets the names of the joints, frames and signals that are read, as a string for a summary. */
 export function readNames({ joints, frames, signals }: Configuration, none: string): string {
   const kinds = { joints: joints.map(j => j.joint), frames: frames.map(f => f.frame), signals: signals.map(s => s.signal) };
   const parts = Object.entries(kinds).flatMap(([kind, names]) => (names.length === 0 ? [] : [`${kind} ${names.join(', ')}`]));

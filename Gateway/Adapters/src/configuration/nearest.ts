@@ -13,7 +13,7 @@ function distance(a: string, b: string): number {
   return rows[a.length][b.length];
 }
 
-/** Gets the known names that a misspelt name probably means, the best first; empty if all are too different. */
+/** Gets the known names that are most similar to a misspelt name, the best match first; empty if none is similar enough. */
 export function nearest(name: string, known: Iterable<string>, count = 1): string[] {
   const meant = name.toLowerCase();
   return [...known]
@@ -24,6 +24,6 @@ export function nearest(name: string, known: Iterable<string>, count = 1): strin
     .map(entry => entry.candidate);
 }
 
-// Gives a common beginning a small distance, so that "token" matches "token_file".
+// Treats a common beginning as a small distance, so that "token" matches "token_file".
 const judged = (meant: string, candidate: string): number =>
   candidate.startsWith(meant) || meant.startsWith(candidate) ? 1 : distance(meant, candidate);

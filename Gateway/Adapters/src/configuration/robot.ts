@@ -18,12 +18,12 @@ const INCLUDED: Record<string, string> = { ur3e, ur5, ur5e, ur10e, ur16e, youbot
 /** A joint's name in the configuration, and its name in the robot description. */
 export interface NamedJoint {
   joint: string;
-  /** Namespace of the joint's robot; empty for none. */
+  /** Namespace of the joint's robot; empty if the robot has no namespace. */
   robot: string;
   name: string;
 }
 
-/** Splits a joint's name NAMESPACE/JOINT into namespace and joint. */
+/** Splits a joint's name, such as NAMESPACE/JOINT, into the namespace and the name without it. */
 export function namedIn(joint: string, namespaces: readonly string[]): NamedJoint {
   const robot = namespaces.find(namespace => joint.startsWith(`${namespace}/`)) ?? '';
   return { joint, robot, name: robot === '' ? joint : joint.slice(robot.length + 1) };

@@ -5,7 +5,10 @@ import { fileMessages } from '../messages/configuration';
 
 const MAX_LENGTH = 512;
 
-/** Gets the secret in a file, a single line. Reports a file that cannot be read or that every user may read, and returns null. */
+/**
+ * Gets the secret in a file, which must be a single line. Reports a file that cannot be read, that every user may access, or that does not contain a
+ * single line, and returns null.
+ */
 export function secretIn(file: YamlFile, entry: Path, value: string): string | null {
   const text = secretText(file, entry, value, true)?.trim();
   if (text === undefined) return null;
@@ -14,7 +17,7 @@ export function secretIn(file: YamlFile, entry: Path, value: string): string | n
   return null;
 }
 
-/** Gets the text of a configured file. Reports a file that cannot be read, or a secret that every user may read, and returns null. */
+/** Gets the text of a configured file. Reports a file that cannot be read, or a secret that every user may access, and returns null. */
 export function secretText(file: YamlFile, entry: Path, value: string, isSecret: boolean): string | null {
   const path = besides(file.path, value);
   try {

@@ -9,7 +9,7 @@ export interface User {
   password: string;
 }
 
-/** Gets the user in the section plant.user; null without a name. The password comes from a file or the environment, and is not logged. */
+/** Gets the user in the section plant.user; null if it has no name. The password comes from a file or the environment, and is not logged. */
 export function userIn(
   file: YamlFile,
   user: { name?: string; password_file?: string } | undefined,

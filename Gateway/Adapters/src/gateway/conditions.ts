@@ -5,8 +5,8 @@ import { stateMessages } from '../messages/values';
 export type ConditionKind = 'joint' | 'frame' | 'signal';
 
 /**
- * The state of a joint, frame or signal. live: samples arrive. rest: no samples arrive, and the joint is assumed to be at rest. refused: values arrive but
- * are invalid. fault: the data have stopped. missing: no valid value has arrived since the start.
+ * The state of a joint, frame or signal. live: samples arrive. rest: no samples arrive, and the joint is assumed to be at rest. refused: values
+ * arrive but are invalid. fault: the data have stopped. missing: no valid value has arrived since the start.
  */
 export type State = 'live' | 'rest' | 'refused' | 'fault' | 'missing';
 
@@ -16,7 +16,7 @@ export interface Condition {
   since: number;
   /** The reason for the state as one sentence; empty while live. */
   reason: string;
-  /** The reason why a joint in the state rest may not be at rest; empty for none. */
+  /** The reason why a joint in the state rest may not be at rest; empty if there is none. */
   uncertainty: string;
 }
 
@@ -77,8 +77,8 @@ export class Conditions {
   /**
    * Sets the state rest.
    * @param since Time of the last sample.
-   * @param basis The reason for the assumption of rest.
-   * @param uncertainty The reason why the joint may not be at rest; empty for none.
+   * @param basis The reason why the joint is assumed to be at rest.
+   * @param uncertainty The reason why the joint may not be at rest; empty if there is none.
    */
   rest(name: string, since: number, basis: string, uncertainty = ''): void {
     const known = this.#known.get(name);
@@ -107,7 +107,7 @@ export class Conditions {
     this.#trouble(name, 'refused', reason, this.now(), false);
   }
 
-  /** Applies the report of the gateway to which the source is connected. */
+  /** Applies a report of the gateway to which the source is connected. */
   report(name: string, { state, since, reason: text, uncertainty }: Condition): void {
     const known = this.#known.get(name);
     const reason = this.log.clean(text);
@@ -132,7 +132,7 @@ export class Conditions {
       if (isGood(condition) || condition.state === 'refused') this.#enter(name, 'fault', reason, this.now());
   }
 
-  /** Gets the diagnostics of all names. Faults come first, because a receiver may keep only a part. */
+  /** Gets the diagnostics of all names. Faults come first, because a receiver may keep only a part of the list. */
   values(): Record<string, string> {
     const sorted = [...this.#known].sort(([, a], [, b]) => Number(isGood(a)) - Number(isGood(b)));
     return Object.fromEntries(
@@ -146,7 +146,7 @@ export class Conditions {
   #trouble(name: string, state: State, text: string, since: number, isLogged: boolean): void {
     const reason = this.log.clean(text);
     const { state: before, reason: previous } = this.#known.get(name) ?? {};
-    // Keeps the state missing until the first valid value. The reason describes the invalid value.
+    // The state stays 'missing' until the first valid value arrives. Until then, the reason describes the newest invalid value.
     const entered = before === 'missing' ? 'missing' : state;
     if (before === entered && previous === reason) return;
     this.#enter(name, entered, reason, since);

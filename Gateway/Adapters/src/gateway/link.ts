@@ -19,10 +19,13 @@ const MAX_MESSAGE = 2 * 1024 * 1024;
 /** Time without a request after which the offer of a service is repeated, because the gateway may have refused it. */
 const OFFER_MS = 5000;
 
-/** Maximum number of stored status texts. */
+/** Maximum number of stored status messages. */
 const MAX_STATUSES = 32;
 
-/** Matches the status text of a gateway that does not know the clock of the stamps, for example because it is still measuring this clock. */
+/**
+ * Matches the status message of a gateway that does not have the clock of the stamps, for example because it is still measuring this clock. The
+ * measurement takes up to MEASURING_MS.
+ */
 const UNSYNCHRONISED = /\(Unsynchronised\)$/;
 const MEASURING_MS = 20_000;
 
@@ -34,7 +37,7 @@ export interface LinkEvents {
   opened?(): void;
   /** Called after a disconnection, and after each failed connection attempt. */
   away?(reason: string): void;
-  /** A message on this topic caused an exception in its listener. */
+  /** Called when a listener has thrown an exception for a message on this topic. */
   malformed?(topic: string, problem: string): void;
 }
 
@@ -91,7 +94,7 @@ export class GatewayLink {
     this.#send(this.#kept.get(key)!);
   }
 
-  /** Offers a service until the link ends. */
+  /** Offers a service until it is withdrawn or the link ends. */
   offer(service: string, type: string, answer: Service): void {
     this.#services.set(service, { type, answer, heard: 0 });
     this.#measured = performance.now();
@@ -144,7 +147,7 @@ export class GatewayLink {
       if (stop.aborted) break;
       this.log.change(this.name, `${this.name} ${this.address.url} away: ${this.log.clean(reason)}`);
       for (const { away } of this.#watchers) away?.(reason);
-      // Keeps the longer delay for a gateway that accepts connections and closes them at once.
+      // Keeps the longer delay for a gateway that accepts connections and closes them immediately.
       if (performance.now() - opened > STEADY_MS) backoff.reset();
       await pause(backoff.next(), stop);
     }
@@ -203,7 +206,7 @@ export class GatewayLink {
   #open(socket: WebSocket): void {
     this.#socket = socket;
     this.#measured = performance.now();
-    // Logs a status text again if the gateway sends it on the new connection, too.
+    // Logs a status message again if the gateway also sends it on the new connection.
     this.#statuses.clear();
     this.log.forget(`${this.name} says`);
     this.log.change(this.name, `${this.name} ${this.address.url} connected`);
@@ -242,7 +245,7 @@ export class GatewayLink {
     }
   }
 
-  // Logs a status text of the gateway, once for equal texts.
+  // Logs a status message of the gateway. Logs equal messages only once.
   #logStatus(status: string): void {
     if (UNSYNCHRONISED.test(status) && performance.now() - this.#measured < MEASURING_MS)
       return this.log.change(`${this.name} measures`, 'measuring', gatewayMessages.measuring(this.name));
@@ -279,7 +282,7 @@ export class GatewayLink {
     this.#send(advertisement(topic));
   }
 
-  // Sends a message about the connection itself. Without a connection, it is not needed.
+  // Sends a message without queueing it. Drops it without a connection: after a reconnection, it is outdated, or #open sends it again.
   #send(text: string): void {
     if (this.isOpen) this.#socket!.send(text);
   }
@@ -292,5 +295,5 @@ export class GatewayLink {
 const advertisement = (topic: string): string => JSON.stringify({ op: 'advertise', topic, type: typeOf(topic) });
 const subscription = (topic: string, type: string): string => JSON.stringify({ op: 'subscribe', topic, type, queue_length: 0, throttle_rate: 0 });
 
-/** Converts any JSON value to a text. String() fails for some objects. */
+/** Converts any JSON value to a string. String() fails for some objects. */
 const text = (value: unknown): string => (typeof value === 'string' ? value : (JSON.stringify(value) ?? ''));

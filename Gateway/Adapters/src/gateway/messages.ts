@@ -13,10 +13,10 @@ export const SIGNAL_STATUS = '/nowpose/signal_status';
 /** The topic on which a gateway publishes its version. */
 export const VERSION_TOPIC = '/nowpose/version';
 
-/** Gets the topic of a robot. `robot` is its namespace; empty for none. */
+/** Prefixes a topic with the namespace of a robot: `/arm1/joint_states`. Returns the topic unchanged if the namespace is empty. */
 export const topicOf = (robot: string, topic: string): string => (robot === '' ? topic : `/${robot}${topic}`);
 
-/** Gets the type of a topic of the gateway, with or without the namespace of a robot. */
+/** Gets the message type of a topic of the gateway, with or without the namespace of a robot. */
 export const typeOf = (topic: string): string | undefined => TYPES[topic] ?? TYPES[topic.replace(/^\/[^/]+/, '')];
 
 const TYPES: Record<string, string> = {
@@ -52,7 +52,7 @@ export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, val
   status: [{ level, name, message, hardware_id: name, values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
 
-/** Parses a JSON object; null if the text is not a JSON object. */
+/** Parses a JSON object; null if the string is not a JSON object or array. */
 export function parsed(text: string): Record<string, unknown> | null {
   try {
     const message = JSON.parse(text) as unknown;

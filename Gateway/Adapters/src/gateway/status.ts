@@ -2,7 +2,7 @@ import { Log } from '../log';
 import { type Condition, Conditions } from './conditions';
 import { stateMessages } from '../messages/values';
 
-/** State of the connection to the plant. "waiting" is the state between two connection attempts. */
+/** State of the connection to the plant. It is "waiting" between two connection attempts. */
 export type PlantState = 'connecting' | 'connected' | 'refused' | 'waiting';
 
 const MAX_REASONS = 32;
@@ -17,7 +17,7 @@ export class AdapterStatus {
   readonly #details: Record<string, string> = {};
   /** The reason for the newest connection failure; empty if the last attempt succeeded or none has failed. */
   #failure = '';
-  /** A notice for the user while positions arrive; null for none. */
+  /** A notice for the user while positions arrive; null if there is none. */
   #notice: string | null = null;
   readonly joints: Conditions;
   readonly frames: Conditions;
@@ -47,7 +47,7 @@ export class AdapterStatus {
 
   /**
    * Sets the state of the connection to the plant.
-   * @param reason The reason and the remedy; empty without an error.
+   * @param reason The reason and the remedy; empty if there is no error.
    */
   enter(state: PlantState, reason = ''): void {
     const clean = this.log.clean(reason);
@@ -75,7 +75,7 @@ export class AdapterStatus {
     return this.#uncertainty === null && this.#notice === null ? 0 : 1;
   }
 
-  /** Text about the plant's state or, while the plant is connected, about the first joint, frame or signal with a fault. */
+  /** Description of the plant's state or, while the plant is connected, of the first joint, frame or signal with a fault. */
   get message(): string {
     if (this.#state === 'connecting' && this.#failure !== '') return `waiting: ${this.#failure}`;
     if (this.#state !== 'connected') return this.#reason === '' ? this.#state : `${this.#state}: ${this.#reason}`;
@@ -131,8 +131,8 @@ export class AdapterStatus {
    * Reports a value that is not forwarded.
    * @param reason One of a fixed set of words. The refusal is counted as refused/REASON.
    * @param subject Name of the joint, frame or signal.
-   * @param what Text for the log, with the value and the allowed range.
-   * @param of The states of which `subject` is an entry.
+   * @param what Description for the log, with the value and the allowed range.
+   * @param of The states that include `subject`: those of the joints, frames or signals.
    */
   refuse(reason: string, subject: string, what: string, of: Conditions = this.joints): void {
     this.count(reason);

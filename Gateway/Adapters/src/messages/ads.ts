@@ -2,7 +2,7 @@ import { wrongValue } from './configuration';
 
 const NET_ID = 'each part of an AMS Net Id must be a number from 0 to 255';
 
-/** Errors in a configuration of the kind ads. */
+/** Error messages about a configuration of the kind ads. */
 export const adsSettingMessages = {
   endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, and each port from 1 to 65535`),
   netId: (value: unknown) => wrongValue(value, NET_ID),
@@ -52,7 +52,7 @@ export const adsMessages = {
 
 /** Reasons why a symbol is not usable. */
 export const symbolMessages = {
-  /** @param similar Symbols with similar names; empty for none; undefined if the PLC's symbol table is too long to be read. */
+  /** @param similar Symbols with similar names; empty if there are none; undefined if the PLC's symbol table is too long to be read. */
   unknown: (place: string, symbol: string, similar: string[] | undefined) =>
     `${place}: the PLC has no symbol ${symbol}${
       similar === undefined ? '' : similar.length === 0 ? '; look up the name in the PLC program' : `; similar symbols are ${similar.join(', ')}`

@@ -1,4 +1,4 @@
-/** Errors in a configuration of the kind broker, and the parts of its summary. */
+/** Error messages about a configuration of the kind broker, and the parts of its summary. */
 export const brokerSettingMessages = {
   publishing: (gateway: string, endpoint: string, topic: string) => `from ${gateway} to broker ${endpoint}, topics ${topic}/…`,
   subscribing: (endpoint: string, topic: string, gateway: string, place: string) =>
@@ -8,7 +8,7 @@ export const brokerSettingMessages = {
   tokenInClear: "a token is sent only over TLS or within this machine; add the pin of the plant's gateway, or tls: true",
 };
 
-/** Texts about the connection to a broker, and about the gateway on its other side. */
+/** Messages about the connection to a broker, and about the gateway on the broker's other side. */
 export const brokerMessages = {
   notSecure:
     'the connection to the broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the plant',
@@ -25,7 +25,7 @@ export const brokerMessages = {
   atOtherGateway: (reason: string) => `at the plant's gateway: ${reason}`,
 };
 
-/** Errors in a configuration of the kind mqtt, and reasons for the refusal of values. */
+/** Error messages about a configuration of the kind mqtt, and reasons for the refusal of values. */
 export const mqttMessages = {
   nothingRead: 'no value is read; add joints, frames or signals',
   arrivalTime: 'the time of arrival',
@@ -50,7 +50,7 @@ export const malformedMessages = {
   transform: (source: string) => `its transform from ${source} has no parent, no finite position or no unit quaternion`,
 };
 
-/** Texts about the sync port of the plant's gateway. */
+/** Messages about the sync port of the plant's gateway. */
 export const syncMessages = {
   timeUnknown: (place: string, reason: string) => `the time of ${place} cannot be read: ${reason}`,
   timeOf: (place: string) => `the time is read from ${place}`,

@@ -1,9 +1,9 @@
 import { shown } from '../configuration/problem';
 
-/** Formats an error in a value: the value as written in the file, then the allowed values or the remedy. */
+/** Formats an error message about a value: the value as written in the file, then the allowed values or the remedy. */
 export const wrongValue = (value: unknown, remedy: string): string => `value ${shown(value)}; ${remedy}`;
 
-/** Errors in entries that exist for several kinds of plant. */
+/** Error messages about entries that exist for several kinds of plant. */
 export const configurationMessages = {
   address: (value: unknown) => wrongValue(value, 'allowed: SCHEME://HOST:PORT with a port from 1 to 65535'),
   noKind: (allowed: string[]) => `missing; add a section plant with an entry kind; allowed kinds: ${allowed.join(', ')}`,
@@ -13,7 +13,7 @@ export const configurationMessages = {
   notAllowed: (value: unknown, guess: string | undefined, allowed: readonly string[]) =>
     wrongValue(value, `${question(guess)}allowed: ${allowed.join(', ')}`),
   tokenInClear: (value: unknown) => wrongValue(value, "a token is sent only over wss:// or within this machine; use wss:// with the gateway's pin"),
-  /** @param kind Kind of the object that has the name, such as joint. */
+  /** @param kind Kind of object that has the name, such as joint. */
   nameTwice: (value: unknown, line: number | undefined, kind: string) =>
     wrongValue(value, `line ${line} already has this ${kind}; list each ${kind} once`),
   valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; list each ${kind} once`,
@@ -29,7 +29,7 @@ export const configurationMessages = {
   noPassword: 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD',
 };
 
-/** Errors in the configuration of frames. */
+/** Error messages about the configuration of frames. */
 export const frameMessages = {
   world: (name: string) => wrongValue(name, 'this is the anchored frame of the cell, which has no parent'),
   quaternionAndAngles: 'quaternion and angles are both set; remove one of the two',
@@ -43,7 +43,7 @@ export const frameMessages = {
     ),
 };
 
-/** Errors in the configuration of robots and in their descriptions. */
+/** Error messages about the configuration of robots and about their descriptions. */
 export const robotMessages = {
   tooLarge: (value: unknown) => wrongValue(value, 'the file is larger than 1 MiB; move its meshes to separate files'),
   notUrdf: (value: unknown) => wrongValue(value, 'the file has no <robot> element; enter a URDF file'),
@@ -56,7 +56,7 @@ export const robotMessages = {
     ),
 };
 
-/** Errors in the files that a configuration names, and in the file of the configuration. */
+/** Error messages about the files that a configuration names, and about the configuration file itself. */
 export const fileMessages = {
   notReadable: (value: unknown, code: string | undefined) => wrongValue(value, `the file cannot be read (${code}); enter an existing file`),
   notOneLine: (value: unknown, most: number) => wrongValue(value, `the file must contain exactly one line of 1 to ${most} characters`),

@@ -1,4 +1,4 @@
-/** Texts about the connection to a gateway, and about the versions of gateway and adapter. */
+/** Messages about the connection to a gateway and about the versions of gateway and adapter. */
 export const gatewayMessages = {
   notConnected: (name: string) => `${name} is not connected`,
   notAnswered: (service: string, seconds: number) => `${service} did not answer within ${seconds} s`,
@@ -33,7 +33,7 @@ export const logMessages = {
   moreLines: (text: string, count: number, seconds: number) => `${text} (the newest of ${count} more lines within ${seconds} s)`,
 };
 
-/** Parts of the summary of a configuration. */
+/** Phrases from which the summary of a configuration is composed. */
 export const summaryMessages = {
   adsStamp: 'the time stamp of ADS',
   onlyClock: 'only the clock is read',

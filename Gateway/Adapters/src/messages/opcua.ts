@@ -1,6 +1,6 @@
 import { wrongValue } from './configuration';
 
-/** Errors in a configuration of the kind opcua. */
+/** Error messages about a configuration of kind opcua. */
 export const opcuaSettingMessages = {
   namespace: (value: unknown) => wrongValue(value, 'the namespace (ns) must be a number from 0 to 65535'),
   numericId: (value: unknown) => wrongValue(value, 'the numeric id (i) must be a number from 0 to 4294967295'),
@@ -18,7 +18,7 @@ export const opcuaSettingMessages = {
   noKey: 'the file contains no private key; enter a key in PEM format (-----BEGIN PRIVATE KEY-----)',
 };
 
-/** Texts about certificates and their folder. */
+/** Messages about certificates and their folder. */
 export const certificateMessages = {
   own: (file: string, thumbprint: string) => `own certificate ${file}, thumbprint ${thumbprint}: the server must trust it`,
   notStored: (folder: string, code: string) =>
@@ -36,7 +36,7 @@ export const certificateMessages = {
     `the server's certificate ${thumbprint} is valid only from ${from} to ${to}; renew it on the server, then trust the new certificate`,
 };
 
-/** Texts about the connection to an OPC UA server. */
+/** Messages about the connection to an OPC UA server. */
 export const opcuaMessages = {
   notSecure: 'WARNING: plant.security.mode is none: the server is not authenticated, and anyone on the network can read and change its values',
   notConnected: 'the session with the server has ended',

@@ -1,6 +1,6 @@
 import { wrongValue } from './configuration';
 
-/** Texts about a robot with rosbridge. */
+/** Messages about a robot that is connected over rosbridge. */
 export const rosMessages = {
   notSecure:
     'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the robot',

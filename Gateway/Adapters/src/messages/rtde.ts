@@ -1,6 +1,6 @@
 import { wrongValue } from './configuration';
 
-/** Errors in a configuration of the kind rtde. */
+/** Error messages about a configuration of kind rtde. */
 export const rtdeSettingMessages = {
   notCalibrated: (value: unknown, arms: string[]) => wrongValue(value, `with calibration: true, the allowed robots are ${arms.join(', ')}`),
   recipeTooLong: (size: number, most: number) => `the list of fields has ${size} bytes; the maximum is ${most} bytes; remove signals`,
@@ -10,7 +10,7 @@ export const rtdeSettingMessages = {
   indexTwice: (value: unknown, line: number) => wrongValue(value, `line ${line} already has this joint of the arm; use each index once`),
 };
 
-/** Texts about the connection to a controller. */
+/** Messages about the connection to a controller. */
 export const rtdeMessages = {
   notSecure: "RTDE is neither encrypted nor authenticated: anyone with access to this network can read the robot's data and impersonate the robot",
   ended: (place: string) => `${place} ended the connection`,
@@ -47,7 +47,7 @@ export const rtdeMessages = {
   clockNotMeasured: "the robot's clock is not measured yet",
 };
 
-/** Texts about the fields that a controller sends. */
+/** Messages about the fields that a controller sends. */
 export const fieldMessages = {
   recipe: (fields: number, types: number) =>
     `the controller answered the recipe of ${fields} fields with ${types} types; check that it is an RTDE server of protocol version 2`,
@@ -88,7 +88,7 @@ export const safetyStops: Record<number, string> = {
   13: 'three-position enabling stop; hold the enabling device in its middle position',
 };
 
-/** Texts about the calibration of an arm. */
+/** Messages about the calibration of an arm. */
 export const calibrationMessages = {
   used: (apartMm: number) =>
     `the controller's calibration is used; it moves the tool by up to ${apartMm.toFixed(1)} mm compared with the published kinematics`,

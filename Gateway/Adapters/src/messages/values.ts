@@ -17,13 +17,13 @@ export const refusalMessages = {
   quaternion: (length: number) => `the quaternion has the length ${length.toFixed(3)}; allowed: 0.99 to 1.01`,
 };
 
-/** Texts about the states of joints, frames and signals, and their reasons. */
+/** Messages about the states of joints, frames and signals and the reasons for them. */
 export const stateMessages = {
   noValueYet: 'no value has arrived since the start',
   disconnected: 'the plant is not connected',
   /**
-   * @param knowledge The reason for the assumption of rest.
-   * @param uncertainty The reason why the joint may not be at rest; empty for none.
+   * @param knowledge The reason why the joint is assumed to be at rest.
+   * @param uncertainty The reason why the joint may not be at rest; an empty string if there is none.
    */
   assumedAtRest: (knowledge: string, kind: string, uncertainty: string) =>
     `${knowledge}; the ${kind} is assumed to be at rest${uncertainty === '' ? '' : `; ${uncertainty}`}`,
@@ -37,7 +37,7 @@ export const stateMessages = {
 // The gateway recognises this remedy by its beginning "set ".
 const CURE = 'set silence: { fault_after_s: N } if the source sends its values repeatedly, even at rest';
 
-/** Texts about a joint without new values: the reason for its state, and the reason why it may not be at rest. */
+/** Messages about a joint without new values: the reason for its state, and the reason why it may not be at rest. */
 export const silenceMessages = {
   confirmed: 'the source confirms the last value',
   noValue: 'no new value has arrived',

@@ -63,7 +63,7 @@ function valuesIn(values: TopicValues, topic: string, payload: Buffer, arrival: 
   return refused({ reason: 'stamp-missing', text: mqttMessages.noTime(topic, time.unit, time.field) });
 }
 
-/** Parses a JSON text; undefined if the payload is not valid JSON. */
+/** Parses a payload as JSON. Returns undefined if it is not valid JSON. */
 function parsed(payload: Buffer): unknown {
   try {
     return JSON.parse(payload.toString());

@@ -8,7 +8,7 @@ import type { YamlFile } from '../configuration/yamlFile';
 import { brokerMessages } from '../messages/broker';
 import { configurationMessages } from '../messages/configuration';
 
-/** The address of a broker and the data for the login, including the contents of files. */
+/** The address of a broker and the login credentials, including the contents of the files that the configuration names. */
 export interface BrokerAddress {
   endpoint: string;
   /** Whether the connection to another machine is neither encrypted nor authenticated. */
@@ -18,7 +18,7 @@ export interface BrokerAddress {
   user: User | null;
 }
 
-/** The entries of the plant section about the broker. */
+/** The entries about the broker in the plant section of the configuration. */
 export interface BrokerSection {
   endpoint: string;
   plain?: boolean;
@@ -26,7 +26,7 @@ export interface BrokerSection {
   user?: { name: string; password_file?: string };
 }
 
-/** Checks the address of a broker, and reads the files for the login. */
+/** Checks the address of a broker, and reads the files with the login credentials. */
 export function brokerOf(file: YamlFile, section: BrokerSection, configuration: Configuration, environment: NodeJS.ProcessEnv): BrokerAddress {
   const { endpoint, plain, user, authority_file: authority } = section;
   const isOpen = endpoint.startsWith('mqtt:');

@@ -117,7 +117,7 @@ export class MqttLink {
     this.#client = client;
     for (const topic of this.topics)
       client.subscribe(topic, { qos: 1 }, error => {
-        // Ignores the error that the end of the connection causes.
+        // Ignores the error of a subscription that failed because the connection has ended.
         if (error && client.connected) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
       });
     this.events.opened();

@@ -13,7 +13,7 @@ export interface TimeField {
 /** The settings of the kind mqtt, including the contents of files. */
 export interface MqttSettings {
   broker: BrokerAddress;
-  /** The field with t_k; null if t_k is the time of arrival. */
+  /** The field that contains t_k; null if the arrival time is used as t_k. */
   time: TimeField | null;
 }
 

@@ -16,7 +16,7 @@ import { Refused, refusalOf } from './troubles';
 import { Watch } from './watch';
 import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
 
-/** Delay of a value in addition to the sampling and publishing intervals that the server grants. */
+/** Assumed maximum delay of a notification in addition to the sampling and publishing intervals that the server grants. */
 const SLACK_MS = 100;
 
 /** Maximum time from the stamp of a change until a read request returns the new value, in addition to the sampling interval. */

@@ -11,7 +11,7 @@ import { nodeMessages, opcuaMessages } from '../messages/opcua';
 /** Node id of Server_ServerStatus_CurrentTime, which every OPC UA server has. */
 const CURRENT_TIME = 'ns=0;i=2258';
 
-/** Minimum duration of a standstill at which CurrentTime is less accurate than the time in the server's answers. */
+/** If CurrentTime stands still for at least this duration, the time in the server's answers is used instead, because it is more accurate. */
 const STANDS: Nanoseconds = 16n * NS_PER_MS;
 
 /**
@@ -21,7 +21,7 @@ const STANDS: Nanoseconds = 16n * NS_PER_MS;
 const SAME_CLOCK: Nanoseconds = 3000n * NS_PER_MS;
 
 /**
- * Gets a function that reads the clock of the stamps, which is the server's clock or the time variable.
+ * Gets a function that reads the clock from which the time stamps come, which is the server's clock or the time variable.
  * @param variable Node id of the time variable; null for the server's clock.
  */
 export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings, variable: string | null, log: Log): Promise<ReadClock> {

@@ -24,7 +24,9 @@ export const isGone = (status: StatusCode): boolean => GONE.includes(status.name
 
 export const isOverflown = (status: StatusCode): boolean => (status.value & OVERFLOW) !== 0;
 
-/** Gets the refusal of a value because of its status; null for a good value. Refuses Uncertain, which may be the last value before a fault. */
+/**
+ * Refuses a value whose status is not good; returns null for a good value. Uncertain is refused, because the value may be the last before a fault.
+ */
 export function statusRefusal(value: DataValue): Refusal | null {
   // The value may be missing, because a server may send a status alone, or Null for a variable that was never written.
   const isThere = value.value && value.value.dataType !== DataType.Null;

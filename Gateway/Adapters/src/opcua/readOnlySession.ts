@@ -96,7 +96,7 @@ export class ReadOnlySession {
       clientName: 'Nowpose',
       securityMode: isOpen ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt,
       securityPolicy: isOpen ? SecurityPolicy.None : SecurityPolicy[settings.security.policy],
-      // Not checked, because servers often report a host name that differs from the one in the configuration.
+      // Accepts an endpoint with another host name, because servers often report a host name that differs from the one in the configuration.
       endpointMustExist: false,
       connectionStrategy: { maxRetry: 0 },
       requestedSessionTimeout: SESSION_MS,

@@ -1,7 +1,7 @@
 import type { SourceStop } from '../samples/jointOutput';
 import type { Nanoseconds } from '../times';
 
-/** Minimum number of renewals of a node at rest that show that its source writes the node periodically. */
+/** Number of renewals of a node at rest from which its source counts as writing the node periodically. */
 const MIN_RENEWALS = 3;
 
 /**

@@ -3,8 +3,8 @@ import type { Nanoseconds } from '../times';
 const REMEMBERED = 64;
 
 /**
- * The times in a variable of the control system, to be assigned to the values of the same cycle. The server's time stamps, called labels, identify
- * the cycle: variables that are sampled together have equal time stamps, even if these are wrong.
+ * Stores the newest times from the time variable, each of which applies to the values of the same cycle. The server's time stamps, called labels,
+ * identify the cycle: variables that are sampled together have equal time stamps, even if these are wrong.
  */
 export class TimeVariable {
   readonly #known: { label: Nanoseconds; time: Nanoseconds }[] = [];

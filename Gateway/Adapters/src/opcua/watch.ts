@@ -3,7 +3,10 @@ import type { Nanoseconds } from '../times';
 import { clockMessages } from '../messages/gateway';
 import { opcuaMessages } from '../messages/opcua';
 
-/** Interval of the checks while values arrive (LOOK_MS), and after QUIET_MS without any value. Headsets show a sample for about 300 ms. */
+/**
+ * LOOK_MS: interval of the checks while values arrive. QUIET_LOOK_MS: interval after QUIET_MS without any value. It is short, because headsets show a
+ * sample for only about 300 ms.
+ */
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 60;
 const QUIET_MS = 50;
@@ -28,7 +31,7 @@ export class Watch {
   /**
    * Checks the server until `ended` resolves. Each check also reads the clock. Resolves with the reason when the server no longer responds.
    * @param keepAliveMs Interval of the server's keep-alive messages, ms.
-   * @param look Called in each check with the time that the clock showed just before; null if the clock could not be read.
+   * @param look Called in each check with the time just read from the clock; null if the clock has stopped.
    */
   async silence(clock: PlantClock, keepAliveMs: number, ended: Promise<unknown>, look: (time: Nanoseconds | null) => Promise<void>): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);

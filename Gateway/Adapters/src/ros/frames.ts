@@ -30,9 +30,9 @@ interface Publisher {
 
 interface Names {
   frames: RosFrame[];
-  /** Name in ROS of the anchored frame of the cell. */
+  /** ROS name of the cell's world frame. */
   world: string;
-  /** Namespace of the robot whose links can be parents; empty for none. */
+  /** Namespace of the robot whose links can be parents; empty if it has none. */
   namespace: string;
 }
 

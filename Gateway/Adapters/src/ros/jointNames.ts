@@ -2,7 +2,10 @@ import type { Joint } from '../configuration/configuration';
 
 const MAX_JOINTS = 256;
 
-/** A forwarded joint and the conversion of its values. `index` counts the joints in the order in which they were first seen. */
+/**
+ * A forwarded joint and the conversion of its values. `index` is the index of the joint in the configuration or, without configured joints, its place
+ * in the order in which the joints were first seen.
+ */
 export interface OutJoint {
   index: number;
   /** Cell-wide name: NAMESPACE/NAME for a robot with a namespace. */
@@ -18,7 +21,7 @@ export interface OutJoint {
 export class JointNames {
   readonly #known = new Map<string, OutJoint>();
 
-  /** @param namespace Namespace of the robot; empty for none. */
+  /** @param namespace Namespace of the robot; empty if it has none. */
   constructor(
     joints: Joint[],
     readonly namespace = '',

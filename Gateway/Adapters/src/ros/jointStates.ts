@@ -31,7 +31,7 @@ export class JointStates {
   /** End-of-data detection for each joint. `names` limits the number of joints. */
   readonly #ends = new Map<string, EndOfData>();
   /**
-   * Joints whose end of data was already judged since their last sample. A joint is judged once, because later motions of other joints are no
+   * Joints whose end of data was already judged since their last sample. A joint is judged once, because later motions of other joints are not
    * evidence.
    */
   readonly #judged = new Set<string>();

@@ -24,9 +24,9 @@ export interface RosSettings {
   frames: RosFrame[];
   /** Message types of the topics with single values, by topic. */
   types: Map<string, string>;
-  /** Name in ROS of the anchored frame of the cell. */
+  /** ROS name of the cell's world frame. */
   world: string;
-  /** Namespace of the robot; empty for none. */
+  /** Namespace of the robot; empty if it has none. */
   namespace: string;
   hasClock: boolean;
   /** Maximum age of a stamp. Values with older stamps are refused. */

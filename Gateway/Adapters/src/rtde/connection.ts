@@ -11,7 +11,7 @@ export class RefusalError extends Error {}
 export interface Peer {
   host: string;
   port: number;
-  /** Name of the service in PolyScope; if absent, RTDE. */
+  /** Name of the service in PolyScope; RTDE if absent. */
   service?: string;
 }
 
@@ -34,7 +34,7 @@ export class RtdeConnection {
     this.#socket = socket;
     socket.setNoDelay(true);
     socket.on('data', bytes => this.#hear(bytes));
-    // Uses one message for both events, because their order is random.
+    // Uses one message for both events, because their order is not defined.
     socket.on('error', () => {}).on('close', () => this.#end(new Error(rtdeMessages.ended(at(peer)))));
   }
 

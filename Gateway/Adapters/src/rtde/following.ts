@@ -1,6 +1,6 @@
 import type { Cycle } from './recipe';
 
-/** Time constant in s with which old cycles lose their weight. */
+/** Time constant, in s, with which the weight of old cycles decays. */
 const WINDOW_S = 10;
 
 /** Minimum integral of the squared velocities over time for an estimate, rad²/s. */

@@ -9,8 +9,8 @@ const MAX_SKEW_PPM = 700n;
 const SILENCE: Nanoseconds = NS_PER_S;
 
 /**
- * Without answers, the clock has stepped if one package is earlier than expected by this time, or if all packages within PERIOD are later than
- * expected by this time.
+ * If the controller does not answer requests, its clock counts as stepped when one package arrives at least this much earlier than expected, or when
+ * all packages within PERIOD arrive at least this much later than expected.
  */
 const LATE: Nanoseconds = 50n * NS_PER_MS;
 
@@ -46,7 +46,10 @@ export class RobotClock {
   #newest: Nanoseconds | null = null;
   /** Time since which all answers or packages have been late, number of these answers, and largest lower bound from a package since then. */
   #late: { since: Nanoseconds; answers: number; lower: Nanoseconds } | null = null;
-  /** Current distance between the bounds and its minimum (`assumed`) without answers; null while answers give upper bounds. */
+  /**
+   * Distance between the bounds while the controller does not answer: the current distance (`width`) and its minimum (`assumed`). Null while answers
+   * give upper bounds.
+   */
   #kept: { assumed: Nanoseconds; width: Nanoseconds } | null = null;
 
   /**
@@ -125,8 +128,8 @@ export class RobotClock {
   }
 
   /**
-   * Widens the distance between the bounds if a package arrived earlier than expected: by 1.5 times this difference, because the next late period
-   * may be longer.
+   * Widens the distance between the bounds if a package arrived earlier than expected: to the assumed distance plus 1.5 times this difference,
+   * because the next late period may be longer.
    */
   #widen(faster: Nanoseconds): void {
     if (this.#kept === null || faster >= LATE) return;
@@ -152,7 +155,7 @@ export class RobotClock {
     return areAllBelow || (this.#late !== null && this.#late.answers >= REFUTED && arrived - this.#late.since >= PERIOD);
   }
 
-  /** Whether the clock has stepped: a package is earlier than expected by LATE, or all packages within PERIOD are later than expected by LATE. */
+  /** Whether the clock has stepped: a package is earlier than expected by LATE or more, or all packages within PERIOD are later by LATE or more. */
   #areAllFar(before: Nanoseconds, lower: Nanoseconds, arrived: Nanoseconds): boolean {
     if (before - lower < LATE) this.#late = null;
     else this.#late ??= { since: arrived, answers: 0, lower };

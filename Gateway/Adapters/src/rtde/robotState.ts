@@ -37,7 +37,7 @@ export function safetyStopOf({ safetyMode, safetyBits }: Cycle): string | null {
 /** Minimum change of an angle, in rad, that shows that a joint has power. */
 const MOVED = 1e-4;
 
-/** Determines whether the joints have power. Joints that move have power in every mode that the controller reports. */
+/** Determines whether the joints have power. Joints that move have power, even if the reported robot mode is one without power. */
 export class Power {
   #mode: number | null = null;
   #from: number[] = [];

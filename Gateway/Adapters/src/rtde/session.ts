@@ -41,7 +41,7 @@ export class RtdeSession {
   #controller: Buffer | null = null;
   #clock!: RobotClock;
   #awaited: { type: number; take: (payload: Buffer, arrived: Nanoseconds) => void } | null = null;
-  /** Time of the request whose answer has arrived; null if a data package has arrived since, or there is none. */
+  /** Time of the request whose answer arrived last; null if a data package has arrived since that answer, or if no answer has arrived. */
   #answered: Nanoseconds | null = null;
   /** The shortest round-trip time of the requests during the set-up. */
   #roundTrip: Nanoseconds | null = null;

@@ -34,14 +34,14 @@ const RESOLUTION_MARGIN = 2;
 /** Factor on the largest observed deceleration, because the deceleration between samples may be larger. */
 const SEEN_MARGIN = 1.5;
 
-/** A joint continues to move if it still sends samples GOES_ON_S seconds later, and moves in one direction in at least GOES_ON_STEPS steps. */
+/** A joint continues to move if its newest sample is more than GOES_ON_S seconds later, and at least GOES_ON_STEPS steps all have one direction. */
 const GOES_ON_S = 0.3;
 const GOES_ON_STEPS = 3;
 
 /** A joint counts as stopped at its last position if its next motion starts within this fraction of its last step from that position. */
 const STOPPED_NEAR = 0.25;
 
-/** Deceleration that every joint is assumed to be capable of, in rad/s² and m/s²: a third of a hard emergency stop. */
+/** Deceleration that every joint is assumed to be capable of, in rad/s² and m/s²: a third of the deceleration in a hard emergency stop. */
 const FLOOR_ROTARY = 12;
 const FLOOR_LINEAR = 3;
 

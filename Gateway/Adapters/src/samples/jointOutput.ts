@@ -38,14 +38,17 @@ export interface JointOutputOptions {
   faultAfterMs?: number | null;
 }
 
-/** The time at which a source stopped writing a value: directly after a change, or later, at rest. */
+/** The phase in which a source stopped writing a value: directly after a change, or later, while the value was at rest. */
 export type SourceStop = 'after-change' | 'at-rest';
 
-/** Minimum time without changes after which a sample is repeated, and the interval of repetitions. Headsets predict for about 300 ms. */
+/**
+ * SILENCE: minimum time without changes after which a sample is repeated. REPETITION: interval of the repetitions. Both are short, because headsets
+ * predict for only about 300 ms.
+ */
 const SILENCE: Nanoseconds = 60n * NS_PER_MS;
 const REPETITION: Nanoseconds = 50n * NS_PER_MS;
 
-/** Time without samples after which it is known whether the other joints have also stopped, as in an emergency stop. */
+/** Time after the last sample of a joint at which it is clear whether the other joints have also stopped, as in an emergency stop. */
 const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
 
 /** Minimum time without changes after which a sample is repeated, as a multiple of the joint's sampling interval. */
@@ -64,7 +67,10 @@ export class JointOutput {
   readonly #judged = new Set<number>();
   /** Joints whose data ended during a motion. Only a newer sample ends this state, because a new connection starts with the last value again. */
   readonly #ended = new Set<number>();
-  /** Joints whose sample was repeated since it arrived, and decelerations required for stops that were not observed. */
+  /**
+   * #repeated: joints whose newest sample has been repeated. #unobserved: for each joint whose last stop would need a deceleration above all observed
+   * ones, this deceleration.
+   */
   readonly #repeated = new Set<number>();
   readonly #unobserved = new Map<number, number>();
   /** Sampling interval of the source in seconds; 0 if unknown. */
@@ -158,7 +164,7 @@ export class JointOutput {
     this.status.refuse(reason, this.joints[joint].joint, text);
   }
 
-  /** Gets the minimum time without changes after which a joint's sample is repeated; for a repeated sample, the repetition interval. */
+  /** Gets the minimum time without changes after which a joint's sample is repeated; if it has been repeated already, the repetition interval. */
   #silenceOf(joint: number, silence: Nanoseconds): Nanoseconds {
     if (this.#repeated.has(joint)) return REPETITION;
     const intervals = ofMilliseconds(1000 * SILENT_INTERVALS * this.#ends[joint].interval);
@@ -202,7 +208,7 @@ export class JointOutput {
     this.status.joints.fault(name, silenceMessages.endedBecause(reason), this.silence.lastSample(name));
   }
 
-  /** Gets the reason why the joint may not be at rest; empty for none. */
+  /** Gets the reason why the joint may not be at rest; an empty string if there is none. */
   #uncertaintyOf(joint: number): string {
     if (this.sourceStopOf(joint) !== null) return silenceMessages.notWritten;
     const required = this.#unobserved.get(joint);

@@ -50,7 +50,7 @@ export class Silence {
   /** Resumes the evaluation of a joint's silence. Returns whether the joint has ever sent a sample. */
   judge(joint: string): boolean {
     const heard = this.#heard.get(joint);
-    // Sets only a joint with a recent sample to live. A joint that was reported with a fault keeps the fault until its next sample.
+    // Only a joint with a recent sample becomes live. A joint that was reported with a fault keeps the fault until its next sample.
     if (this.#reported.delete(joint) && heard !== undefined && this.now() - heard.sample < REST_MS) this.conditions.live(joint);
     return heard !== undefined;
   }
@@ -63,7 +63,7 @@ export class Silence {
 
   /**
    * Confirms a joint's last value: the source has sent all changes up to now, and this joint has not changed.
-   * @param uncertainty The reason why the joint may not be at rest; empty for none.
+   * @param uncertainty The reason why the joint may not be at rest; an empty string if there is none.
    */
   confirm(joint: string, uncertainty = ''): void {
     const heard = this.#heard.get(joint);

@@ -3,7 +3,7 @@ import { refusalMessages } from '../messages/values';
 
 const FUTURE: Nanoseconds = NS_PER_S;
 
-/** The reason why a value is not forwarded, as a word for the counter and as a text. */
+/** The reason why a value is not forwarded. `reason` is the name of the counter, and `text` is the explanation for a user. */
 export interface Refusal {
   reason: string;
   text: string;

@@ -135,7 +135,7 @@ describe('ads', { concurrency: 4 }, () => {
     const repeated = bridge.jointStates.slice(count), stamps = repeated.filter(s => s.name.includes('one')).map(s => nanoseconds(s.header.stamp));
     assert.ok(repeated.every(s => s.position.every(position => position === 1.5)));
     assert.ok(stamps.every((stamp, i) => i === 0 || stamp > stamps[i - 1]), `${stamps}`);
-    // Virtual-time tests check how often the adapter reads. Each reading must be published; the newest may be on their way.
+    // Virtual-time tests check how often the adapter reads. Each reading must be published; the newest ones may not have arrived yet.
     assert.ok(stamps.length >= 0.75 * reads - 1, `${stamps.length} of ${reads}`);
     await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
   });

@@ -1,5 +1,5 @@
-// Compares the frames of the simulated PLC byte for byte with frames that were written by hand from the specification. Thus the
-// simulated PLC follows the specification and not only one client.
+// Compares the frames of the simulated PLC byte for byte with frames that were written by hand from the specification. This shows that the simulated
+// PLC follows the specification, and not only the behaviour of one client.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { connect } from 'node:net';

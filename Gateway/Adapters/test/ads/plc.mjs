@@ -19,7 +19,8 @@ export class Plc {
 
   /**
    * `variables` are PlcSymbols; their values change only from cycle to cycle. `aheadMs` is the time of the PLC's clock minus that of this
-   * machine's clock at the start, `ppm` is the skew of the PLC's clock, and `cycleMs` is the cycle time of the PLC's task.
+   * machine's clock at the start, `ppm` is the skew of the PLC's clock, and `cycleMs` is the cycle time of the PLC's task. `stampOf`
+   * converts a time of the PLC, in nanoseconds since 1970, to the time stamp of a notification, in units of 100 ns.
    */
   constructor(variables, { aheadMs = 0, ppm = 0, cycleMs = 1, stampOf = time => fileTime(time) } = {}) {
     this.#startTime = BigInt(Math.round((Date.now() + aheadMs) * 1e6));
@@ -54,7 +55,7 @@ export class Plc {
     return time - (time - phase) % this.cycle;
   }
 
-  /** Loads a new program: all variables move to other memory addresses, and handles of the old addresses become invalid. */
+  /** Loads a new program: all variables move to other memory addresses, and handles to the old addresses become invalid. */
   download(variables) {
     this.version = this.version % 255 + 1;
     this.#place(variables, 0x1000 + 64 * this.version);

@@ -22,7 +22,7 @@ export class AdsServer {
     this.plc = plc;
     this.netId = netId;
     this.routes = routes;
-    /** All received requests. With them, tests check that nothing was written. */
+    /** All received requests, with which tests check that the client wrote nothing. */
     this.seen = [];
     /** While true, the server reads requests but does not answer them. */
     this.silent = false;
@@ -130,7 +130,7 @@ export class AdsServer {
     return this.plc.read(place.indexGroup, place.indexOffset, length);
   }
 
-  /** Returns the memory address of the variable of a handle; any other address is returned unchanged. */
+  /** Converts a handle to the memory address of its variable; returns any other address unchanged. */
   #place(indexGroup, indexOffset) {
     const symbol = indexGroup === group.valueByHandle ? this.#handles.get(indexOffset) : undefined;
     return symbol ? { indexGroup: group.memory, indexOffset: symbol.offset } : { indexGroup, indexOffset };

@@ -39,7 +39,7 @@ export class PlcSymbol {
     return bytes;
   }
 
-  /** Returns the element with an index of the PLC, which begins at `first`. */
+  /** Returns the element with the given index. As in the PLC, indices start at `first`. */
   element(index) {
     const place = index - this.first;
     if (this.count === 0 || place < 0 || place >= this.count) return undefined;

@@ -1,11 +1,11 @@
-// Simulates the sync port of a gateway as in the protocol: requests and replies of 48 bytes, preceded by a token if one is required.
+// Simulates the sync port of a gateway as specified in the protocol: requests and replies of 48 bytes, preceded by a token if one is required.
 import { once } from 'node:events';
 import { createServer } from 'node:net';
 
 const magic = 0x434e5953;
 
 export class SyncServer {
-  /** Time of the simulated clock minus that of this machine's clock, in ns; the fields below are the quality that the port reports. */
+  /** Time of the simulated clock minus that of this machine's clock, in ns. The next three fields contain the clock quality that the port reports. */
   aheadNs = 0n;
   boundUs = 0;
   resolutionNs = 0;

@@ -13,7 +13,7 @@ import { messages } from '../messages.mjs';
 
 const { symbolMessages } = messages;
 
-/** Starts an adapter for the text of a configuration. */
+/** Starts an adapter. `text` returns the content of its configuration file for the address of the gateway. */
 async function adapterFor(t, text) {
   const bridge = await RosbridgeDouble.start(t);
   return { bridge, adapter: start(t, [temporaryFile('plant.yaml', text(bridge.url))]) };
@@ -24,7 +24,7 @@ const changes = bridge => bridge.published('/signals').map(({ header, value }) =
 const posesOf = (bridge, frame, count) => until(() => poses(bridge, frame).length >= count && poses(bridge, frame),
   () => `${count} poses of ${frame}; there are ${poses(bridge, frame).length}, ${JSON.stringify(bridge.state)}`);
 
-/** Whether a time stamp can be the time of arrival of a message, with a tolerance for the round trip with which the clock was read. */
+/** Whether a time stamp can be the time of arrival of a message, with a tolerance for the round-trip time of the clock readings. */
 function isArrival(stamp, sent, seen) {
   const tolerance = 100_000_000n;
   return stamp > sent - tolerance && stamp < seen + tolerance;

@@ -14,7 +14,7 @@ export async function serverFor(suite, options) {
 // All tests of a file that need no certificate of their own share this folder, because creating a certificate takes half a second.
 export const OPEN = [`security: {mode: none, i_know_this_is_open: true, folder: "${temporaryFolder()}"}`];
 
-/** Returns the text of a configuration. `plant` has the lines of the section plant, `joints` the entries of each joint. */
+/** Returns the content of a configuration file. `plant` contains the lines of the plant section, and `joints` contains the entries of each joint. */
 export function configuration(gateway, endpoint, plant, joints, more = '') {
   const list = joints.map(entries => `  - ${Object.entries(entries).map(([key, value]) => `${key}: ${value}`).join('\n    ')}\n`);
   return `gateway:\n  url: ${gateway}\n${more}plant:\n  kind: opcua\n  name: cell\n  endpoint: ${endpoint}\n`

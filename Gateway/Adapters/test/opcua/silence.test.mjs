@@ -31,7 +31,7 @@ function stopped() {
 
 const samplesOf = (bridge, joint) => bridge.jointStates.filter(s => s.name.includes(joint)).length;
 
-/** Asserts that a joint in fault is not repeated while another joint stays live. */
+/** Asserts that the samples of a joint with a fault are not repeated while another joint stays live. */
 async function assertOtherStaysLive(bridge, joint, other) {
   const own = samplesOf(bridge, joint), others = samplesOf(bridge, other);
   await until(() => samplesOf(bridge, other) > others + 20, `samples of ${other}`);

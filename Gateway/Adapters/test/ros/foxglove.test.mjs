@@ -20,7 +20,7 @@ async function connect(t, args = ['--robot', 'youbot']) {
   return ros;
 }
 
-/** Calls a method of Ros that takes two callbacks: for the answer and for a failure. */
+/** Calls a method of Ros that takes two callbacks, one for the answer and one for a failure. */
 const ask = (ros, method, ...args) => new Promise((resolve, reject) => ros[method](...args, resolve, error => reject(new Error(`${method}: ${error}`))));
 
 test('topics are listed with their types and full definitions', limit, async t => {

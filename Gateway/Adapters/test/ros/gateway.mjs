@@ -10,7 +10,7 @@ const builds = ['Debug', 'Release'].map(kind => join(adapters, '..', 'bin', kind
 /** Path of the built program; undefined if it has not been built yet. */
 export const program = builds.find(existsSync);
 
-/** Starts the gateway and returns its WebSocket address. The end of the test stops the gateway. */
+/** Starts the gateway and returns its WebSocket address. The gateway is stopped when the test ends. */
 export async function start(test, args = []) {
   const child = spawn('dotnet', [program, 'serve', '--sync-port', '0', '--ws-port', '0', ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
   const ended = new Promise(resolve => child.on('close', resolve));

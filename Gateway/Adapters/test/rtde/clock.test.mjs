@@ -125,7 +125,7 @@ describe('rtde clock', () => {
       link.play(600_000);
 
       const { error, bound } = link.reading();
-      // The bound consists of the send delay, the round-trip time, and the delay of the fastest package of some seconds.
+      // The bound consists of the send delay, the round-trip time, and the delay of the fastest package within a few seconds.
       assert.ok(Math.abs(error) <= bound && bound < 3.6, `seed ${seed}: error ${error} ms, bound ${bound} ms`);
     }
   });

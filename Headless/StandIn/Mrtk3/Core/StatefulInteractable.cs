@@ -4,7 +4,7 @@ using UnityEngine.XR.Interaction.Toolkit;
 
 namespace MixedReality.Toolkit;
 
-/// <summary>Raises its click event when it is released, and toggles if its mode is Toggle.</summary>
+/// <summary>Raises its click event when it is released. Toggles its state if its mode is Toggle.</summary>
 public class StatefulInteractable : MRTKBaseInteractable
 {
     [SerializeField] bool allowSelectByVoice = true;

@@ -7,7 +7,7 @@ public static class XRSubsystemHelpers
 {
     [ThreadStatic] static IKeywordRecognitionSubsystem _recognition;
 
-    /// <summary>The running subsystem; null if none is running.</summary>
+    /// <summary>The keyword recognition if it is running; otherwise null.</summary>
     public static IKeywordRecognitionSubsystem KeywordRecognitionSubsystem => _recognition?.running == true ? _recognition : null;
 
     /// <summary>Sets the simulated keyword recognition; null removes it.</summary>

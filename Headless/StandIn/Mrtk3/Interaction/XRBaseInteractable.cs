@@ -12,7 +12,7 @@ public abstract class XRBaseInteractable : MonoBehaviour
 
     protected virtual void Awake() { }
 
-    /// <summary>Simulates that an interactor takes hold of the object. Does nothing if the object is inactive, as in Unity.</summary>
+    /// <summary>Simulates an interactor that takes hold of the object. Does nothing if the object is inactive, as in Unity.</summary>
     internal void Enter()
     {
         if (isActiveAndEnabled && _selecting++ == 0) firstSelectEntered.Invoke(new SelectEnterEventArgs());

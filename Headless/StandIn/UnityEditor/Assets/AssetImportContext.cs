@@ -20,7 +20,7 @@ public class AssetImportContext
 
     internal List<string> Warnings { get; } = new List<string>();
 
-    /// <summary>Paths of assets whose imported result this import uses.</summary>
+    /// <summary>Paths of the assets whose import results this import uses.</summary>
     internal List<string> ArtifactDependencies { get; } = new List<string>();
 
     /// <summary>Paths of files that this import reads or, if they do not exist yet, would read.</summary>

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>Finds scripted importers by the file extension that they declare, and runs them as Unity does.</summary>
+/// <summary>Finds scripted importers by the file extensions that they declare, and runs them as Unity does.</summary>
 static class Importers
 {
     /// <summary>Returns the type of the importer for a file; null if no loaded assembly has one.</summary>

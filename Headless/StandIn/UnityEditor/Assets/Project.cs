@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 namespace UnityEditor;
 
 /// <summary>
-/// The project whose assets the editor uses. By default, this is the project that contains the running code; tests may open another.
+/// The project whose assets the editor uses. By default, this is the project that contains the running code. Tests may open another project.
 /// </summary>
 static class Project
 {
@@ -37,7 +37,7 @@ static class Project
     /// <summary>Adds an asset with the given objects, in place of an importer that has no stand-in. The first object is the main object.</summary>
     internal static void Put(string path, params Object[] objects) => Loaded[path] = objects;
 
-    /// <summary>Adds an asset with the given objects, which can also be found by its GUID.</summary>
+    /// <summary>Adds an asset with the given objects and the given GUID.</summary>
     internal static void PutAs(string guid, string path, params Object[] objects)
     {
         PathOf(guid);
@@ -74,7 +74,7 @@ static class Project
 
     internal static string FullPath(string path) => Path.Combine(Root, path);
 
-    /// <summary>Runs an action with the project as the working folder, as in Unity. Editor code uses paths relative to it.</summary>
+    /// <summary>Runs an action with the project as the current directory, as in Unity. Editor code uses paths relative to it.</summary>
     internal static T InRoot<T>(Func<T> action)
     {
         var before = Directory.GetCurrentDirectory();

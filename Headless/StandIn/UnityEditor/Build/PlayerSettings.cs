@@ -29,7 +29,7 @@ public sealed class PlayerSettings : Object
 
     public static void SetApiCompatibilityLevel(NamedBuildTarget buildTarget, ApiCompatibilityLevel value) => ApiLevels[buildTarget.TargetName] = value;
 
-    /// <summary>Returns the graphics APIs that the project has set; otherwise the default of Unity 6.</summary>
+    /// <summary>Returns the graphics APIs that the project has set. If it has set none, returns the default of Unity 6.</summary>
     public static GraphicsDeviceType[] GetGraphicsAPIs(BuildTarget platform) =>
         GraphicsApis.TryGetValue(platform, out var apis) ? apis : new[] { GraphicsDeviceType.Direct3D12, GraphicsDeviceType.Direct3D11 };
 

@@ -9,7 +9,7 @@ static class EditorTypes
 {
     /// <summary>
     /// Returns the type of the inspector. This is the default inspector if none is declared, or if several objects are inspected and the declared
-    /// inspector does not support this.
+    /// inspector does not support several objects.
     /// </summary>
     internal static Type For(Type inspected, bool several)
     {

@@ -18,7 +18,7 @@ static class GuiRecorder
     /// <summary>Names of the drawn serialised fields.</summary>
     internal static List<string> Properties { get; } = new List<string>();
 
-    /// <summary>Text of the button to click: the next time it is drawn, it reports a click.</summary>
+    /// <summary>Text of the button to click. The next time the button is drawn, it reports a click.</summary>
     internal static string Click { get; set; }
 
     /// <summary>Entries of each drawn drop-down list.</summary>

@@ -3,7 +3,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
 
-/// <summary>Serialised argument of a call of an event.</summary>
+/// <summary>Serialised argument of a persistent call of an event.</summary>
 [Serializable]
 sealed class PersistentArguments
 {

@@ -5,7 +5,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
 
-/// <summary>Serialised call of an event: an object, a method and an argument.</summary>
+/// <summary>A persistent call of an event, as Unity serialises it: a target object, a method and an argument.</summary>
 [Serializable]
 sealed class PersistentCall
 {
@@ -39,7 +39,7 @@ sealed class PersistentCall
         };
     }
 
-    /// <summary>Invokes the method with the serialised argument or, depending on the mode, with the argument of the event.</summary>
+    /// <summary>Invokes the method. The mode determines whether the argument is the serialised argument or the argument of the event.</summary>
     /// <param name="eventType">Type of the event's argument; null if it has none.</param>
     internal void Invoke(Type eventType = null, object eventArgument = null)
     {

@@ -4,7 +4,7 @@ using UnityEngine.Serialization;
 
 namespace UnityEngine.Events;
 
-/// <summary>Serialised calls of an event.</summary>
+/// <summary>The persistent calls of an event, as Unity serialises them.</summary>
 [Serializable]
 sealed class PersistentCallGroup
 {

@@ -1,6 +1,6 @@
 namespace UnityEngine.Events;
 
-/// <summary>Kind of argument of a serialised call.</summary>
+/// <summary>Kind of argument of a persistent call.</summary>
 enum PersistentListenerMode
 {
     EventDefined,

@@ -11,7 +11,7 @@ public class UnityEvent : UnityEventBase
 
     public void RemoveListener(UnityAction call) => _listeners -= call;
 
-    /// <summary>Invokes the serialised listeners first, then the listeners added by code.</summary>
+    /// <summary>Invokes the persistent calls first, then the listeners that code has added.</summary>
     public void Invoke()
     {
         // Iterates by index, because a listener may change the list.

@@ -12,7 +12,8 @@ public class UnityEvent<T0> : UnityEventBase
     public void RemoveListener(UnityAction<T0> call) => _listeners -= call;
 
     /// <summary>
-    /// Invokes the serialised listeners first, then the listeners added by code. A serialised call uses its own argument or this argument.
+    /// Invokes the persistent calls first, then the listeners that code has added. A persistent call passes its serialised argument or this argument,
+    /// depending on its mode.
     /// </summary>
     public void Invoke(T0 arg0)
     {

@@ -5,7 +5,8 @@ namespace UnityEngine;
 /// <summary>Converts rotations to Euler angles in the order z, x, y.</summary>
 static class EulerAngles
 {
-    // Sine of the angle about x (89.97 degrees) beyond which heading and roll have the same axis. The heading then gets the whole angle.
+    // Sine of the angle about x (89.97 degrees) above which heading and roll turn about the same axis. The whole angle is then assigned to the
+    // heading.
     const float GimbalLock = 0.9999999f;
 
     internal static Vector3 Of(Quaternion rotation)

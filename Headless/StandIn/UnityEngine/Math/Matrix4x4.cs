@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>A 4x4 matrix with elements m[row, column]. It is multiplied with column vectors.</summary>
+/// <summary>A 4x4 matrix with elements m[row, column]. It multiplies column vectors.</summary>
 public struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
 {
     public float m00;

@@ -35,7 +35,9 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         }
     }
 
-    /// <summary>Euler angles in degrees, each from 0 to 360. The rotation about z comes first, then x, then y.</summary>
+    /// <summary>
+    /// Euler angles in degrees, each from 0 to 360. The rotation about z is applied first, then the rotation about x, then the rotation about y.
+    /// </summary>
     public Vector3 eulerAngles
     {
         readonly get => EulerAngles.Of(this);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>Rotations given by the rotated vectors right, up and forward.</summary>
+/// <summary>Functions for rotations that are given by the directions of their right, up and forward vectors.</summary>
 static class RotationMatrix
 {
     /// <summary>Converts a rotation to a quaternion. The three vectors must be orthonormal and form Unity's left-handed axes.</summary>

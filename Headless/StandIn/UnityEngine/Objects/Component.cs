@@ -62,6 +62,6 @@ public class Component : Object
     /// <summary>Called when the GameObject becomes inactive.</summary>
     internal virtual void Deactivated() { }
 
-    /// <summary>Called right before the component is destroyed, while it does not yet equal null.</summary>
+    /// <summary>Called immediately before the component is destroyed, when a comparison with null still returns false.</summary>
     internal virtual void Destroying() { }
 }

@@ -57,10 +57,10 @@ public sealed partial class GameObject : Object
     /// <summary>Components in the order in which they were added. The Transform is the first.</summary>
     internal IReadOnlyList<Component> Components => _components;
 
-    /// <summary>Scene of the object; null for a prefab, and until a new object is added to a scene.</summary>
+    /// <summary>Scene of the object; null for a prefab, and for a new object that has not been added to a scene.</summary>
     internal SceneContent Content { get; private set; }
 
-    /// <summary>Creates an object that is not in a scene. Its scripts receive Awake in <see cref="SceneContent.Adopt"/> at the earliest.</summary>
+    /// <summary>Creates an object that is not in a scene. Its scripts do not receive Awake before <see cref="SceneContent.Adopt"/>.</summary>
     internal static GameObject Detached(string name) => new(name, (SceneContent)null);
 
     public bool CompareTag(string tag) => this.tag == tag;

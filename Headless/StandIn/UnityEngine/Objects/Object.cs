@@ -46,7 +46,7 @@ public partial class Object
 
     internal bool Destroyed { get; private set; }
 
-    /// <summary>Whether the object is an asset. Destroy refuses assets, so that scripts do not destroy them by mistake.</summary>
+    /// <summary>Whether the object is an asset. Destroy rejects assets, so that scripts cannot destroy them by mistake.</summary>
     internal bool IsAsset { get; private set; }
 
     /// <summary>Object that stores the name of this object: for a component, its GameObject; otherwise the object itself.</summary>

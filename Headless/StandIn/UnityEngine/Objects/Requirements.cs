@@ -22,7 +22,7 @@ sealed class Requirements
         Types = types;
     }
 
-    /// <summary>Whether a GameObject may have at most one instance.</summary>
+    /// <summary>Whether a GameObject may have at most one component of this class.</summary>
     internal bool Alone { get; }
 
     internal IReadOnlyList<Type> Types { get; }

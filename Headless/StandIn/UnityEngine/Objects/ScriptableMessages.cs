@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>Calls the messages of ScriptableObjects. Looks up the methods at each call, because these messages are rare.</summary>
+/// <summary>Calls the messages of ScriptableObjects. Does not cache the methods, because these messages are rare.</summary>
 static class ScriptableMessages
 {
     const BindingFlags Declared = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;

@@ -136,7 +136,7 @@ public partial class Transform
     public Vector3 InverseTransformPoint(Vector3 position)
     {
         ThrowIfDestroyed();
-        // Converts step by step from the root, because an inverse 4x4 matrix of floats has too large rounding errors for positions of a metre.
+        // Converts level by level from the root, because the rounding errors of an inverse 4x4 float matrix are too large at positions of about 1 m.
         var above = _parent is null ? position : _parent.InverseTransformPoint(position);
         return Unscaled(Quaternion.Inverse(_localRotation) * (above - _localPosition));
     }
@@ -148,12 +148,12 @@ public partial class Transform
         return Unscaled(Quaternion.Inverse(_localRotation) * above);
     }
 
-    /// <summary>Marks the cached pose as out of date. Must also be called after fields were set directly.</summary>
+    /// <summary>Marks the cached pose as outdated. Must also be called after the pose fields were set directly.</summary>
     internal void MarkMoved()
     {
         if (!_known) return;
 
-        // If this pose is already out of date, the poses of all descendants are, too.
+        // If this pose is already outdated, the poses of all descendants are also outdated.
         _known = false;
         foreach (var child in _children) child.MarkMoved();
     }

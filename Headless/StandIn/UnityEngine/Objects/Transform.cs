@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Place of an object in the hierarchy. The other part of this class contains the pose.</summary>
+/// <summary>The hierarchy part of the class: parent and children of an object. The other part of the class contains the pose.</summary>
 public partial class Transform : Component, IEnumerable
 {
     readonly List<Transform> _children = new();

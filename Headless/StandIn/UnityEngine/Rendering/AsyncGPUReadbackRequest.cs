@@ -13,7 +13,7 @@ public struct AsyncGPUReadbackRequest
 
     public readonly bool done => IsPast || _readback.Done;
 
-    /// <summary>Whether the request failed, or its data have already been discarded.</summary>
+    /// <summary>Whether the request has failed or its data has already been discarded.</summary>
     public readonly bool hasError => IsPast || _readback.Failed;
 
     readonly bool IsPast => _readback == null || _readback.Number != _number;

@@ -31,7 +31,10 @@ static class BuiltIn
         }
     }
 
-    /// <summary>Returns the resource with a file name of Unity; null if it is unknown. Fonts are unknown, because nothing draws text.</summary>
+    /// <summary>
+    /// Returns the built-in resource with this file name in Unity; null if the stand-in does not have it. Fonts are missing, because nothing draws
+    /// text.
+    /// </summary>
     internal static Object Resource(string path) => path switch
     {
         "Cube.fbx" => Mesh(PrimitiveType.Cube),

@@ -25,7 +25,9 @@ sealed class Cameras
 
     internal void Remove(Camera camera) => _enabled.Remove(camera);
 
-    /// <summary>Sets the static fields of <see cref="Camera"/> to the delegates of this world, which has become the current one.</summary>
+    /// <summary>
+    /// Sets the static fields of <see cref="Camera"/> to the delegates of this world. Called when this world becomes the current one.
+    /// </summary>
     internal void Resume()
     {
         _current = true;

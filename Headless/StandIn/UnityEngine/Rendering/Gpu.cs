@@ -29,7 +29,8 @@ sealed class Gpu
     internal List<FrameTiming> FrameTimings { get; } = new();
 
     /// <summary>
-    /// Number of frames, at least 1, after which a readback completes (at the start of a frame). Negative: readbacks are not supported.
+    /// Number of frames after which a readback completes, at the start of a frame; at least 1. A negative value means that readbacks are not
+    /// supported.
     /// </summary>
     internal int ReadbackFrames { get; set; } = -1;
 

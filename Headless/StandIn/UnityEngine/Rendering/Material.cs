@@ -19,7 +19,7 @@ public class Material : Object
 
     public Shader shader { get; set; }
 
-    /// <summary>Render queue of the material. If it is set to -1, the getter returns the queue of the shader.</summary>
+    /// <summary>Render queue of the material. If the value was set to −1, the getter returns the queue of the shader.</summary>
     public int renderQueue
     {
         get => OwnRenderQueue >= 0 || !shader ? OwnRenderQueue : shader.renderQueue;

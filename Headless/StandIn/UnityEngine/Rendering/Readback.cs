@@ -8,7 +8,7 @@ sealed class Readback
     Action<AsyncGPUReadbackRequest> _callback;
     int _framesLeft;
 
-    /// <summary>Number of the current request.</summary>
+    /// <summary>Number of the current request, which distinguishes it from earlier requests with the same object.</summary>
     internal int Number { get; private set; }
 
     internal bool Failed { get; private set; }

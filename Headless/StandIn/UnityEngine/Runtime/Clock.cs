@@ -10,12 +10,12 @@ sealed class Clock
 
     internal int Frame { get; private set; }
 
-    /// <summary>Time since the start, without the time scale.</summary>
+    /// <summary>Unscaled time since the start.</summary>
     internal double Real { get; private set; }
 
     internal double RealDelta { get; private set; }
 
-    /// <summary>Scaled time. It advances by at most the maximum delta time per frame.</summary>
+    /// <summary>Scaled time. Each frame advances it by the real delta time, limited to the maximum delta time, times the time scale.</summary>
     internal double Scaled { get; private set; }
 
     internal double ScaledDelta { get; private set; }

@@ -29,7 +29,7 @@ sealed class Destruction
         if (MayEnd(what, alsoAssets)) End(what);
     }
 
-    /// <summary>Destroys the objects whose time has come.</summary>
+    /// <summary>Destroys the objects whose delay has elapsed.</summary>
     internal void Flush()
     {
         // Objects that an OnDestroy adds to the list are destroyed in the same pass.

@@ -16,7 +16,7 @@ sealed class Host
     internal bool RunInBackground { get; set; } = true;
     internal bool Focused { get; set; } = true;
 
-    /// <summary>Folder for the files of the application. It is created when the first file is written.</summary>
+    /// <summary>Folder for files that the application writes. It is created when the first file is written.</summary>
     internal string PersistentDataPath { get; set; } = Path.Combine(Path.GetTempPath(), "Nowpose Player");
 
     /// <summary>Folder of the files shipped with the application; a URL if they are in an archive.</summary>

@@ -8,7 +8,9 @@ static class Lifecycle
 {
     internal static void Activate(GameObject root) => Activate(new[] { root });
 
-    /// <summary>Activates the active objects of hierarchies: calls Awake and OnEnable, script by script in the execution order.</summary>
+    /// <summary>
+    /// Activates the objects of hierarchies whose active flag is set. Calls Awake and OnEnable script by script, in the execution order.
+    /// </summary>
     internal static void Activate(IReadOnlyList<GameObject> roots)
     {
         var waking = new List<GameObject>();

@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>Calls one method on any object of one class, as fast as a delegate and without allocation.</summary>
+/// <summary>Calls one method on any object of one class, without allocation and as fast as a delegate.</summary>
 abstract class MessageCall
 {
     internal abstract void Invoke(MonoBehaviour target);

@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace UnityEngine;
 
-/// <summary>Calls one method with an argument, like <see cref="MessageCall"/>.</summary>
+/// <summary>Calls one method that has an argument; otherwise like <see cref="MessageCall"/>.</summary>
 abstract class MessageCall<T>
 {
     internal abstract void Invoke(MonoBehaviour target, T argument);

@@ -20,7 +20,7 @@ sealed class SceneContent
     internal bool IsLoaded { get; set; } = true;
     internal IReadOnlyList<GameObject> Roots => _roots;
 
-    /// <summary>Adds hierarchies that were created outside of scenes, and then activates all of them together.</summary>
+    /// <summary>Adds hierarchies that were created outside of scenes, and then activates them all at once.</summary>
     internal void Adopt(IReadOnlyList<GameObject> roots)
     {
         foreach (var root in roots)

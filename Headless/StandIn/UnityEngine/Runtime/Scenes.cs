@@ -29,7 +29,7 @@ sealed class Scenes
         _loaded.Remove(scene);
     }
 
-    /// <summary>Moves an object to a scene that is never unloaded.</summary>
+    /// <summary>Moves a root object to a scene that is never unloaded.</summary>
     internal void Keep(GameObject root)
     {
         _kept ??= new SceneContent(--_lastHandle, "DontDestroyOnLoad", "");

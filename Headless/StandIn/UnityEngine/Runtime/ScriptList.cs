@@ -2,14 +2,16 @@ using System.Collections.Generic;
 
 namespace UnityEngine;
 
-/// <summary>Scripts in execution order, then in the order of their addition. The list may change during an iteration.</summary>
+/// <summary>
+/// Scripts in execution order; scripts with the same execution order in the order in which they were added. The list may change during an iteration.
+/// </summary>
 sealed class ScriptList
 {
     readonly List<MonoBehaviour> _places = new();
     readonly List<MonoBehaviour> _arriving = new();
     bool _hasGaps;
 
-    /// <summary>Number of places in the list. Some places may be empty.</summary>
+    /// <summary>Number of entries, including the empty entries of removed scripts.</summary>
     internal int Size => _places.Count;
 
     internal int Count
@@ -27,7 +29,7 @@ sealed class ScriptList
     /// <summary>Adds a script. The next pass is the first one that includes it.</summary>
     internal void Add(MonoBehaviour script) => _arriving.Add(script);
 
-    /// <summary>Removes a script, also from a pass in progress.</summary>
+    /// <summary>Removes a script. A pass in progress skips it.</summary>
     internal void Remove(MonoBehaviour script)
     {
         if (_arriving.Remove(script)) return;
@@ -43,7 +45,7 @@ sealed class ScriptList
     {
         if (_hasGaps)
         {
-            // Removes the empty places. RemoveAll is not used, because its delegate would allocate.
+            // Removes the empty entries. RemoveAll is not used, because its delegate would allocate.
             var kept = 0;
             for (var i = 0; i < _places.Count; i++)
             {

@@ -7,7 +7,7 @@ sealed class Scripts
     readonly ScriptList _updating = new();
     readonly ScriptList _lateUpdating = new();
 
-    /// <summary>Number of registrations of running scripts for Start, Update and LateUpdate.</summary>
+    /// <summary>Number of entries in the lists for Start, Update and LateUpdate. A running script can have several entries.</summary>
     internal int Count => _starting.Count + _updating.Count + _lateUpdating.Count;
 
     internal void Add(MonoBehaviour script, bool starts)
@@ -49,7 +49,7 @@ sealed class Scripts
         {
             var script = scripts[i];
             script?.EnsureStarted();
-            // The place is empty if the script was destroyed or disabled in its Start.
+            // The entry is empty if the script was destroyed or disabled in its Start.
             if (script is not null && ReferenceEquals(scripts[i], script)) script.Script.Call(message, script);
         }
     }

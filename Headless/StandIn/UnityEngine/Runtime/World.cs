@@ -6,7 +6,7 @@ namespace UnityEngine;
 /// <summary>All state of the engine. Unity's static members use the current world. Only the log may be used from other threads.</summary>
 sealed class World
 {
-    // The world of tests in edit mode. It exists as long as the process.
+    // The world of edit-mode tests. It exists for as long as the process runs.
     static readonly World EditMode = new(isPlaying: false, EditModeLog);
 
     static World s_current = EditMode;
@@ -15,7 +15,7 @@ sealed class World
     readonly Action<LogEntry> _log;
     int _lastId;
 
-    /// <param name="isPlaying">Whether all scripts run; if false, only scripts that run in edit mode.</param>
+    /// <param name="isPlaying">Whether all scripts run. If false, only scripts with the attribute for edit mode run.</param>
     /// <param name="log">Called with each log entry, from any thread.</param>
     internal World(bool isPlaying, Action<LogEntry> log)
     {
@@ -74,7 +74,7 @@ sealed class World
         return before;
     }
 
-    /// <summary>Makes the world of edit mode the current one if the current world has ended.</summary>
+    /// <summary>Makes the world of edit mode the current one if <paramref name="ended"/> is the current world.</summary>
     internal static void Leave(World ended)
     {
         if (ReferenceEquals(s_current, ended)) MakeCurrent(EditMode);

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace UnityEngine.Serialization;
 
 /// <summary>
-/// Implements Object.Instantiate: copies the fields that Unity serialises. In the copy, references to objects of the hierarchy refer to their
-/// copies.
+/// Implements Object.Instantiate: copies the fields that Unity serialises. References to objects of the copied hierarchy are replaced with references
+/// to their copies.
 /// </summary>
 sealed class Cloner
 {
@@ -107,7 +107,7 @@ sealed class Cloner
         if (SerializedFields.IsList(type)) return CopyOfList((System.Collections.IList)value, type);
         if (!SerializedFields.IsNested(type) || SerializedFields.IsEngineValue(type)) return value;
 
-        // Unity cannot serialise null for these types, so the copy has an object in any case.
+        // Unity cannot serialise null for these types, so the copy always contains an object.
         var made = Activator.CreateInstance(type, nonPublic: true);
         if (value != null)
         {

@@ -12,10 +12,10 @@ static class SerializedFields
 
     static readonly ConcurrentDictionary<Type, FieldInfo[]> Known = new();
 
-    /// <summary>Returns the fields in the order of the source, the fields of base classes first.</summary>
+    /// <summary>Returns the fields in source order, those of base classes first.</summary>
     internal static IReadOnlyList<FieldInfo> Of(Type type) => Known.GetOrAdd(type, Read);
 
-    /// <summary>Returns the field that is serialized under this name, or formerly was; null if there is none.</summary>
+    /// <summary>Returns the field that is or was formerly serialised under this name; null if there is none.</summary>
     internal static FieldInfo Find(Type type, string name)
     {
         foreach (var field in Of(type))
@@ -34,7 +34,7 @@ static class SerializedFields
         return null;
     }
 
-    /// <summary>Returns the name of a field in files.</summary>
+    /// <summary>Returns the name under which a field is stored in files.</summary>
     internal static string NameOf(FieldInfo field) => field.GetCustomAttribute<SerializedNameAttribute>()?.Name ?? field.Name;
 
     internal static bool IsList(Type type) => type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>);

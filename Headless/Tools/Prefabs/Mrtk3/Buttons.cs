@@ -8,7 +8,7 @@ namespace Nowpose.Prefabs.Mrtk3;
 /// <summary>Adds instances of MRTK3's buttons and sliders to a canvas at their original size: 32 mm square and 100 mm wide.</summary>
 sealed class Buttons
 {
-    /// <summary>Distance of the original slider's handle from the canvas, mm.</summary>
+    /// <summary>Z position of the original slider's handle relative to the canvas, mm; negative is towards the wearer.</summary>
     const float SliderDepth = -6.1f;
 
     readonly PackageAssets _assets;

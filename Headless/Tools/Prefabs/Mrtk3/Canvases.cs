@@ -27,7 +27,7 @@ static class Canvases
         return rect;
     }
 
-    /// <summary>Adds a background behind the buttons.</summary>
+    /// <summary>Adds the background of the buttons.</summary>
     public static void AddGround(PackageAssets assets, Transform canvas, Vector3 place, Vector2 size)
     {
         var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);

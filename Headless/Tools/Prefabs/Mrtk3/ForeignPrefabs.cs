@@ -6,7 +6,9 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Creates the objects of MRTK3's prefabs that the sample changes or calls, with their original values and fileIDs.</summary>
+/// <summary>
+/// Creates stand-ins for MRTK3's prefabs. They contain the objects that the sample changes or calls, with the original values and fileIDs.
+/// </summary>
 static class ForeignPrefabs
 {
     /// <summary>

@@ -19,7 +19,7 @@ static class Graspable
         var manipulator = made.AddComponent<ObjectManipulator>();
         Fields.Set(manipulator, "hostTransform", host != null ? host : made.transform);
         manipulator.AllowedManipulations = TransformFlags.Move | TransformFlags.Rotate;
-        // Disables selection by voice, which could only click the object.
+        // Disables selection by voice, because a voice command can only click the object and not move it.
         manipulator.AllowSelectByVoice = false;
         return manipulator;
     }

@@ -51,7 +51,7 @@ sealed class HeadsetMenuPrefab
         Toggle("_panel", "Panel", nameof(CellActions.TogglePanel), new Vector2(34, 50));
         Toggle("_ghost", "Ghost", nameof(CellActions.ToggleGhost), new Vector2(-34, 16));
         Toggle("_occlusion", "Occlusion", nameof(CellActions.ToggleOcclusion), new Vector2(0, 16));
-        // Placed apart from the other buttons, because it must not be pressed by mistake. It also asks for confirmation.
+        // This button is apart from the other buttons and asks for confirmation, because it must not be pressed by mistake.
         Click(_buttons.Button("Forget Cell", "Forget cell", new Vector2(34, -86)), nameof(CellActions.ForgetCell));
         Calls.Add(_buttons.Button("No Nudge", "No nudge", new Vector2(34, 16)), Clicked, _actions, nameof(CellActions.SetNudgeMs), 0f);
     }

@@ -7,16 +7,19 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 
-/// <summary>Creates the prefabs for a HoloLens 2 user: a marker to grasp, a panel to read and a question to answer.</summary>
+/// <summary>Creates the prefabs for a HoloLens 2 user: a marker to grasp, a panel to read and a consent prompt to answer.</summary>
 static class HoloLensPrefabs
 {
-    /// <summary>Size of the status panel's bar, in font sizes. It is as wide as the background of the panel.</summary>
+    /// <summary>Size of the status panel's bar, as multiples of the panel's font size. The bar is as wide as the background of the panel.</summary>
     const float BarWidth = 31.5f, BarHeight = 2.8f;
 
-    /// <summary>One unit of the bar's canvas in font sizes. A button of 32 units is 2° high at the reading distance, Microsoft's minimum.</summary>
+    /// <summary>
+    /// Size of one unit of the bar's canvas, as a multiple of the panel's font size. A button of 32 units is 2° high at the reading distance, which
+    /// is Microsoft's minimum.
+    /// </summary>
     const float BarUnit = 0.0785f;
 
-    /// <summary>Font size of a panel that follows the user at 1.3 m, in metres. It is legible from up to 10 % farther away.</summary>
+    /// <summary>Font size, in metres, of a panel that follows the user at 1.3 m. The text is legible from up to 10 % farther away.</summary>
     static readonly float BarSize = LetterSize.At(1.3f * 1.1f);
 
     /// <summary>Creates the marker. Its transform is the robot's base frame.</summary>
@@ -32,7 +35,7 @@ static class HoloLensPrefabs
         return assets.Prefab(marker);
     }
 
-    /// <summary>Creates the package's panel with a bar to grasp, pin and close it.</summary>
+    /// <summary>Creates the package's panel with a bar by which the user grasps, pins and closes it.</summary>
     public static string Panel(PackageAssets assets)
     {
         var panel = new GameObject("Status Panel (MRTK3)");
@@ -54,7 +57,7 @@ static class HoloLensPrefabs
         return assets.Prefab(panel);
     }
 
-    /// <summary>Adds the bar below the panel. Its unit is the panel's font size.</summary>
+    /// <summary>Adds the bar below the panel. Its unit of length is the panel's font size.</summary>
     /// <returns>The object that the panel places and scales, so that the bar looks the same in the editor and on a following panel.</returns>
     static Transform AddBar(
         PackageAssets assets, Transform panel, out ObjectManipulator handle, out PressableButton pin, out PressableButton close)
@@ -75,7 +78,7 @@ static class HoloLensPrefabs
         return bar;
     }
 
-    /// <summary>Adds a text next to a button, because the letters on the button are too small at the distance of a panel.</summary>
+    /// <summary>Adds a label next to a button, because the letters on the button are too small at the distance of a panel.</summary>
     static void AddWord(PackageAssets assets, string word, Transform canvas, Vector3 place)
     {
         var text = Canvases.AddText(assets, word + " Word", canvas, place);
@@ -83,7 +86,9 @@ static class HoloLensPrefabs
         text.transform.localScale = Vector3.one / (LetterSize.Of(text) * BarUnit);
     }
 
-    /// <summary>Creates the question. It follows the user in front of the panel and within reach, so that it cannot be overlooked.</summary>
+    /// <summary>
+    /// Creates the consent prompt. It follows the user in front of the panel and within reach, so that the user cannot overlook it.
+    /// </summary>
     public static string Consent(PackageAssets assets)
     {
         var root = new GameObject("Consent Prompt");

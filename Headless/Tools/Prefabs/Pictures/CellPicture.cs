@@ -13,7 +13,7 @@ static class CellPicture
     const double Field = 29;
 
     /// <summary>
-    /// Minimum distance, perpendicular to the line of sight, by which the uncompensated gripper lags, m. Fast moves of the sample reach it.
+    /// Minimum distance, perpendicular to the line of sight, by which the uncompensated gripper lags behind, m. Fast moves of the sample reach it.
     /// </summary>
     const float MinGapMetres = 0.06f;
 
@@ -36,7 +36,7 @@ static class CellPicture
         return (uncompensated, compensated, Lag(cell).magnitude);
     }
 
-    // Moves the virtual parts to the positions at which a display without compensation shows them.
+    // Moves the virtual parts to the positions where a display without compensation shows them.
     static void MoveToHeldPoses(PlayedCell cell, IEnumerable<TrackedObject> displayed)
     {
         var held = cell.Objects<TrackedObject>().Where(shown => shown.Shows == RigPose.Held).ToDictionary(shown => shown.Frame);

@@ -7,7 +7,9 @@ sealed record Face((Vector3 Point, float Phase)[] Corners, Color Colour, double 
 {
     public Vector3 Centre => Corners.Aggregate(Vector3.zero, (sum, c) => sum + c.Point) / Corners.Length;
 
-    /// <summary>Gets the parts of the face in the stripes, which have reduced opacity, or those in the gaps between them.</summary>
+    /// <summary>
+    /// Returns the parts of the face that lie in the stripes, which have reduced opacity, or those in the gaps between the stripes.
+    /// </summary>
     public IEnumerable<Vector3[]> Stripes(bool fainter)
     {
         var (first, last) = ((int)Math.Floor(Corners.Min(c => c.Phase)), (int)Math.Floor(Corners.Max(c => c.Phase)));

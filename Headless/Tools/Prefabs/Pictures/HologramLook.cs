@@ -5,7 +5,7 @@ namespace Nowpose.Prefabs.Pictures;
 /// <summary>Computes brightness, opacity and stripes for pictures with the formulas of the shader Nowpose/Hologram.</summary>
 static class HologramLook
 {
-    /// <summary>Width of a stripe and of the gap beside it, as NOWPOSE_STRIPE_METRES in the shader.</summary>
+    /// <summary>Width of a stripe and of the gap beside it, m. The value equals NOWPOSE_STRIPE_METRES in the shader.</summary>
     public const float StripeMetres = 0.01f;
 
     /// <summary>Opacity of a stripe relative to the gap beside it.</summary>
@@ -13,7 +13,7 @@ static class HologramLook
 
     static readonly float Diagonal = 0.70710678f / (2 * StripeMetres);
 
-    /// <summary>Gets the colour of a face, which depends on the angle of view.</summary>
+    /// <summary>Returns the colour of a face for an angle of view.</summary>
     public static Color Shade(Color colour, Vector3 normal, Vector3 view) =>
         colour * (0.4f + 0.6f * Mathf.Abs(Vector3.Dot(normal.normalized, view.normalized)));
 

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>Draws the manual's pictures of the package's prefabs as a user sees them.</summary>
+/// <summary>Draws the manual's pictures, which show the package's prefabs as a user sees them.</summary>
 static class ManualPictures
 {
     const string Folder = "Packages/com.nowpose.mril/Documentation~/images/";
@@ -62,7 +62,7 @@ static class ManualPictures
             ("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
     }
 
-    /// <summary>Gets a camera in front of the gripper, from where no part of the arm hides it and the text is on the left.</summary>
+    /// <summary>Returns a camera in front of the gripper. From there, no part of the arm hides the gripper, and the text is on the left.</summary>
     static PictureCamera Before(PlayedCell cell)
     {
         var gripper = cell.Displayed.GetComponentInChildren<VirtualGripper>().transform;

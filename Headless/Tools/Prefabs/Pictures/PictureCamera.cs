@@ -9,7 +9,7 @@ namespace Nowpose.Prefabs.Pictures;
 /// <param name="Height">Height of the picture, pixels.</param>
 sealed record PictureCamera(Pose Place, double HorizontalDegrees, int Width, int Height)
 {
-    /// <summary>Focal length in pixels: the length in the picture of 1 m at a distance of 1 m.</summary>
+    /// <summary>Focal length in pixels: the length in the picture of an object of 1 m at a distance of 1 m.</summary>
     double Focus => Width / 2.0 / Math.Tan(HorizontalDegrees / 2 * Math.PI / 180);
 
     /// <summary>Gets the distance of a point along the line of sight, metres.</summary>

@@ -20,7 +20,7 @@ sealed class PlayedCell : IDisposable
         _player = new Player(library);
         _player.LoadScene(PackagePaths.VirtualScene, roots => Session = roots.SelectMany(r => r.GetComponents<MrilSession>()).Single());
         Session.HeadsetClock = _clock;
-        // The session has started with the clock of this machine. Setting the settings restarts it with the virtual clock.
+        // The session has started with the clock of this machine. Assigning the settings restarts it with the virtual clock.
         Session.Settings = Session.Settings;
         Session.transform.Find("Status Panel").gameObject.SetActive(false);
         Panel = UnityEngine.Object.Instantiate(library.Load<GameObject>(PackagePaths.HoloLensPanel)).GetComponent<StatusPanel>();

@@ -7,10 +7,12 @@ using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 
-/// <summary>Draws a played scene as SVG: built-in meshes with the package's materials, farthest face first, with texts on top.</summary>
+/// <summary>
+/// Draws a played scene as SVG. Draws Unity's built-in meshes with the package's materials, the farthest face first, and all text on top.
+/// </summary>
 sealed class SceneDrawing(PictureCamera camera)
 {
-    /// <summary>Ascent and height of a line of the built-in font, in font sizes.</summary>
+    /// <summary>Ascent and line height of the built-in font, as multiples of the font size.</summary>
     const double Ascent = 0.905, Line = 1.149;
 
     const string Occluder = "Nowpose/Occluder";
@@ -90,7 +92,7 @@ sealed class SceneDrawing(PictureCamera camera)
         var anchor = ((int)text.anchor % 3) switch { 0 => "start", 1 => "middle", _ => "end" };
         for (var i = 0; i < lines.Length; i++)
             _svg.Append(CultureInfo.InvariantCulture, $"""<text x="{x:0.0}" y="{y + i * Line * size:0.0}" font-size="{size:0.0}" """)
-                // Sets the length of the text, because a browser can use another font.
+                // Sets the length of the text explicitly, because a browser may use another font.
                 .Append(CultureInfo.InvariantCulture, $"""textLength="{LetterWidths.Of(lines[i]) * size:0.0}" lengthAdjust="spacingAndGlyphs" """)
                 .Append(CultureInfo.InvariantCulture, $"""text-anchor="{anchor}">{SecurityElement.Escape(lines[i])}</text>""")
                 .Append('\n');

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Supplies an imported robot with the materials that the user chose, or with materials in the colours of its URDF.</summary>
+    /// <summary>Supplies the materials of an imported robot: those that the user has chosen, or materials in the colours of the URDF.</summary>
     sealed class ImportedLook : IRigLook
     {
         static readonly VisualColour Uncoloured = new VisualColour(0.8, 0.8, 0.8, 1);

@@ -5,9 +5,7 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>
-    /// Finds the file for the name of a mesh in a URDF (<c>package://NAME/…</c> or a path) among the assets of a Unity project.
-    /// </summary>
+    /// <summary>Finds, among the assets of a Unity project, the file of a mesh that a URDF names (<c>package://NAME/PATH</c> or a path).</summary>
     /// <remarks>
     /// ROS finds a package by its manifest. A Unity project does not contain these manifests, so the name of a folder identifies the package. The
     /// search covers the folders above the URDF and the folders beside each of them, nearest first, and then Packages and Assets.
@@ -80,7 +78,7 @@ namespace Nowpose.Editor.Import
 
         static MeshReference Fault(string name, string fault) => new MeshReference(null, Array.Empty<string>(), "'" + name + "' " + fault);
 
-        // Converts file:///a/… to /a/…, and file:///C:/… to C:/….
+        // Converts file:///a/b to /a/b, and file:///C:/b to C:/b.
         static string OfFileUri(string uri)
         {
             var path = uri.Substring("file://".Length);

@@ -46,9 +46,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        /// <summary>
-        /// Returns whether a file has a format that Unity itself imports. The URDF importer then uses the result of Unity's import.
-        /// </summary>
+        /// <summary>Returns whether Unity itself imports files of this format. The URDF importer then uses the result of Unity's import.</summary>
         public static bool IsModel(string path)
         {
             var extension = Path.GetExtension(path).ToLowerInvariant();

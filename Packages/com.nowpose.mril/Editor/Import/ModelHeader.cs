@@ -13,7 +13,7 @@ namespace Nowpose.Editor.Import
     /// </remarks>
     static class ModelHeader
     {
-        // Number of bytes to search. The up axis is in the first section of the file, but a thumbnail may precede it.
+        // Number of bytes that are searched. The up axis is in the first section of the file, but a thumbnail may precede it.
         const int Searched = 1 << 20;
         const int MaxProperties = 8;
 
@@ -45,7 +45,7 @@ namespace Nowpose.Editor.Import
             }
             catch (XmlException)
             {
-                // The error is ignored here, because Unity cannot read the file either, and its model importer logs the error.
+                // Ignores the error: Unity cannot read the file either, and Unity's model importer logs the error.
                 return UpAxis.Y;
             }
         }
@@ -79,7 +79,8 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        // Format of the properties of a node, one after the other: 'S', length and characters for a string; 'I' and four bytes for an integer.
+        // Reads the properties of a node, which follow one another. A string consists of 'S', its length and its characters; an integer of 'I' and
+        // four bytes.
         static int? BinaryUpAxis(byte[] bytes)
         {
             var at = bytes.AsSpan().IndexOf(Encoding.ASCII.GetBytes("S\u0006\0\0\0UpAxis"));

@@ -2,8 +2,8 @@ using System.IO;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Converts asset paths to paths of files.</summary>
-    /// <remarks>The working folder of the editor is the project. In it, the editor maps Packages/NAME to the folder of the package.</remarks>
+    /// <summary>Converts asset paths to file paths.</summary>
+    /// <remarks>The current directory of the editor is the project. In it, the editor maps Packages/NAME to the folder of the package.</remarks>
     static class ProjectFiles
     {
         public static string FullPath(string assetPath) => Path.GetFullPath(assetPath);

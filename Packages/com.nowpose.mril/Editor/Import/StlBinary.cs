@@ -11,7 +11,7 @@ namespace Nowpose.Editor.Import
         const int Start = 84;
         const int Stride = 50;
 
-        // Number of bytes of the normal, which precedes the corners. It is not read, because many exporters write a zero or wrong normal.
+        // Number of bytes of the normal, which precedes the corners. The normal is not read, because many exporters write a zero or wrong normal.
         const int Normal = 12;
 
         /// <summary>

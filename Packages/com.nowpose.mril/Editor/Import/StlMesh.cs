@@ -8,15 +8,16 @@ namespace Nowpose.Editor.Import
 {
     /// <summary>Builds a Unity mesh from the triangles of an STL, in Unity's axes and with flat shading.</summary>
     /// <remarks>
-    /// In an STL, each triangle has its own corners. Corners at the same position become one vertex if their triangles have the same direction. The
-    /// edges between faces of different directions therefore stay sharp.
+    /// In an STL, each triangle has its own corners. Corners at the same position become one vertex if their triangles have the same normal. The
+    /// edges between faces with different normals therefore stay sharp.
     /// </remarks>
     sealed class StlMesh
     {
         // Maximum number of vertices of a mesh with 16-bit indices.
         const int MaxVerticesWith16Bits = 65535;
 
-        // Number of steps from 0 to 1 to which the components of a direction are rounded: triangles of one plane differ by up to about 0.05°.
+        // Number of steps per unit to which the components of a normal are rounded. Rounding is needed because the normals of triangles in one plane
+        // differ by up to about 0.05°.
         const float DirectionSteps = 1000;
 
         readonly Dictionary<(Vector3, Vector3), int> _known = new Dictionary<(Vector3, Vector3), int>();

@@ -6,7 +6,9 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Import
 {
-    /// <summary>Reads ASCII STL: one or more blocks of solid … facet … vertex … endsolid, with one keyword per line.</summary>
+    /// <summary>
+    /// Reads ASCII STL: one or more blocks from solid to endsolid that contain facets with their vertices, with one keyword per line.
+    /// </summary>
     sealed class StlText
     {
         const int MaxQuoteLength = 40;

@@ -14,7 +14,7 @@ namespace Nowpose.Editor.Inspectors
     [CanEditMultipleObjects]
     sealed class BaseAnchorEditor : LiveInspector
     {
-        // Step sizes of the buttons: the smallest changes that are visible on a robot at arm's length.
+        // Step sizes of the buttons: the smallest changes of a robot's pose that are visible at arm's length.
         const float StepMetres = 0.005f;
         const float StepDegrees = 0.5f;
 

@@ -5,7 +5,7 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Creates the rows of a base anchor's inspector: about its lock, about the device's anchor, and about each marker.</summary>
+    /// <summary>Creates the rows of a base anchor's inspector: rows for its lock, for the device's anchor, and for each marker.</summary>
     static class BaseRows
     {
         public static IEnumerable<(string Label, string Value)> Of(BaseTracker tracker)

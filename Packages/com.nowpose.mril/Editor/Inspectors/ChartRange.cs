@@ -25,7 +25,7 @@ namespace Nowpose.Editor.Inspectors
         /// <summary>Returns the position of a value in the range, from 0 at the bottom to 1 at the top.</summary>
         public float PartOf(float value) => (value - Bottom) / (Top - Bottom);
 
-        // Rounds up to 1, 2 or 5 times a power of ten, so that small changes of the value do not change the scale.
+        // Rounds up to 1, 2 or 5 times a power of ten, so that small changes of the values do not change the scale.
         static float Round(float value)
         {
             var power = Math.Pow(10, Math.Floor(Math.Log10(value)));

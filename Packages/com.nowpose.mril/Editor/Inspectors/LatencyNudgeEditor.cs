@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Nowpose.Editor.Inspectors
 {
     /// <summary>
-    /// Shows the speed, the shift and the marks. Its buttons change the shift, add a mark and use the result, as in a headset menu.
+    /// Shows the speed, the shift and the marks. Like a headset menu, its buttons change the shift, add a mark and apply the result.
     /// </summary>
     [CustomEditor(typeof(LatencyNudge))]
     sealed class LatencyNudgeEditor : LiveInspector

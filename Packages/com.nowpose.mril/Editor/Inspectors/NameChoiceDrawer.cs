@@ -7,7 +7,9 @@ using UnityEngine;
 namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Draws a string field as a drop-down list of the names given by its attribute.</summary>
-    /// <remarks>If the field contains another name, this name is the last entry of the list until the user chooses another entry.</remarks>
+    /// <remarks>
+    /// If the field contains a name that is not in the list, this name is shown as the last entry until the user selects another entry.
+    /// </remarks>
     [CustomPropertyDrawer(typeof(NameChoiceAttribute), true)]
     sealed class NameChoiceDrawer : PropertyDrawer
     {

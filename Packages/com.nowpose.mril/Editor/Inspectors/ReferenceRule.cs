@@ -15,8 +15,8 @@ namespace Nowpose.Editor.Inspectors
 
         /// <param name="field">Name of the serialised field.</param>
         /// <param name="above">
-        /// Type of component that the component looks for on its own object and the parents if the reference is empty; null if the
-        /// component does not search.
+        /// If the reference is empty, the component searches its own object and the parents for a component of this type. Null if the component does
+        /// not search.
         /// </param>
         /// <param name="message">Message to the user.</param>
         /// <param name="remedy">Returns the object to assign; returns null if only the user can choose.</param>
@@ -37,7 +37,7 @@ namespace Nowpose.Editor.Inspectors
             if (component.GetType() != _component || IsSet(component)) return false;
             if (_applies != null && !_applies(component)) return false;
             if (_above == null) return true;
-            // A prefab asset cannot be judged by its parents: the user may place its instances below the required object.
+            // The parents of a prefab asset are not checked, because the user may place its instances below an object with the required component.
             return !EditorUtility.IsPersistent(component) && component.gameObject.GetComponentInParent(_above, true) == null;
         }
 

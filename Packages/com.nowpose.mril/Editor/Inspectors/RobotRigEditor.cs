@@ -24,7 +24,8 @@ namespace Nowpose.Editor.Inspectors
                 EditorGUILayout.LabelField(model.MovingJoints[i].Name, LiveText.Position(model.MovingJoints[i], Target.Joints[i]));
         }
 
-        // Offers to create the robot's objects, but not for a prefab asset, because Unity can add objects to a prefab only while it is open.
+        // Offers to create the robot's objects. Does not offer this for a prefab asset, because Unity can add objects to a prefab only while the
+        // prefab is open.
         protected override void DrawAlways()
         {
             if (Application.isPlaying || EditorUtility.IsPersistent(target)) return;

@@ -37,7 +37,7 @@ namespace Nowpose.Editor.Inspectors
         public float ValueAt(int index) => _values[Slot(index)];
 
         /// <summary>Adds a value, and removes the values that are no longer in the window.</summary>
-        /// <param name="time">Time in s. A time before the newest time, for example from another clock, clears the series first.</param>
+        /// <param name="time">Time in s. A time before the newest time, for example after a change of the clock, clears the series first.</param>
         /// <param name="value">The value; null if it is unknown, which leaves a gap in the line.</param>
         public void Add(double time, double? value)
         {

@@ -5,7 +5,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Creates the rows, each with label and value, for the statistics of a session that the status panel does not show.</summary>
+    /// <summary>Creates the rows, each with a label and a value, for those statistics of a session that the status panel does not show.</summary>
     static class SessionRows
     {
         public static IEnumerable<(string Label, string Value)> Of(SessionStatistics session)

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A reference that one or more components lack, with the object that a click on a button assigns to it.</summary>
+    /// <summary>A reference that is missing on one or more components, and the object that the button assigns to it.</summary>
     sealed class Shortcoming
     {
         readonly List<Object> _components = new List<Object>();
@@ -20,7 +20,7 @@ namespace Nowpose.Editor.Inspectors
             _remedy = remedy;
         }
 
-        /// <summary>Message to the user with the missing reference and the remedy.</summary>
+        /// <summary>Message to the user, which names the missing reference and the remedy.</summary>
         public string Message { get; }
 
         /// <summary>Label of the button; null if only the user can choose an object.</summary>
@@ -29,7 +29,7 @@ namespace Nowpose.Editor.Inspectors
         /// <summary>Adds another component with the same missing reference.</summary>
         public void Add(Object component) => _components.Add(component);
 
-        /// <summary>Assigns the object to the reference of all these components. The user can undo it.</summary>
+        /// <summary>Assigns the object to the reference on all these components. The user can undo the assignment.</summary>
         public void Fix()
         {
             using (var components = new SerializedObject(_components.ToArray()))

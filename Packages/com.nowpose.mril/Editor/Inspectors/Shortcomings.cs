@@ -49,7 +49,7 @@ namespace Nowpose.Editor.Inspectors
                 ShortcomingTexts.Rig, Only<RobotRig>),
         };
 
-        /// <summary>Returns the missing references of components. A reference that several components lack is returned only once.</summary>
+        /// <summary>Returns the missing references of components. A reference that is missing on several components is returned only once.</summary>
         /// <param name="objects">Components of one type.</param>
         public static IReadOnlyList<Shortcoming> Of(Object[] objects)
         {
@@ -67,7 +67,7 @@ namespace Nowpose.Editor.Inspectors
             return found;
         }
 
-        // Returns the only component of a type in the scene (or open prefab) of a component; null if there is none or more than one.
+        // Searches the scene or open prefab of a component for components of a type. Returns null unless there is exactly one.
         static Object Only<T>(Component component) where T : Component
         {
             var all = component.gameObject.scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<T>(true)).ToArray();

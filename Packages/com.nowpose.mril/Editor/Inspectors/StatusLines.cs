@@ -4,7 +4,7 @@ using UnityEditor;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Draws the texts of a status panel as rows of an inspector.</summary>
+    /// <summary>Draws the rows of a status panel as rows of an inspector.</summary>
     static class StatusLines
     {
         public static void Draw(StatusTexts texts)

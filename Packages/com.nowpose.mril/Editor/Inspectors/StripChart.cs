@@ -12,7 +12,7 @@ namespace Nowpose.Editor.Inspectors
         const float LineWidth = 2;
         const double Seconds = 10;
 
-        // Minimum time between two values in s. Fifty values per second are more than the chart has pixels.
+        // Minimum time between two values, s. At 50 values per second, ten seconds contain more values than the chart has pixels.
         const double Interval = 0.02;
         const int Capacity = 600;
 

@@ -7,7 +7,7 @@ using Nowpose.Unity;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>Texts that summarise a robot description.</summary>
+    /// <summary>Summary of a robot description, as texts for an inspector.</summary>
     sealed class UrdfSummary
     {
         const int Lines = 12, LineLength = 120;

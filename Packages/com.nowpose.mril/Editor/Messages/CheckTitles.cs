@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Titles and buttons of the checks in the set-up window.</summary>
+    /// <summary>Titles of the checks in the set-up window, and labels of their buttons.</summary>
     static class CheckTitles
     {
         public const string ApiLevel = "Api Compatibility Level is .NET Standard 2.1";

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Labels and values that inspectors show.</summary>
+    /// <summary>Texts that inspectors show as labels and values.</summary>
     static class InspectorTexts
     {
         public const string StrokeShare = "Share of the stroke";

@@ -1,9 +1,9 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Error messages about Packages/manifest.json, with a remedy.</summary>
+    /// <summary>Error messages about Packages/manifest.json, each with a remedy.</summary>
     static class ManifestMessages
     {
-        public const string AfterObject = "nothing is expected after the object";
+        public const string AfterObject = "unexpected text after the closing } of the object";
         public const string NoValue = "a value is expected";
 
         public static string TooDeep(string max) => $"nested more than {max} deep";

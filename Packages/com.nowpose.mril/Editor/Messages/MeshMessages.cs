@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Error messages about the meshes of a robot description, with a remedy.</summary>
+    /// <summary>Error messages about the meshes of a robot description, each with a remedy.</summary>
     static class MeshMessages
     {
         public const string Xacro = "is not a path; expand the file with xacro first";

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Messages about missing references of components, with a remedy.</summary>
+    /// <summary>Messages about missing references of components, each with a remedy.</summary>
     static class ShortcomingTexts
     {
         public const string Settings = "It has no settings and cannot start. Assign settings, or let a script provide them.";

@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Messages
 {
-    /// <summary>Error messages about STL files, with a remedy.</summary>
+    /// <summary>Error messages about STL files, each with a remedy.</summary>
     static class StlMessages
     {
         public static string HeaderCut(string file, int offset, int headerBytes) =>

@@ -6,7 +6,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>The project meets the requirement.</summary>
         Good,
 
-        /// <summary>The project works, but another setting is better, or is needed for an optional feature.</summary>
+        /// <summary>The project works, but another setting is better or is needed for an optional feature.</summary>
         Advice,
 
         /// <summary>A part of the app does not work on the headset.</summary>

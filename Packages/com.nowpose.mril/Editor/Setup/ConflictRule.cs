@@ -1,6 +1,6 @@
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Action of a merge if an entry of the manifest does not meet the requirement.</summary>
+    /// <summary>Action of a merge for an entry of the manifest that does not meet the requirement.</summary>
     enum ConflictRule
     {
         /// <summary>Rejects the whole merge.</summary>

@@ -7,7 +7,7 @@ namespace Nowpose.Editor.Setup
     /// <summary>Settings of a Unity project that the checks read and change.</summary>
     interface IProjectSettings
     {
-        /// <summary>Description of the background activity, for example the addition of a package; null if there is none.</summary>
+        /// <summary>Description of the current background activity, for example that a package is being added; null if there is none.</summary>
         string Activity { get; }
 
         /// <summary>Reason why the last background activity failed; null if it did not fail.</summary>
@@ -65,10 +65,13 @@ namespace Nowpose.Editor.Setup
         /// <returns>False if the id is unknown.</returns>
         bool TurnFeatureOn(string featureId);
 
-        /// <summary>Returns the number of an enumeration setting of OpenXR, given its serialised name; null if no such setting exists.</summary>
+        /// <summary>
+        /// Returns the number to which an enumeration setting of OpenXR is set, given the serialised name of the setting; null if no such setting
+        /// exists.
+        /// </summary>
         int? OpenXrOption(string field);
 
-        /// <summary>Sets an enumeration setting of OpenXR to a number, given its serialised name.</summary>
+        /// <summary>Sets an enumeration setting of OpenXR to a number, given the serialised name of the setting.</summary>
         /// <returns>False if the project has no OpenXR settings.</returns>
         bool ChooseOpenXrOption(string field, int value);
 
@@ -91,7 +94,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>Returns the installed version of a package; null if it is not installed.</summary>
         string VersionOf(string package);
 
-        /// <summary>Starts to add a package. <see cref="Activity"/> and <see cref="Trouble"/> report the progress.</summary>
+        /// <summary>Starts adding a package. <see cref="Activity"/> and <see cref="Trouble"/> report the progress.</summary>
         void Add(PackageOrigin package);
 
         void OpenProjectSettings();

@@ -3,10 +3,10 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks whether the Input System is active. The installation of its package does not activate it.</summary>
+    /// <summary>Checks whether the Input System is active. Installing its package does not activate it.</summary>
     sealed class InputHandlingCheck : ProjectCheck
     {
-        /// <summary>Names of the values, indexed by their number in the project's settings.</summary>
+        /// <summary>Names of the values, indexed by the numbers in the project's settings.</summary>
         static readonly string[] Names = { "Input Manager (Old)", CheckTitles.InputSystem, "Both" };
 
         const int InputSystem = 1, Both = 2;

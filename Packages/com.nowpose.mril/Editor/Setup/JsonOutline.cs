@@ -9,7 +9,10 @@ namespace Nowpose.Editor.Setup
         /// <summary>Name of the value if it is a member of an object; otherwise null.</summary>
         public string Name { get; set; }
 
-        /// <summary>Index of the first character of the item: of the name for a member of an object, otherwise of the value.</summary>
+        /// <summary>
+        /// Index of the first character of the item. For a member of an object, this is the start of its name; otherwise, it is the start of the
+        /// value.
+        /// </summary>
         public int ItemStart { get; set; }
 
         /// <summary>Index of the first character of the value.</summary>

@@ -7,7 +7,7 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Reads and writes a manifest file. A write first makes a backup, and is atomic unless the file is a symbolic link.</summary>
+    /// <summary>Reads and writes a manifest file. Writing makes a backup first, and is atomic unless the file is a symbolic link.</summary>
     sealed class ManifestFile
     {
         const int MaxSize = 1 << 20;
@@ -29,7 +29,7 @@ namespace Nowpose.Editor.Setup
         /// <summary>Content of the file without a byte order mark.</summary>
         public string Text { get; }
 
-        /// <summary>Reason why the file cannot be written, and the remedy, in one line; null if the file seems writable.</summary>
+        /// <summary>Reason why the file cannot be written, with the remedy, in one line; null if the file appears to be writable.</summary>
         public string Obstacle => IsReadOnly
             ? ManifestMessages.ReadOnly(_path)
             : null;
@@ -43,8 +43,8 @@ namespace Nowpose.Editor.Setup
                 if ((File.GetAttributes(_path) & FileAttributes.ReadOnly) != 0) return true;
                 try
                 {
-                    // Opens the file for writing but writes nothing. The attributes alone are not sufficient, because a link has attributes of
-                    // its own.
+                    // Opens the file for writing but writes nothing. Reading the attributes is not sufficient, because a link has attributes of its
+                    // own.
                     using (new FileStream(_path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite)) return false;
                 }
                 catch (UnauthorizedAccessException)

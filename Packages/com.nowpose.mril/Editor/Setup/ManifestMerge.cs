@@ -144,7 +144,8 @@ namespace Nowpose.Editor.Setup
             var start = entry.Start;
             foreach (var scope in registry.Scopes)
             {
-                // Finds the registry again after each change. Insertions come after its start, so the start is still valid.
+                // Finds the registry again after each change, because a change makes the outlines invalid. Insertions come after the start of the
+                // registry, so its start stays valid.
                 var now = Items(Registries).First(item => item.Start == start);
                 if (ScopesOf(now).Contains(scope)) continue;
                 if (now["scopes"] == null) _manifest.Add(now, "scopes", new JArray(scope));

@@ -20,7 +20,7 @@ namespace Nowpose.Editor.Setup
         public string Text { get; private set; }
         public JsonOutline Root { get; private set; }
 
-        /// <summary>Returns the file and the line of a value, for the start of a message.</summary>
+        /// <summary>Returns the file name and the line number of a value, with which a message starts.</summary>
         public string PlaceOf(JsonOutline value) =>
             _file + ":" + JsonOutlineReader.LineOf(Text, value.ItemStart).ToString(CultureInfo.InvariantCulture);
 

@@ -4,7 +4,7 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Checks the versions of the MRTK3 packages that the sample HoloLens 2 (MRTK3) uses. These packages are optional.</summary>
+    /// <summary>Checks the versions of the MRTK3 packages that the sample "HoloLens 2 (MRTK3)" uses. These packages are optional.</summary>
     sealed class Mrtk3Check : ProjectCheck
     {
         public Mrtk3Check()

@@ -20,13 +20,13 @@ namespace Nowpose.Editor.Setup
 
         public string Name { get; }
 
-        /// <summary>Name or address for the Package Manager; null if the project needs a scoped registry for the package first.</summary>
+        /// <summary>Name or address to pass to the Package Manager; null if the project must first add a scoped registry for the package.</summary>
         public string Identifier { get; }
 
         /// <summary>Value of the dependency in a manifest: a version or an address.</summary>
         public string Reference { get; }
 
-        /// <summary>Scoped registry of the package; null for Unity's own packages and for packages with an address.</summary>
+        /// <summary>Scoped registry of the package; null for Unity's own packages and for packages that are installed from an address.</summary>
         public ScopedRegistry Registry { get; }
 
         /// <summary>Description of the supported versions; null if all versions are supported.</summary>
@@ -40,15 +40,17 @@ namespace Nowpose.Editor.Setup
         }
 
         /// <summary>Creates the origin of a package from Unity's registry.</summary>
-        /// <param name="version">Version for a manifest.</param>
-        /// <param name="min">Oldest supported version; null for no lower bound.</param>
-        /// <param name="below">First version that is no longer supported; null for no upper bound.</param>
-        /// <param name="isEditorsChoice">Whether the set-up window adds the version that the editor recommends.</param>
+        /// <param name="version">Version to write into a manifest.</param>
+        /// <param name="min">Oldest supported version; null if there is no lower bound.</param>
+        /// <param name="below">First version that is no longer supported; null if there is no upper bound.</param>
+        /// <param name="isEditorsChoice">
+        /// Whether the set-up window adds the version that the editor recommends instead of <paramref name="version"/>.
+        /// </param>
         public static PackageOrigin OfUnity(
             string name, string version, string min = null, string below = null, bool isEditorsChoice = false) =>
             new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, min, below);
 
-        /// <summary>Creates the origin of a package with an address.</summary>
+        /// <summary>Creates the origin of a package that is installed from an address.</summary>
         /// <param name="address">Address for the Package Manager: a git address, or file: and a path.</param>
         public static PackageOrigin At(string name, string address, string min = null, string below = null) =>
             new PackageOrigin(name, address, address, null, min, below);
@@ -58,7 +60,9 @@ namespace Nowpose.Editor.Setup
 
         /// <summary>Returns whether a version is supported.</summary>
         /// <param name="version">A version or an address, as in a manifest.</param>
-        /// <returns>Null if the text does not contain a version.</returns>
+        /// <returns>
+        /// Null if the supported versions are limited and the value, unless it equals <see cref="Reference"/>, contains no version.
+        /// </returns>
         public bool? Serves(string version)
         {
             if (version == Reference || (_min == null && _below == null)) return true;

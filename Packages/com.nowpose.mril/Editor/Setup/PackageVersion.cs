@@ -13,7 +13,9 @@ namespace Nowpose.Editor.Setup
             @"(?:#(?:[^#]*[-/])?v?(\d+\.\d+\.\d+)(?:-[\w.-]+)?$)|(?:-(\d+\.\d+\.\d+)(?:-[\w.]+)?\.tgz$)", RegexOptions.CultureInvariant);
 
         /// <summary>Reads the version from the value of a dependency: a version, a git address with a tag, or the name of a tarball.</summary>
-        /// <returns>Null if the text does not contain a version, for example because it is a folder or a commit.</returns>
+        /// <returns>
+        /// Null if the value does not contain a version, for example because it is the path of a folder or a git address with a commit.
+        /// </returns>
         public static Version Read(string reference)
         {
             if (Plain.IsMatch(reference)) return Version.TryParse(reference.Split('-')[0], out var plain) ? plain : null;

@@ -5,7 +5,9 @@ using Object = UnityEngine.Object;
 namespace Nowpose.Editor.Setup
 {
     /// <summary>Finds the settings object of one player in an asset of another package. The asset contains one object per player.</summary>
-    /// <remarks>This assembly does not reference these packages, so it reads the assets by the names of their fields Keys and Values.</remarks>
+    /// <remarks>
+    /// This assembly does not reference the packages that own these assets, so it reads the assets by the names of their fields Keys and Values.
+    /// </remarks>
     static class PlayerAsset
     {
         /// <summary>Finds the settings object of a player.</summary>

@@ -20,11 +20,12 @@ namespace Nowpose.Editor.Setup
         public static readonly PackageOrigin InputSystem =
             PackageOrigin.OfUnity("com.unity.inputsystem", "1.7.0", isEditorsChoice: true);
 
-        /// <summary>XR Interaction Toolkit before version 3, which moved types that MRTK3 uses.</summary>
+        /// <summary>XR Interaction Toolkit before version 3. Version 3 moved types that MRTK3 uses.</summary>
         public static readonly PackageOrigin XrInteraction =
             PackageOrigin.OfUnity("com.unity.xr.interaction.toolkit", "2.6.3", min: "2.3.0", below: "3.0.0");
 
-        // The address refers to version 2.0.4 by a commit on the branch upm-2. The tags of the repository contain sources that Unity cannot import.
+        // The address refers to version 2.0.4 by a commit on the branch upm-2, because the tags of the repository contain sources that Unity cannot
+        // import.
         public static readonly PackageOrigin NativeWebSocket = PackageOrigin.At(
             "com.endel.nativewebsocket", "https://github.com/endel/NativeWebSocket.git#522f0c3f5c2ef7273737707effaa840c65e20e98", min: "2.0.3");
 
@@ -40,7 +41,7 @@ namespace Nowpose.Editor.Setup
         public static readonly IReadOnlyList<PackageOrigin> Mrtk3 = new[]
         {
             Mrtk("core", "3.3.0"), Mrtk("uxcore", "3.3.0"), Mrtk("standardassets", "3.2.1"), Mrtk("spatialmanipulation", "3.4.0"),
-            // The menu uses a button with a checkbox, which uxcomponents has contained since version 3.3.0.
+            // The menu uses a button with a checkbox, which the package uxcomponents contains since version 3.3.0.
             Mrtk("uxcomponents", "3.4.0", "3.3.0"), Mrtk("input", "3.3.0"), Mrtk("windowsspeech", "3.0.4"),
         };
 

@@ -4,7 +4,7 @@ using Nowpose.Editor.Messages;
 
 namespace Nowpose.Editor.Setup
 {
-    /// <summary>Rates Unity versions: the package was compiled against some of them, and others have known failures.</summary>
+    /// <summary>Rates Unity versions. The package was compiled with some of them, and others have known failures.</summary>
     static class UnityBounds
     {
         // Each row applies from its version up to the version of the next row.

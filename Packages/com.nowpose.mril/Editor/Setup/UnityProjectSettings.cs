@@ -136,7 +136,7 @@ namespace Nowpose.Editor.Setup
 
         public void OpenProjectSettings() => EditorApplication.ExecuteMenuItem("Edit/Project Settings...");
 
-        // The Package Manager has no API to add a registry. Client.Resolve makes it read the manifest again.
+        // The Package Manager has no API for adding a registry. Client.Resolve makes it read the manifest again.
         void AddToManifest(PackageOrigin package)
         {
             try

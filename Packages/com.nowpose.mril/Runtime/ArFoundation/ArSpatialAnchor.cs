@@ -15,7 +15,7 @@ namespace Nowpose.ArFoundation
         const float CreationTimeoutSeconds = 10;
 
         /// <summary>
-        /// Maximum distance from the last pose at which a pose at the session's origin counts as measured, and not as the default of the device.
+        /// A pose at the session's origin counts as measured, and not as the device's default, only if it is at most this far from the last pose.
         /// </summary>
         const float NearMetres = 0.1f;
 

@@ -11,7 +11,7 @@ using UnityEngine.XR.ARSubsystems;
 
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Anchors places in the room with AR Foundation. Saves the anchors across restarts if a store is on the same object.</summary>
+    /// <summary>Holds positions in the room as anchors of AR Foundation. Saves the anchors across restarts if the same object has a store.</summary>
     [AddComponentMenu("Nowpose/Spatial Anchors")]
     [DisallowMultipleComponent]
     public sealed class ArSpatialAnchors : MonoBehaviour, ISpatialAnchors
@@ -59,7 +59,7 @@ namespace Nowpose.ArFoundation
         }
 
         /// <summary>
-        /// Removes a name from all anchors except <paramref name="keeper"/>. The store now uses the name for that anchor, or for none.
+        /// Removes a name from all anchors except <paramref name="keeper"/>. The store now uses the name for that anchor, or does not use it.
         /// </summary>
         internal void RemoveName(string name, ArSpatialAnchor keeper)
         {

@@ -16,7 +16,7 @@ namespace Nowpose.ArFoundation
 
         bool Has(string name);
 
-        /// <summary>Starts to load an anchor; the anchor manager lists it among its trackables later.</summary>
+        /// <summary>Starts loading an anchor. The anchor manager later lists the anchor among its trackables.</summary>
         /// <returns>Id of the trackable; <see cref="TrackableId.invalidId"/> if the anchor cannot be loaded.</returns>
         TrackableId Load(string name);
 

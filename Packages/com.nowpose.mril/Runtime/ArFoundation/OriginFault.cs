@@ -1,6 +1,6 @@
 namespace Nowpose.ArFoundation
 {
-    /// <summary>Reason why a manager on the XR Origin does not work.</summary>
+    /// <summary>Reason why an AR Foundation manager on the XR Origin does not work.</summary>
     enum OriginFault
     {
         None,

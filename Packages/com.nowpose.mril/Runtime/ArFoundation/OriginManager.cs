@@ -30,7 +30,7 @@ namespace Nowpose.ArFoundation
 
         /// <param name="subsystemOf">Returns the subsystem that the XR runtime provides for the manager; null if the runtime provides none.</param>
         /// <param name="isAdded">Whether a missing manager is added. False for a manager with settings that only the user can supply.</param>
-        /// <param name="need">Part of a message: requirement of the manager that the user must meet.</param>
+        /// <param name="need">Requirement of the manager that the user must meet, as part of a message.</param>
         public OriginManager(Func<T, ISubsystem> subsystemOf, bool isAdded, string need)
         {
             _subsystemOf = subsystemOf;
@@ -136,7 +136,7 @@ namespace Nowpose.ArFoundation
                 case OriginFault.NoOrigin: return DeviceMessages.NoOrigin;
                 case OriginFault.NoManager: return DeviceMessages.NoManager(typeof(T).Name, _need);
                 case OriginFault.SwitchedOff: return DeviceMessages.ManagerOff(typeof(T).Name);
-                case OriginFault.NotOffered: return DeviceMessages.NotOffered(_need);
+                case OriginFault.NotOffered: return DeviceMessages.NotOffered(typeof(T).Name, _need);
                 case OriginFault.NoSession: return DeviceMessages.NoArSession;
                 default: return null;
             }

@@ -3,23 +3,23 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Nowpose.NativeWebSocket")]
 [assembly: InternalsVisibleTo("Nowpose.Cli")]
 
-// Converts the runtime's times and reports the properties of the display.
+// Nowpose.OpenXR converts the runtime's times and reports the properties of the display.
 [assembly: InternalsVisibleTo("Nowpose.OpenXR")]
 
-// Writes session files with the same classes as the headset.
+// The gateway writes session files with the same classes as the headset.
 [assembly: InternalsVisibleTo("Nowpose.Gateway")]
 
-// Tests internals such as the distinction between an overtaken sample and a clock that went back.
+// Nowpose.Tests tests internals, such as the distinction between an overtaken sample and a clock that went back.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]
 
-// Tests of this package's repository, which test internals under simulated conditions.
+// These test assemblies exist only in this package's repository. They test internals under simulated conditions.
 [assembly: InternalsVisibleTo("Nowpose.Headless.Tests")]
 [assembly: InternalsVisibleTo("Nowpose.Unity.Tests")]
 
-// Exists only in this package's repository: a simulated robot controller that computes the pose of its tool.
+// This assembly exists only in this package's repository. It is a simulated robot controller that computes the pose of its tool.
 [assembly: InternalsVisibleTo("Nowpose.RtdeServer")]
 
-// Exists only in this package's repository: emulates links with the same profiles as the tests.
+// This assembly exists only in this package's repository. It emulates network links with the same profiles as the tests.
 [assembly: InternalsVisibleTo("Nowpose.Benchmarks")]
 
 // The package's other assemblies, tools and tests, which also use internals.

@@ -33,15 +33,15 @@ namespace Nowpose
         /// <summary>Φ at <see cref="Reference"/>.</summary>
         public ClockOffset ReferenceOffset { get; }
 
-        /// <summary>γ₂−1, dimensionless (1e-6 is 1 ppm); positive when the headset clock runs fast.</summary>
+        /// <summary>γ₂−1, dimensionless (1e-6 is 1 ppm); positive when the headset clock runs faster than the control clock.</summary>
         public double Skew { get; }
 
-        /// <summary>Proven bound of the offset's error in both directions, at the time for which the model was requested.</summary>
+        /// <summary>Proven bound on the absolute error of the offset, at the time for which the model was requested.</summary>
         public TimeSpan ErrorBound { get; }
 
         /// <summary>
-        /// Estimated bound of the offset's error in both directions, at the time for which the model was requested: three standard
-        /// errors plus the server's stated error bound, at most <see cref="ErrorBound"/>. Panels and reports show it after ±.
+        /// Estimated bound on the absolute error of the offset, at the time for which the model was requested: three standard errors plus the clock
+        /// error that the gateway states, at most <see cref="ErrorBound"/>. Panels and reports show it after ±.
         /// </summary>
         /// <remarks>
         /// The estimate assumes that the minimum delays of both directions are equal. If they differ, half the difference adds to the

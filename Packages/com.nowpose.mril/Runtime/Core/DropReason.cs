@@ -1,12 +1,14 @@
 namespace Nowpose
 {
     /// <summary>
-    /// Reason why a message or a sample was dropped, one for each rule of the protocol. Parser, gateway, predictor and statistics use the
-    /// same reasons.
+    /// Reason why a message or a sample was dropped. There is one reason for each rule of the protocol. Parser, gateway, predictor and statistics use
+    /// the same reasons.
     /// </summary>
     public enum DropReason
     {
-        /// <summary>Nothing was dropped. Also the reason for a sample that newer samples have overtaken: it is used with the next sample.</summary>
+        /// <summary>
+        /// Nothing was dropped. This value also applies to a sample that newer samples have overtaken: it is used together with the next sample.
+        /// </summary>
         None,
 
         /// <summary>The message is not exactly one JSON object: it has a syntax error, trailing content, or invalid text.</summary>
@@ -50,7 +52,7 @@ namespace Nowpose
         /// <summary>A position, or another number that must be finite, is NaN, infinite or null.</summary>
         NotFinite,
 
-        /// <summary>The array position or velocity does not have the same length as the array name.</summary>
+        /// <summary>The array "position" or "velocity" does not have the same length as the array "name".</summary>
         LengthMismatch,
 
         TooManyJoints,

@@ -3,8 +3,8 @@ using System;
 namespace Nowpose
 {
     /// <summary>
-    /// The exception for unusable user input in a file or a setting. The message is one line: it names the file, line and field, or the
-    /// setting, with the value, its unit and what is allowed. It can be shown to the user unchanged.
+    /// Thrown when user input in a file or a setting is unusable. The message is one line. It names the file, line and field, or the setting, with
+    /// the value, its unit and what is allowed. It can be shown to the user unchanged.
     /// </summary>
     public class InputException : FormatException
     {
@@ -14,7 +14,7 @@ namespace Nowpose
         public InputException(string message) : base(OneLine(message, MaxMessageLength)) { }
         public InputException(string message, Exception innerException) : base(OneLine(message, MaxMessageLength), innerException) { }
 
-        /// <summary>Returns a text from another source as one line of bounded length; line endings become spaces.</summary>
+        /// <summary>Returns a message from another source as one line of limited length. Line endings become spaces.</summary>
         internal static string OneLine(string message, int longest)
         {
             if (message == null) return null;

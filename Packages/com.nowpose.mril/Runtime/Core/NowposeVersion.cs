@@ -14,8 +14,8 @@ namespace Nowpose
         static readonly string Series = SeriesOf(Text);
 
         /// <summary>
-        /// Returns whether another version is compatible with this version: the major and the minor number are equal. A missing version, as
-        /// before 0.2.0, and a text that is not a version count as compatible.
+        /// Returns whether another version is compatible with this version: the major and the minor number are equal. A missing version, as before
+        /// 0.2.0, and a string that is not a version count as compatible.
         /// </summary>
         public static bool Fits(string other)
         {
@@ -30,7 +30,7 @@ namespace Nowpose
         public static string MismatchOf(string other, string name, string self) =>
             Fits(other) ? null : ConnectionMessages.OtherVersion(name, other, self, Text);
 
-        // Returns "0.2" for "0.2.0" and for "0.2.0-rc.1"; null for a text that is not a version.
+        // Returns "0.2" for "0.2.0" and for "0.2.0-rc.1"; null for a string that is not a version.
         static string SeriesOf(string version)
         {
             var match = Form.Match(version ?? "");

@@ -30,7 +30,7 @@ namespace Nowpose
 
         /// <summary>Writes a temporary file in the same folder, flushes it to the disk, and then replaces the old file with it.</summary>
         /// <param name="path">Path of the file. Its folder is created if it does not exist.</param>
-        /// <param name="what">Kind of the content, for messages.</param>
+        /// <param name="what">Kind of the content, for error messages.</param>
         /// <exception cref="InputException">The file cannot be written; the old file is unchanged.</exception>
         public static void Write(string path, string text, string what)
         {
@@ -49,7 +49,9 @@ namespace Nowpose
             }
         }
 
-        /// <summary>Renames an unusable file, so that the user can examine it; replaces an older file with the new name.</summary>
+        /// <summary>
+        /// Renames an unusable file, so that the user can examine it. If a file with the new name already exists, it is overwritten.
+        /// </summary>
         /// <returns>The new path; null if the file could not be renamed.</returns>
         public static string PutAside(string path)
         {
@@ -71,7 +73,7 @@ namespace Nowpose
             var bytes = Encoding.UTF8.GetBytes(text);
             using var file = new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.None);
             file.Write(bytes, 0, bytes.Length);
-            // Without the flush, the name could reach the disk before the content does.
+            // Without the flush, the disk could receive the new name of the file before its content.
             file.Flush(flushToDisk: true);
         }
 

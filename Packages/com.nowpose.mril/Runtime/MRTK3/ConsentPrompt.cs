@@ -7,7 +7,9 @@ using UnityEngine;
 
 namespace Nowpose.Mrtk3
 {
-    /// <summary>Shows the question of a pairing, with one button to accept and one to decline. Voice commands do not press these buttons.</summary>
+    /// <summary>
+    /// Shows the question that a pairing asks the wearer, with one button to accept and one to decline. Voice commands do not press these buttons.
+    /// </summary>
     /// <remarks>
     /// Speech recognition makes mistakes, and the microphone also picks up other people. The wearer therefore accepts a gateway by hand or by
     /// gaze and pinch.
@@ -35,19 +37,25 @@ namespace Nowpose.Mrtk3
         /// <summary>Maximum line width as a multiple of the font size. The question then fits its background.</summary>
         const float LineWidth = 30;
 
-        /// <summary>Minimum time to read a question, in s. An earlier press was intended for something else.</summary>
+        /// <summary>Minimum time to read a question, in s. An earlier press was not an answer to this question.</summary>
         const float ReadingSeconds = 0.5f;
 
         string _shown = "";
         float _shownAt;
 
-        /// <summary>Accepts the gateway, for the accept button. Does nothing in the first half second after the question appears.</summary>
+        /// <summary>
+        /// Accepts the gateway. The event of the accept button must call this method. Does nothing in the first half second after the question
+        /// appears.
+        /// </summary>
         public void Accept()
         {
             if (IsRead) _pairing.Accept();
         }
 
-        /// <summary>Declines the gateway, for the decline button. Does nothing in the first half second after the question appears.</summary>
+        /// <summary>
+        /// Declines the gateway. The event of the decline button must call this method. Does nothing in the first half second after the question
+        /// appears.
+        /// </summary>
         public void Refuse()
         {
             if (IsRead) _pairing.Refuse();

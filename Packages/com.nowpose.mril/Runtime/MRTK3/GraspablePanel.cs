@@ -22,7 +22,7 @@ namespace Nowpose.Mrtk3
         [SerializeField, Tooltip("Toggle that is on while the panel stays in place. Its event calls Toggle Pinned. Empty: no toggle.")]
         StatefulInteractable _pin = null;
 
-        /// <summary>Whether the panel stays in place.</summary>
+        /// <summary>Whether the panel is pinned in place.</summary>
         public bool IsPinned => _follow != null && !_follow.enabled;
 
         public void TogglePinned() => SetPinned(!IsPinned);

@@ -60,7 +60,7 @@ namespace Nowpose.Mrtk3
             if (IsUsers(data)) _actions.SetNudgeMs(data.NewValue);
         }
 
-        // A slider also raises its event when it starts, and when this component sets its value. Only the user's changes are passed on.
+        // A slider also raises its event when it starts, and when this component sets its value. Returns true only for a change by the user.
         bool IsUsers(SliderEventData data) => _actions != null && !_isShowing && data.NewValue != data.OldValue;
 
         void OnEnable()
@@ -105,7 +105,7 @@ namespace Nowpose.Mrtk3
             _opacityWords.text = string.Format(CultureInfo.InvariantCulture, "Gripper {0} %", percent);
         }
 
-        /// <param name="tenths">Nudge in tenths of a millisecond; <see cref="int.MaxValue"/> if the nudge has no effect.</param>
+        /// <param name="tenths">Nudge in units of 0.1 ms; <see cref="int.MaxValue"/> if the nudge has no effect.</param>
         void ShowNudge(int tenths)
         {
             if (_nudgeWords == null || tenths == _shownNudge) return;

@@ -11,9 +11,9 @@ namespace Nowpose.Mrtk3
 {
     /// <summary>Triggers actions by voice, even while the menu is hidden and wherever the wearer looks.</summary>
     /// <remarks>
-    /// Registers its keywords as soon as MRTK3's keyword recognition runs, and unregisters them when this component is disabled. Keywords
-    /// that another component registered first stay registered. Buttons have keywords too, but MRTK3 recognises these only while the button
-    /// is active; the keywords of a hand menu work only while the hand is visible.
+    /// Registers its keywords as soon as MRTK3's keyword recognition runs, and unregisters them when this component is disabled. Keywords that
+    /// another component registered first stay registered. Buttons can also have keywords, but MRTK3 recognises them only while the button is active;
+    /// the keywords of a hand menu work only while the hand is visible.
     /// </remarks>
     [AddComponentMenu("Nowpose/Voice Commands")]
     [DisallowMultipleComponent]
@@ -23,8 +23,8 @@ namespace Nowpose.Mrtk3
         List<VoiceCommand> _commands = new List<VoiceCommand>();
 
         /// <summary>
-        /// Delay before a problem is reported. Speech recognition starts some seconds after the scene; without a microphone or the package, it never
-        /// starts.
+        /// Delay before a problem is reported. Speech recognition starts some seconds after the scene. It never starts without a microphone or
+        /// without its package.
         /// </summary>
         const float ReportDelaySeconds = 10;
 
@@ -71,7 +71,8 @@ namespace Nowpose.Mrtk3
             var known = _recognition.GetAllKeywords();
             if (known == null)
             {
-                // MRTK3's recognition for Windows returns null on other platforms and logs an error for each call, so it is not called again.
+                // MRTK3's recognition for Windows returns null on other platforms and logs an error for each call, so this component does not call it
+                // again.
                 ConsoleLog.Warn(this, Mrtk3Messages.VoiceNotSupported(name));
                 _recognition = null;
                 _isUnsupported = true;

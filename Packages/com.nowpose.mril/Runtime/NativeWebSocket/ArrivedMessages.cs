@@ -10,7 +10,8 @@ namespace Nowpose.Network
     sealed class ArrivedMessages
     {
         /// <summary>
-        /// Queue capacity in messages: more than half a second of a robot that publishes at 100 Hz. Messages of maximum length need 64 MiB.
+        /// Queue capacity in messages: more than half a second of a robot that publishes at 100 Hz. A full queue of messages of maximum length takes
+        /// 64 MiB.
         /// </summary>
         const int Capacity = 64;
 
@@ -37,7 +38,7 @@ namespace Nowpose.Network
         }
 
         /// <summary>Ends the queue. Queued messages are still delivered. Later calls have no effect.</summary>
-        /// <param name="failure">The reason; null for an orderly end.</param>
+        /// <param name="failure">Reason for the end; null if the connection was closed without an error.</param>
         public void End(Exception failure)
         {
             lock (_gate)
@@ -50,7 +51,7 @@ namespace Nowpose.Network
         }
 
         /// <summary>Waits for the next message and returns it; returns null at the end of the queue. Supports one caller at a time.</summary>
-        /// <exception cref="Exception">The queue has ended; this is the failure passed to <see cref="End"/>.</exception>
+        /// <exception cref="Exception">The queue has ended with a failure. The exception is the one passed to <see cref="End"/>.</exception>
         public async Task<ReceivedText?> NextAsync(CancellationToken cancel)
         {
             ReceivedText? message;

@@ -59,7 +59,7 @@ namespace Nowpose.Network
 
         public async Task SendAsync(string text, CancellationToken cancel)
         {
-            // On a socket that is not open, the package drops the text without an error.
+            // If the socket is not open, the package drops the message without an error.
             if (_socket.State != WebSocketState.Open) throw new IOException(_error);
             await _socket.SendText(text).OrCancelled(cancel).ConfigureAwait(false);
         }

@@ -12,8 +12,8 @@ using ReprojectionMode = Nowpose.Latency.ReprojectionMode;
 namespace Nowpose.OpenXR
 {
     /// <summary>
-    /// Experiment: requests planar reprojection from the display. The plane goes through the tool of a rig, faces the viewer, and moves with
-    /// the predicted velocity of the tool.
+    /// Experimental: requests planar reprojection from the display. The plane goes through the tool of a rig, faces the viewer, and moves with the
+    /// predicted velocity of the tool.
     /// </summary>
     /// <remarks>
     /// A request is valid for one frame, so this component repeats it in each frame. When the component is disabled, the runtime returns to
@@ -71,7 +71,7 @@ namespace Nowpose.OpenXR
             Problem = null;
         }
 
-        // The rig may compute its pose after this Update, so a request from the previous frame is still current.
+        // The rig may compute its pose, and so repeat the request, after this Update. A request from the previous frame is therefore still current.
         void Update()
         {
             if (_check.Imposed == null || Time.frameCount - _requestFrame <= 1) return;
@@ -96,7 +96,7 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack the plugin's native library. This frame must continue without it.
+                // The build may lack the plugin's native library. Handles the exception, so that the rest of the frame is still computed.
                 _isMissing = true;
                 Refuse("is refused: " + fault.Message);
             }
@@ -120,7 +120,7 @@ namespace Nowpose.OpenXR
             _check.Imposed = ReprojectionMode.PlanarManual;
         }
 
-        // The velocity is known only if the rig follows a session and shows the displayed pose.
+        // The velocity is known only if the rig follows a session and shows the pose at the display time.
         void FollowVelocity()
         {
             var session = _source.IsFollowing && _source.Shows == RigPose.Displayed ? _source.Session.Session : null;

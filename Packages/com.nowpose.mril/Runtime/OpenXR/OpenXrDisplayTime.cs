@@ -33,7 +33,7 @@ namespace Nowpose.OpenXR
         /// <summary>Opens the counter whose counts are the runtime's times. Tests replace it.</summary>
         internal Func<ICounter> OpenCounter { get; set; } = () => new WindowsPerformanceCounter();
 
-        /// <summary>The counter of the session's clock. Tests replace it.</summary>
+        /// <summary>The counter on which the session's clock is based. Tests replace it.</summary>
         internal ICounter Stopwatch { get; set; } = new StopwatchCounter();
 
         /// <summary>
@@ -51,7 +51,7 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack the plugin's native library. This frame must continue without it.
+                // The build may lack the plugin's native library. Handles the exception, so that the rest of the frame is still computed.
                 GiveUp(fault.Message);
                 return null;
             }

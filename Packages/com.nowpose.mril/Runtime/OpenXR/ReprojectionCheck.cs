@@ -41,7 +41,7 @@ namespace Nowpose.OpenXR
         /// <summary>Whether the application submits depth. A change is reported after it has lasted for one second.</summary>
         public DepthSubmission Depth => _watch.State;
 
-        /// <summary>The reprojection mode that the display uses.</summary>
+        /// <summary>The reprojection mode of the display, inferred from the requested mode.</summary>
         public ReprojectionMode Mode { get; private set; }
 
         /// <summary>The mode that another component requests from the runtime in each frame; null if no component does.</summary>
@@ -82,7 +82,7 @@ namespace Nowpose.OpenXR
             }
             catch (TypeLoadException fault)
             {
-                // A build may lack a plugin's native library. This frame must continue without it.
+                // The build may lack a plugin's native library. Handles the exception, so that the rest of the frame is still computed.
                 _isMissing = true;
                 _watch.Reset();
                 Report();

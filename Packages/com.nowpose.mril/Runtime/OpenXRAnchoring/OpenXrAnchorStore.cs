@@ -52,7 +52,7 @@ namespace Nowpose.OpenXR
         public bool TryKeep(TrackableId anchor, string name) => Try("keep '" + name + "'", store =>
         {
             if (store.TryPersistAnchor(anchor, name)) return true;
-            // The store refuses an anchor if the name is in use. In that case, the earlier anchor is replaced.
+            // The store does not save an anchor if its name is already in use. In that case, removes the earlier anchor with this name first.
             if (!IsAmong(store.PersistedAnchorNames, name)) return false;
             store.UnpersistAnchor(name);
             return store.TryPersistAnchor(anchor, name);
@@ -93,7 +93,7 @@ namespace Nowpose.OpenXR
             try
             {
                 _loading = _anchors.Manager.LoadAnchorStoreAsync();
-                // Marks an exception as observed, because nothing else reads it if this component is destroyed before the task fails.
+                // Observes the task's exception, because no other code does if this component is destroyed before the task fails.
                 _loading.ContinueWith(Observe, TaskContinuationOptions.OnlyOnFaulted | TaskContinuationOptions.ExecuteSynchronously);
             }
             catch (Exception fault)

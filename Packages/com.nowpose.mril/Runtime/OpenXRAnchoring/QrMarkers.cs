@@ -20,15 +20,15 @@ namespace Nowpose.OpenXR
     /// Provides the QR codes that a HoloLens 2 detects as markers. Needs Microsoft's Mixed Reality OpenXR plugin and the app's capability WebCam.
     /// </summary>
     /// <remarks>
-    /// The plugin reports the pose of a code at its upper left corner, with x to the right, y down and z out of the print. The plugin's mode
-    /// for the centre (<see cref="TransformMode.Center"/>) shifts this pose by half the size along the axes of the room, which is correct only
-    /// for an upright code that faces one of these axes. This component therefore reads the corner and shifts along the axes of the code.
+    /// The plugin reports the pose of a code at its upper left corner, with x to the right, y down and z out of the print. In the mode
+    /// <see cref="TransformMode.Center"/>, the plugin shifts this pose by half the size along the axes of the room. This is correct only for an
+    /// upright code that faces one of these axes. This component therefore reads the corner and shifts along the axes of the code.
     /// </remarks>
     [AddComponentMenu("Nowpose/QR Markers")]
     [DisallowMultipleComponent]
     public sealed class QrMarkers : MonoBehaviour, IMarkerSource, IMarkerProblem
     {
-        /// <summary>Pose of the marker frame in the plugin's frame of the code, in URDF axes.</summary>
+        /// <summary>Pose of the marker frame relative to the code frame that the plugin reports, in URDF axes.</summary>
         static readonly RigidTransform MarkerInCode = RigidTransform.FromXyzRpy(0, 0, 0, -Math.PI / 2, 0, -Math.PI / 2);
 
         [SerializeField, Tooltip("The session whose clock determines when a code was seen. Empty: the session on this object or a parent.")]
@@ -98,9 +98,9 @@ namespace Nowpose.OpenXR
             var rotation = corner.rotation;
             var shift = rotation * new Vector3(code.center.x, code.center.y, 0);
             var isCentre = code.transformMode == TransformMode.Center;
-            // An unknown pose is at the session's origin. It must be recognised before the shift to the centre, which moves it away from
-            // the origin. In the mode for the centre, the plugin has already shifted the pose. An unknown pose has no rotation, so
-            // subtracting the same shift undoes that of the plugin.
+            // The plugin reports an unknown pose as the session's origin. It must be recognised before the shift to the centre, which moves it away
+            // from the origin. In the mode Center, the plugin has already shifted the pose. An unknown pose has no rotation, so subtracting the same
+            // shift gives the origin again.
             var isNowhere = _codes.IsSessionOrigin(corner.position) || (isCentre && _codes.IsSessionOrigin(corner.position - shift));
             var centre = isCentre ? corner.position : corner.position + shift;
             return new MarkerSighting(
@@ -119,7 +119,7 @@ namespace Nowpose.OpenXR
             if (string.IsNullOrEmpty(record.Payload)) record.Payload = Text(code.GetDecodedString());
         }
 
-        // The plugin returns an empty text for a code that it has found but not yet decoded.
+        // The plugin returns an empty string for a code that it has found but not yet decoded.
         static string Text(string decoded) => string.IsNullOrEmpty(decoded) ? null : decoded;
     }
 }

@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Moves this object between two poses according to a signal. Example objects: gripper jaw, cylinder, door.</summary>
+    /// <summary>Moves this object, for example a gripper jaw, a cylinder or a door, between two poses according to a signal.</summary>
     /// <remarks>
-    /// A move starts at the stamp of the signal's change and takes the stroke time. The object is therefore in phase with the real part even if
-    /// the message arrived late (<see cref="ActuatedStroke"/>). The pose for the value 0 is the object's local pose when this component is
+    /// A move starts at the stamp of the signal's change and takes the stroke time. The object therefore moves in phase with the real part even if
+    /// the message arrived late; see <see cref="ActuatedStroke"/>. The pose for the value 0 is the object's local pose when this component is
     /// enabled. The object keeps this pose until the first value is known.
     /// </remarks>
     [AddComponentMenu("Nowpose/Actuated Part")]

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A marker fixed to the robot's base, as entered in the Inspector.</summary>
+    /// <summary>A marker that is fixed to the robot's base, with the values entered in the Inspector.</summary>
     [Serializable]
     public sealed class AnchorMarker
     {
@@ -26,7 +26,7 @@ namespace Nowpose.Unity
         public AnchorMarker() { }
 
         /// <param name="positionMetres">Position in the robot's base frame, in metres.</param>
-        /// <param name="turnedDegrees">Roll, pitch and yaw in degrees.</param>
+        /// <param name="turnedDegrees">Roll, pitch and yaw in the robot's base frame, in degrees.</param>
         public AnchorMarker(string payload, Vector3 positionMetres, Vector3 turnedDegrees, float sizeMetres = 0)
         {
             _payload = payload;

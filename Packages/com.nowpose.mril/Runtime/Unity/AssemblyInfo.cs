@@ -12,5 +12,5 @@ using System.Runtime.CompilerServices;
 // The tool that builds the prefabs uses the dimensions of the status panel.
 [assembly: InternalsVisibleTo("Nowpose.Prefabs")]
 
-// Tests the plain classes of this assembly without a scene.
+// These tests cover the classes of this assembly that need no scene.
 [assembly: InternalsVisibleTo("Nowpose.Tests")]

@@ -11,10 +11,10 @@ using UnityEngine.Serialization;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Places the robot's base frame in the room. All objects that show the robot are children of this object.</summary>
+    /// <summary>Places the robot's base frame in the room. All objects that show the robot must be children of this object.</summary>
     /// <remarks>
-    /// This object keeps its initial pose until markers fixed to the base determine the pose. The component searches for marker sources and
-    /// spatial anchors below the session's object; without a session, below the root object of the hierarchy.
+    /// This object keeps its initial pose until the pose is determined from markers that are fixed to the base. The component searches for marker
+    /// sources and spatial anchors below the session's object; without a session, below the root object of the hierarchy.
     /// </remarks>
     [AddComponentMenu("Nowpose/Base Anchor")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]
@@ -83,7 +83,7 @@ namespace Nowpose.Unity
         /// <summary>Raised when <see cref="State"/> or <see cref="Words"/> changes.</summary>
         public event Action StateChanged;
 
-        /// <summary>Name of the robot cell, under which the headset saves the pose. Empty: the pose is not saved.</summary>
+        /// <summary>Name of the robot cell, under which the headset saves the pose. If the name is empty, the pose is not saved.</summary>
         public string Cell => Tracker?.Cell ?? _cell;
 
         /// <summary>State of the base's pose: for example placed by hand, searching for markers, or locked by markers.</summary>
@@ -97,7 +97,9 @@ namespace Nowpose.Unity
 
         /// <summary>Replaces the cell and the markers that were entered in the Inspector.</summary>
         /// <remarks>The base stays locked if the cell is the same and the new markers include the markers that locked it.</remarks>
-        /// <param name="cell">Name of the cell, under which the headset saves the pose across restarts. Empty or null: the pose is not saved.</param>
+        /// <param name="cell">
+        /// Name of the cell, under which the headset saves the pose across restarts. If it is empty or null, the pose is not saved.
+        /// </param>
         /// <param name="markers">The markers fixed to the base; empty if the base is placed by hand.</param>
         /// <exception cref="InputException">Two markers have the same payload, or there are too many markers.</exception>
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)

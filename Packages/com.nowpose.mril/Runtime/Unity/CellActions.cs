@@ -94,7 +94,9 @@ namespace Nowpose.Unity
             if (Has(_anchor, "base anchor")) _anchor.Relock();
         }
 
-        /// <summary>Asks the wearer whether to forget the cell in use. The pairing shows this question like its other questions.</summary>
+        /// <summary>
+        /// Asks the wearer whether to forget the cell in use. The pairing shows this question in the same way as its other questions.
+        /// </summary>
         public void ForgetCell()
         {
             if (Has(_pairing, "cell pairing")) _pairing.AskToForget();
@@ -159,7 +161,7 @@ namespace Nowpose.Unity
             _source = null;
         }
 
-        // Runs before the session computes its frame. A restarted session has its calibration by then.
+        // Runs before the session computes its frame, and after a restarted session has received its calibration.
         void LateUpdate()
         {
             if (_source == null) return;

@@ -12,8 +12,8 @@ using UnityEngine.Events;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Sets up a session from codes that the wearer looks at: the marker at the robot and, when pairing for the first time, the code that the
-    /// gateway shows.
+    /// Sets up a session by means of codes that the wearer looks at: the marker at the robot and, for the first pairing, the code that the gateway
+    /// shows.
     /// </summary>
     /// <remarks>
     /// Reads the marker sources on the session's object and its children. Asks the wearer before it contacts a new gateway. Saves accepted cells
@@ -71,7 +71,7 @@ namespace Nowpose.Unity
         /// <remarks>Also null while no cell is paired and the session connects with its own settings.</remarks>
         public string Guidance => Flow == null || Flow.IsSettled || (Question == null && Cell == null && _source.IsConnecting) ? null : Flow.Words;
 
-        /// <summary>Like <see cref="Problem"/>, but without problems of the file, because these do not prevent a connection.</summary>
+        /// <summary>As <see cref="Problem"/>, but without problems with the file of paired cells, because they do not prevent a connection.</summary>
         internal string Obstacle => Flow?.Problem;
 
         /// <summary>Name of the cell in use; null if no cell is paired.</summary>
@@ -90,10 +90,12 @@ namespace Nowpose.Unity
         /// <remarks>After either answer, the pairing asks again about declined gateways and cells when their markers come into view.</remarks>
         public void AskToForget() => Flow?.AskToForget();
 
-        /// <summary>Deletes the cell in use and its token without a question. When a marker comes into view, the pairing asks again.</summary>
+        /// <summary>Deletes the cell in use and its token without asking the wearer. When a marker comes into view, the pairing asks again.</summary>
         public void Forget() => Flow?.Forget();
 
-        /// <summary>Processes the text of a code, typed or scanned elsewhere, as if the code were in view. Ignores surrounding white space.</summary>
+        /// <summary>
+        /// Processes the text of a code that was typed or scanned elsewhere, as if the code were in view. Ignores white space around it.
+        /// </summary>
         public void ReadCode(string text)
         {
             if (_source != null) Flow?.See(text?.Trim(), _source.HeadsetClock.Now);

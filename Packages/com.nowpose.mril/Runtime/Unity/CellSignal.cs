@@ -11,9 +11,9 @@ namespace Nowpose.Unity
     /// Raises events when a signal of the control system changes, in the frame whose display time reaches the time of the change.
     /// </summary>
     /// <remarks>
-    /// A Boolean has the value 0 or 1. The component reports the first known value and then each change once and in order, even if several
-    /// changes become visible in the same frame. Assign any method with one parameter, such as <c>GameObject.SetActive</c>,
-    /// <c>Animator.SetTrigger</c> or <c>TextMesh.text</c>.
+    /// A Boolean has the value 0 or 1. The events report the first known value and then each change exactly once, in order, even if several changes
+    /// become visible in the same frame. Assign any method with one parameter, such as <c>GameObject.SetActive</c>, <c>Animator.SetTrigger</c> or
+    /// <c>TextMesh.text</c>.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
     public sealed class CellSignal : MonoBehaviour

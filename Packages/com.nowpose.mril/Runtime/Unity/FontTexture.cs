@@ -5,11 +5,11 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Supplies a text that uses the shader <c>Nowpose/Text</c> with the texture of its font. Updates it when the font replaces its texture.
+    /// Supplies a TextMesh that uses the shader <c>Nowpose/Text</c> with the texture of its font. Updates it when the font replaces its texture.
     /// </summary>
     /// <remarks>
-    /// A font's own material draws text in front of all objects and does not write depth, so the texts of the package use another material.
-    /// The letters are still in the texture of the font's material. This component sets the texture by property block, because texts with
+    /// A font's own material draws text in front of all objects and does not write depth, so the package's text objects use another material. The
+    /// letters are still in the texture of the font's material. This component sets the texture through a property block, because text objects with
     /// different fonts may share a material.
     /// </remarks>
     [AddComponentMenu("Nowpose/Font Texture")]
@@ -28,7 +28,7 @@ namespace Nowpose.Unity
         MaterialPropertyBlock _block;
         Texture _shown;
 
-        // The editor calls Reset for a new component. At that time, the renderer of the text still has the font's own material.
+        // The editor calls Reset for a new component. At that time, the renderer of the TextMesh still has the font's own material.
         void Reset()
         {
             var renderer = GetComponent<Renderer>();

@@ -23,8 +23,8 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Distance between the tools of the two rigs in metres: the distance by which the compensation moves the tool. Null while the
-        /// ghost is hidden or one of the rigs shows no robot.
+        /// Distance in metres between the tools of the ghost and of the compensated rig: the distance by which the compensation moves the tool. Null
+        /// while the ghost is hidden or one of the rigs shows no robot.
         /// </summary>
         public float? GapMetres
         {

@@ -11,8 +11,9 @@ namespace Nowpose.Unity
     /// Makes a virtual gripper carry the object within its reach while a signal is on, for cells in which no source reports the held object.
     /// </summary>
     /// <remarks>
-    /// The gripper can carry the objects of Tracked Object and Stationary Object in the same session. Which object is within reach depends on the
-    /// poses at the stamp of the signal's change, so all headsets get the same result. A parent that a source reports for the object has priority.
+    /// The gripper can carry objects of the same session that have the component Tracked Object or Stationary Object. The poses at the stamp of the
+    /// signal's change determine which object is within reach, so the result is the same on all headsets. A parent that a source reports for the
+    /// object has priority.
     /// </remarks>
     [AddComponentMenu("Nowpose/Grip by Reach")]
     [DisallowMultipleComponent]
@@ -71,7 +72,7 @@ namespace Nowpose.Unity
 
         void OnDisable() => Follow(null);
 
-        // The rig may be enabled after this component and then gets its session.
+        // Detects the session of a rig that is enabled after this component.
         void LateUpdate()
         {
             if (_source != null && _source.Session != _session) Follow(_source.Session);

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>A marker that the user places by hand, in place of a printed marker that the device detects.</summary>
+    /// <summary>A marker that the user places by hand. It replaces a printed marker that the device would detect.</summary>
     /// <remarks>
     /// The component that moves this object (by hand, by controller or by script) calls <see cref="BeginMove"/> and <see cref="EndMove"/>. The
     /// robot's base follows the object during the move, and is locked at the end of the move.
@@ -45,7 +45,7 @@ namespace Nowpose.Unity
         {
             if (!isActiveAndEnabled) return;
             if (IsMoving) _placed = _session.ClockOrDevices().Now;
-            // Before the first move, the pose comes from the scene and says nothing about the room.
+            // Before the first move, the pose is the one in the scene and is unrelated to the room.
             if (!(_placed is HeadsetTime placed)) return;
             var pose = UnityPoses.ToRoom(transform.position, transform.rotation);
             markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed));

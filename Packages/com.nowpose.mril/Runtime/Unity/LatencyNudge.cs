@@ -88,7 +88,7 @@ namespace Nowpose.Unity
         /// <summary>Adds a length in mm to the shift. A button can call this method.</summary>
         public void Step(float mm) => OffsetMm += mm;
 
-        /// <summary>Records the current shift as a mark: the displayed and the real robot coincide now.</summary>
+        /// <summary>Records the current shift as a mark. Call this method while the displayed and the real robot coincide.</summary>
         /// <remarks>The sign of the speed determines whether the mark belongs to the forward or to the backward motion.</remarks>
         /// <returns>True if the mark was accepted; otherwise <see cref="Problem"/> gives the reason.</returns>
         public bool Mark() => Try(() =>
@@ -131,7 +131,7 @@ namespace Nowpose.Unity
             Report = NudgeReports.Result(result.Visualisation.Length.TotalMilliseconds, result.Spread.TotalMilliseconds, result.Count, result.OffsetMm, _axis);
             ConsoleLog.Info(this, Report);
             Clear();
-            // The session now uses the result, so the remaining shift would correct the robot a second time.
+            // The session now uses the result, so a remaining shift would correct the displayed robot a second time.
             OffsetMm = 0;
             if (!isKept) throw new InputException(_loader.Problem);
         });

@@ -13,7 +13,7 @@ namespace Nowpose.Unity
     /// <remarks>
     /// Searches the persistent data path, then StreamingAssets, then the assigned text asset. Rejects a profile that is damaged, that has a newer
     /// version, or that belongs to another device or display rate; it then logs one line and searches the next place. If no place has a valid
-    /// profile, the profile in use remains.
+    /// profile, the session keeps the profile in use.
     /// </remarks>
     [AddComponentMenu("Nowpose/Latency Profile Loader")]
     [DisallowMultipleComponent]
@@ -37,7 +37,9 @@ namespace Nowpose.Unity
         /// <summary>The profile in use; null while the session uses L_visu from its settings.</summary>
         public LatencyProfile Profile { get; private set; }
 
-        /// <summary>The file or asset from which <see cref="Profile"/> came, or a note that it is not saved; null before the first profile.</summary>
+        /// <summary>
+        /// The file or asset from which <see cref="Profile"/> was loaded, or a note that the profile is not saved; null before the first profile.
+        /// </summary>
         public string From { get; private set; }
 
         /// <summary>Reason why a profile was rejected or could not be saved, in one line; null if no problem is known.</summary>
@@ -87,8 +89,8 @@ namespace Nowpose.Unity
             _calibrated?.Calibrate(Profile);
         }
 
-        // The display may report its rate only after the profile was loaded. If the rate differs, the profile is invalid. The session itself
-        // warns about other mismatches.
+        // Checks the profile again when the display reports its rate, which may be after the profile was loaded. If the rate differs, the profile is
+        // invalid. The session itself warns about other mismatches.
         void Judge(DisplayConditions conditions)
         {
             if (conditions == null || ReferenceEquals(conditions, _judged)) return;

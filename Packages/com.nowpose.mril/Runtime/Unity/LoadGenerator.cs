@@ -10,9 +10,9 @@ namespace Nowpose.Unity
     /// Loads the GPU with a wall of small triangles with an adjustable number of vertices, to find the end of the constant-latency range.
     /// </summary>
     /// <remarks>
-    /// The wall is centred on this object and perpendicular to its z axis. It loads the GPU only while it is in view. The component builds the
-    /// wall in small steps within a time budget per frame, so no frame becomes late. It keeps the parts that it has built; a return to an earlier
-    /// load needs no time.
+    /// The wall is centred on this object and perpendicular to its z axis. It loads the GPU only while it is in view. The component builds the wall
+    /// in small steps within a time budget per frame, so no frame becomes late. It keeps the parts that it has built, so it can return to an earlier
+    /// load without delay.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Generator")]
     [DisallowMultipleComponent]
@@ -37,8 +37,8 @@ namespace Nowpose.Unity
         LoadPatches _patches;
 
         /// <summary>
-        /// Number of vertices to draw, 0 to 2 000 000. The wall reaches this number after some frames. One or two vertices more than a multiple of
-        /// 25 000 are not drawn, because they form no triangle.
+        /// Number of vertices to draw, 0 to 2 000 000. The wall reaches this number after some frames. If the number is one or two above a multiple
+        /// of 25 000, these one or two vertices are not drawn, because they form no triangle.
         /// </summary>
         /// <exception cref="InputException">The value is out of range. The load does not change.</exception>
         public int Vertices

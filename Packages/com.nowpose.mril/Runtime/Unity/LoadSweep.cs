@@ -19,15 +19,17 @@ namespace Nowpose.Unity
     /// Steps through rendering loads. Logs the load, the render time and the control time of the timestamp code for each frame.
     /// </summary>
     /// <remarks>
-    /// Measures Fig. 11 of Schnierle &amp; Röck 2022: the timestamp codes in the pictures of a camera relate the pictures to the log. The
-    /// duration of a load starts when the load is complete and the clock is synchronised. No frame waits for the disk. The component allocates
-    /// only when the load changes, or when a load takes so long that its rows need more space.
+    /// Measures Fig. 11 of Schnierle &amp; Röck 2022: the timestamp codes in the pictures of a camera relate the pictures to the log. The time for a
+    /// load starts when the load is complete and the clock is synchronised. Frames never wait for the disk. The component allocates only when the
+    /// load changes, or when a load takes so long that its rows need more space.
     /// </remarks>
     [AddComponentMenu("Nowpose/Load Sweep")]
     [DisallowMultipleComponent]
     public sealed class LoadSweep : MonoBehaviour
     {
-        /// <summary>Expected maximum display rate in Hz and time to build a load in s. They determine the initial capacity for rows.</summary>
+        /// <summary>
+        /// MaxHz: expected maximum display rate, Hz. SecondsToBuild: expected time to build a load, s. They determine the initial capacity for rows.
+        /// </summary>
         const int MaxHz = 144, SecondsToBuild = 3;
 
         [SerializeField, Tooltip("The session whose frames are logged. Empty: the session on this object or a parent.")]
@@ -175,7 +177,8 @@ namespace Nowpose.Unity
             ConsoleLog.Info(this, LoadSweepMessages.Begun(_plan, Path));
         }
 
-        // Completes the session's conditions with the conditions of the device: the session may have read them before the display reported its rate.
+        // The session's conditions, completed with the conditions of the device. They are read again, because the session may have read them before
+        // the display reported its rate.
         DisplayConditions Conditions
         {
             get
@@ -186,10 +189,10 @@ namespace Nowpose.Unity
             }
         }
 
-        // A frame that is computed again before rendering calls this twice. The second call replaces the first.
+        // Called twice for a frame that is computed again before rendering. The second call replaces the data of the first.
         void Keep(DisplayFrame frame) => _frame = new SweepFrame(_source, frame, _run, _generator, _measures);
 
-        // Logs the previous frame. Its code may have changed until it was rendered.
+        // Logs the previous frame, because the code of a frame may change until the frame is rendered.
         void Follow()
         {
             // The load is checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
@@ -229,7 +232,7 @@ namespace Nowpose.Unity
             _generator.Vertices = _run.Vertices;
         }
 
-        // Returns why the load cannot be built. Without this check, the sweep would wait for such a load forever.
+        // Returns the reason why the load cannot be built; null if it can. Without this check, the sweep would wait forever for such a load.
         string ProblemOfLoad()
         {
             if (_generator == null) return LoadSweepMessages.NoGenerator(name);

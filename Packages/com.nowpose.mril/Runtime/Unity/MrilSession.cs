@@ -54,7 +54,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when the arm is held, because its samples are too old or too few.")]
         UnityEvent _onStale = new UnityEvent();
 
-        // Stands in until the gateway has described the robot. It has no joints and is not shown.
+        // Replaces the robot until the gateway has described it. This model has no joints and is not shown.
         static readonly RobotModel NoRobot = UrdfReader.Read("<robot name='none'><link name='base'/></robot>", "no robot");
 
         readonly SessionWatch _watch = new SessionWatch();
@@ -79,7 +79,9 @@ namespace Nowpose.Unity
         /// </summary>
         public event Action<DisplayFrame> Shown;
 
-        /// <summary>Raised when no more frames follow (session paused, disabled or restarted). The displayed pose is then not current.</summary>
+        /// <summary>
+        /// Raised when the session stops computing frames because it is paused, disabled or restarted. The displayed pose is then not current.
+        /// </summary>
         public event Action Hidden;
 
         /// <summary>Raised when <see cref="Robot"/> changes.</summary>
@@ -127,25 +129,27 @@ namespace Nowpose.Unity
             }
         }
 
-        /// <summary>Headset clock. The next session uses a new value. The default is a stopwatch.</summary>
+        /// <summary>Headset clock. A new value takes effect in the next session. The default is a stopwatch.</summary>
         public IHeadsetClock HeadsetClock { get => _nextClock; set => _nextClock = value ?? throw new ArgumentNullException(nameof(value)); }
 
         /// <summary>Whether a connection is requested: from <see cref="Connect"/> until <see cref="Disconnect"/>.</summary>
         public bool IsConnecting => _isWanted;
 
         /// <summary>
-        /// Source of the display time of each frame. It takes precedence over the calibrated L_visu; null to use L_visu. This session and all later
-        /// sessions use it.
+        /// Source of the display time of each frame. It takes precedence over the calibrated L_visu; null to use L_visu. It applies to this session
+        /// and all later sessions.
         /// </summary>
         public IDisplayTimeSource DisplayTimeSource { get => _display.TimeSource; set => _display.TimeSource = value; }
 
         /// <summary>
-        /// Reprojection mode of the display, set by components that control or observe the display. This session and all later sessions use it.
+        /// Reprojection mode of the display, set by components that control or observe the display. It applies to this session and all later
+        /// sessions.
         /// </summary>
         public ReprojectionMode Reprojection { get => _display.Reprojection; set => _display.Reprojection = value; }
 
         /// <summary>
-        /// Whether the application submits its depth buffer. A component that observes the display sets it. This and all later sessions use it.
+        /// Whether the application submits its depth buffer, set by a component that observes the display. It applies to this session and all later
+        /// sessions.
         /// </summary>
         public DepthSubmission DepthSubmission { get => _display.DepthSubmission; set => _display.DepthSubmission = value; }
 
@@ -178,7 +182,7 @@ namespace Nowpose.Unity
             _beforeRender ??= new BeforeRender(this, ShowAgain);
             _isRunning = true;
             _isWanted |= _connectOnEnable;
-            // A disabled component does not receive Unity's messages about pause and focus, so its record may be old.
+            // A disabled component does not receive Unity's messages about pause and focus, so the stored state may be out of date.
             _presence = default;
             _beforeRender.Begin();
             Begin();
@@ -274,7 +278,7 @@ namespace Nowpose.Unity
             ? _settings.ToSettings()
             : throw new InputException(ComponentMessages.NoSettings(name));
 
-        // Returns the same object for the same text, so rigs stay bound to the robot after a restart.
+        // Returns the same object for the same URDF, so rigs stay bound to the robot after a restart.
         RobotModel ReadRobot() => Robot?.SourceHash == UrdfHash.Of(_robot.Urdf) ? Robot : _robot.Read();
 
         void Notify(SessionChange change)

@@ -56,7 +56,7 @@ namespace Nowpose.Unity
             _source = null;
         }
 
-        // The rig may be enabled after this component and then gets its session.
+        // Detects the session of a rig that is enabled after this component.
         void LateUpdate()
         {
             if (_source != null && _source.Session != _session) Follow(_source.Session);

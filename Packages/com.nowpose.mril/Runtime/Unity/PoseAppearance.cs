@@ -10,14 +10,15 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Shows when the pose of a robot or of an object of the cell is not current, or when the base is uncertain. Everything below this object
-    /// then becomes striped and fainter, and a text states the reason. Before the first joint positions arrive, only the text is drawn. The parts
-    /// of a rig or gripper that no longer follows the session are hidden.
+    /// Shows when the pose of a robot or of an object of the cell is not current, or when the base is uncertain. All parts below this object then
+    /// become striped and fainter, and a text object states the reason. Before the first joint positions arrive, only the text is drawn. The parts of
+    /// a rig or gripper that no longer follows the session are hidden.
     /// </summary>
     /// <remarks>
-    /// Sets the shader properties <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1), which the shaders of the package have, by property block. The
-    /// materials do not change. If a material lacks one of these properties and is blended by its alpha, the component lowers the alpha. Parts
-    /// with any other material get the substitute, or are hidden, while the pose is not current. Disabling the component restores all values.
+    /// Sets the shader properties <c>_Fade</c> (0 to 1) and <c>_Hatch</c> (0 or 1), which the shaders of the package have, through a property block.
+    /// The materials themselves do not change. If a material lacks one of these properties and is blended by its alpha, the component lowers the
+    /// alpha. Parts with any other material get the substitute, or are hidden, while the pose is not current. Disabling the component restores all
+    /// values.
     /// </remarks>
     [AddComponentMenu("Nowpose/Pose Appearance")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder + 1)]
@@ -223,10 +224,10 @@ namespace Nowpose.Unity
             if (_words != null) _words.text = words;
         }
 
-        // The editor uses this method outside play mode, where the component is not enabled.
+        // The editor calls this method outside play mode, where the component is not enabled.
         bool IsWords(Renderer renderer) => _words != null && renderer.gameObject == _words.gameObject;
 
-        /// <param name="material">The material that cannot mark a pose as not current; null if it is missing.</param>
+        /// <param name="material">Material that cannot be faded to show that the pose is not current; null if the renderer has no material.</param>
         void Report(Material material, Renderer part)
         {
             var isMissing = material == null;

@@ -42,7 +42,7 @@ namespace Nowpose.Unity
         /// </summary>
         public RenderTimeSourceKind Source => _choice?.Source ?? RenderTimeSourceKind.None;
 
-        /// <summary>The newest Δt_render; null if no new measurement became known in this frame.</summary>
+        /// <summary>The newest Δt_render; null if no new measurement has become available in this frame.</summary>
         public TimeSpan? RenderTime => _choice?.RenderTime;
 
         void OnEnable()
@@ -82,7 +82,7 @@ namespace Nowpose.Unity
             Notify();
         }
 
-        // Runs after all other handlers, so this is the time at which rendering starts.
+        // Runs after all other handlers of this event, so this is the time at which rendering starts.
         [BeforeRenderOrder(int.MaxValue)]
         void Trigger() => _trigger = _clock.Now;
 

@@ -9,7 +9,9 @@ using UnityEngine;
 
 namespace Nowpose.Unity
 {
-    /// <summary>Shows a robot with transforms that are named and nested like its links. A session or a script moves them.</summary>
+    /// <summary>
+    /// Shows a robot by means of transforms that are named and nested in the same way as its links. A session or a script moves them.
+    /// </summary>
     /// <remarks>
     /// The rig's own transform is the robot's base frame. If no transform below the rig has the name of the root link and nothing is drawn there,
     /// the rig builds the robot from primitives.
@@ -56,7 +58,7 @@ namespace Nowpose.Unity
         /// <summary>The displayed robot; null before <see cref="Bind"/>.</summary>
         public RobotModel Model { get; private set; }
 
-        /// <summary>The session that moves this rig; null while the rig is disabled, or if it has no session because a script moves it.</summary>
+        /// <summary>The session that moves this rig; null while the rig is disabled, and if a script moves the rig.</summary>
         public MrilSession Session => _source;
 
         /// <summary>Namespace of the robot in the cell; empty for the session's own robot.</summary>

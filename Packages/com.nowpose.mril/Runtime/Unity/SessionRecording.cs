@@ -12,7 +12,7 @@ namespace Nowpose.Unity
     /// Records the received data, the displayed poses and the statistics of a session in a file on the device, for later analysis.
     /// </summary>
     /// <remarks>
-    /// Each session has its own file; a new session starts after a pause and when the gateway describes another robot. No frame waits for the
+    /// Each session has its own file; a new session starts after a pause and when the gateway describes another robot. Frames never wait for the
     /// disk. Only the frame that starts a file allocates.
     /// </remarks>
     [AddComponentMenu("Nowpose/Session Recording")]

@@ -120,7 +120,9 @@ namespace Nowpose.Unity
         static double Known(double limit) => limit == 0 ? double.PositiveInfinity : limit;
 
         /// <summary>Checks the values, and returns them as settings.</summary>
-        /// <param name="token">Token that replaces the token of this asset. Null: the asset's token is used. Empty: no token is used.</param>
+        /// <param name="token">
+        /// Token that replaces the token of this asset. If it is null, the asset's token is used; if it is empty, no token is used.
+        /// </param>
         /// <exception cref="InputException">A value is invalid. The message names this asset, the value and the allowed values.</exception>
         public SessionSettings ToSettings(string token = null)
         {

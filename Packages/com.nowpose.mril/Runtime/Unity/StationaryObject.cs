@@ -11,7 +11,8 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Shows an object that does not move, such as a conveyor or a fixture. Its frame on /tf_static or the user's hand determines its place.
+    /// Shows an object that does not move, such as a conveyor or a fixture. It is shown at its frame on /tf_static, or where the user has placed it
+    /// by hand.
     /// </summary>
     /// <remarks>
     /// The component that moves the object (by hand, by controller or by script) calls <see cref="BeginMove"/> and <see cref="EndMove"/>.

@@ -48,11 +48,13 @@ namespace Nowpose.Unity
         internal StatusTexts Texts => _texts;
 
         /// <summary>
-        /// The texts and their background in the scene; null until they are created, and after scripts were recompiled in play mode.
+        /// The text objects and their background in the scene; null until they are created, and after Unity has recompiled the scripts in play mode.
         /// </summary>
         internal PanelCells Cells { get; set; }
 
-        /// <summary>Maximum distance in metres at which the letters are high enough; null before the panel was drawn for a viewer.</summary>
+        /// <summary>
+        /// Maximum distance in metres at which the letters are high enough to be legible; null before the panel is first drawn for a viewer.
+        /// </summary>
         internal float? LegibleMetres => _distance.Metres > 0 ? _distance.Metres : (float?)null;
 
         void OnEnable()
@@ -64,7 +66,7 @@ namespace Nowpose.Unity
             if (_cell == null) ConsoleLog.Fail(this, ComponentMessages.PanelWithoutText(name));
         }
 
-        // Hides the texts, because nothing updates them while this component is disabled.
+        // Hides the text objects, because they are not updated while this component is disabled.
         void OnDisable() => Cells?.Hide();
 
         void OnDestroy() => Cells?.Destroy();
@@ -95,8 +97,8 @@ namespace Nowpose.Unity
             _bar.localPosition = new Vector3(0, PanelCells.LowerEdge * size, 0);
         }
 
-        // Must not be called in OnEnable, because Unity does not allow new children while it enables objects. Removes old texts first: when Unity
-        // recompiles scripts in play mode, the objects remain but the references are lost.
+        // Must not be called in OnEnable, because Unity does not allow new children while it enables objects. Removes earlier text objects first:
+        // when Unity recompiles scripts in play mode, the objects remain but the references to them are lost.
         void MakeCells()
         {
             PanelCells.RemoveFrom(transform);

@@ -7,8 +7,8 @@ using UnityEngine;
 namespace Nowpose.Unity
 {
     /// <summary>
-    /// Shows the start time of each frame in control time, as a code for a camera and as text. A picture that shows this code beside the code on
-    /// a display of the control system gives the visualisation latency.
+    /// Shows the start time of each frame in control time, as a code for a camera and as text. The visualisation latency is computed from a picture
+    /// that shows this code beside the code on a display of the control system.
     /// </summary>
     /// <remarks>
     /// Implements Fig. 9 and Eq. (7) of Schnierle &amp; Röck 2022: the shown time is C2(t_MR), converted to C1. It always belongs to the frame in

@@ -7,9 +7,9 @@ namespace Nowpose.Unity
 {
     /// <summary>Shows an object of the cell where it is at the display time. The object's pose is a frame on /tf or /tf_static.</summary>
     /// <remarks>
-    /// The frame <c>world</c> is the Base Anchor above this object. If there is none, it is the Base Anchor below the session, or else the
-    /// session's object. If the parent of the frame is a link of a robot, the object moves exactly with the displayed robot. The
-    /// <see cref="PoseAppearance"/> on this object shows the state of the object and not the state of the robot.
+    /// The frame <c>world</c> is the Base Anchor above this object. If there is none, it is the Base Anchor below the session, or else the session's
+    /// object. If the parent of the frame is a link of a robot, the object moves exactly with the displayed robot. The <see cref="PoseAppearance"/>
+    /// on this object shows the state of the object, not that of the robot.
     /// </remarks>
     [AddComponentMenu("Nowpose/Tracked Object")]
     [DisallowMultipleComponent]

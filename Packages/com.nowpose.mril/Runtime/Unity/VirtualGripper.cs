@@ -9,8 +9,8 @@ namespace Nowpose.Unity
 {
     /// <summary>Makes a virtual tool follow the flange of a rig, and moves its fingers with joints of the robot.</summary>
     /// <remarks>
-    /// A finger does not move if the robot has no joint with the name given for it. This component does not move fingers that are links of the
-    /// rig, because the rig already moves them.
+    /// A finger does not move if the robot has no joint with the name that is entered for the finger. This component does not move fingers that are
+    /// links of the rig, because the rig already moves them.
     /// </remarks>
     [AddComponentMenu("Nowpose/Virtual Gripper")]
     [DisallowMultipleComponent]
@@ -37,7 +37,7 @@ namespace Nowpose.Unity
 
         internal IReadOnlyList<GripperFinger> Fingers => _fingers;
 
-        /// <summary>Starts to follow a rig in place of the previous rig. The component calls this method itself when it is enabled.</summary>
+        /// <summary>Starts to follow a rig instead of the previous rig. The component itself calls this method when it is enabled.</summary>
         public void Mount(RobotRig rig)
         {
             Unmount();
@@ -48,7 +48,7 @@ namespace Nowpose.Unity
         }
 
         /// <summary>
-        /// Stops following the rig, and moves the fingers to their rest poses. The component calls this method itself when it is disabled.
+        /// Stops following the rig, and moves the fingers to their rest poses. The component itself calls this method when it is disabled.
         /// </summary>
         public void Unmount()
         {

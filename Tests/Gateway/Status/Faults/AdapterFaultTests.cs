@@ -74,7 +74,7 @@ public class AdapterFaultTests
         Assert.That((await _gateway.StateAsync()).GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("error"));
 
         _gateway.Report("plant/lathe", ("state", "connected"), ("samples", "0"));
-        // In this test one source sends both reports, and gets the name of the last report.
+        // In this test, one source sends both reports. Its name is that in the last report.
         _gateway.Report("plant/press", ("state", "connected"), ("samples", "7"), ("joint/a", $"live {_gateway.Since()} "));
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));

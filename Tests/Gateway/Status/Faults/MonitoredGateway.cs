@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Status.Faults;
 
-/// <summary>Runs a gateway with one source in virtual time, and reads the gateway's answers to monitoring.</summary>
+/// <summary>Runs a gateway with one source in virtual time, and sends it the requests of a monitoring system.</summary>
 sealed class MonitoredGateway : IAsyncDisposable
 {
     readonly List<string> _log = [];

@@ -136,7 +136,7 @@ public class ReportedJointTests
         _joints.Send(2, "a");
         _joints.Board.Report("press", [KeyValuePair.Create("joint/a", "live 1790000000.000")], _joints.Source);
 
-        // Directly after its start, the report of an adapter without configured joints is empty: it learns their names from the plant.
+        // Directly after its start, an adapter without configured joints sends an empty report, because it has not read their names from the plant.
         _joints.Board.Report("press", [], isSameRun ? _joints.Source : _joints.Hub.OpenSource());
         _joints.Time.Advance(TimeSpan.FromHours(1));
 

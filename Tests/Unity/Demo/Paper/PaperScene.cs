@@ -48,7 +48,7 @@ static class PaperScene
 
     public static IReadOnlyList<PaperClaim> Claims(PaperRun run) => PaperClaims.Of([PaperMeasures.Of(run)]);
 
-    /// <summary>Simulates wrong stamps: samples the motion earlier or later than the stamp says, up to a maximum error.</summary>
+    /// <summary>Simulates time stamp errors: samples the motion earlier or later than the stamp by a random error with a given maximum.</summary>
     sealed class LateSampling(IMotion motion, double maxSeconds) : IMotion
     {
         readonly Random _random = new(5);

@@ -9,7 +9,7 @@ const APPLICATION = 'Nowpose';
 const DAYS = 10 * 365;
 const KEY_BITS = 2048;
 
-/** Gets the URI of this application in its certificate and in connections. Servers compare the two. */
+/** Gets the URI of this application. The certificate and each connection contain it, and servers compare the two. */
 export const applicationUri = (): string => `urn:${hostname().toLowerCase()}:nowpose:gateway`;
 
 export interface OwnCertificate {

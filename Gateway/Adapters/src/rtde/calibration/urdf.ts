@@ -19,7 +19,7 @@ export function calibrated(urdf: string, joints: DhJoint[]): { urdf: string; dif
   const nominal = CHAIN.map(joint => poseIn(urdf, joint));
   const own = chainOf(joints, nominal);
   const difference = Math.max(...POSITIONS.map(angles => distance(toolOf(nominal, angles), toolOf(own, angles))));
-  // Not written with >, because a number from the network may be NaN.
+  // Uses !(… <= …) instead of >, so that NaN, which the network may deliver, is also rejected.
   if (!(difference <= MAX_DIFFERENCE)) throw new Error(calibrationMessages.otherRobot(1000 * difference));
   const text = CHAIN.reduce((before, joint, i) => {
     const numbers = (vector: Vector): string => vector.map(value => value.toFixed(12)).join(' ');

@@ -15,7 +15,9 @@ sealed class AssetFile
 
     public string Guid { get; }
 
-    /// <summary>Path within the project with forward slashes, for example <c>Assets/…</c> or <c>Packages/…</c>.</summary>
+    /// <summary>
+    /// Path within the project with forward slashes, for example <c>Assets/Scenes/Demo.unity</c>. It starts with <c>Assets/</c> or <c>Packages/</c>.
+    /// </summary>
     public string Path { get; }
 
     public string FullPath { get; }

@@ -17,7 +17,9 @@ sealed class AssetIndex
     readonly Dictionary<string, AssetFile> _byGuid = new Dictionary<string, AssetFile>(StringComparer.Ordinal);
     readonly Dictionary<string, AssetFile> _byPath = new Dictionary<string, AssetFile>(StringComparer.Ordinal);
 
-    /// <param name="folders">Folders with their names in asset paths. Subfolders that Unity ignores are excluded, except samples.</param>
+    /// <param name="folders">
+    /// Folders, each with the name that replaces its full path in asset paths. Subfolders that Unity ignores are excluded, except samples.
+    /// </param>
     /// <exception cref="AssetException">A .meta file has no GUID, or two files have the same GUID.</exception>
     public AssetIndex(IEnumerable<(string Name, string FullPath)> folders)
     {
@@ -36,10 +38,10 @@ sealed class AssetIndex
         }
     }
 
-    /// <summary>Returns the asset with a GUID; null if there is none.</summary>
+    /// <summary>Returns the asset with this GUID; null if there is none.</summary>
     public AssetFile ByGuid(string guid) => _byGuid.TryGetValue(guid, out var file) ? file : null;
 
-    /// <summary>Returns the asset with a path; null if there is none.</summary>
+    /// <summary>Returns the asset at this path; null if there is none.</summary>
     /// <param name="path">Path within the project, as in Unity, or an absolute path.</param>
     public AssetFile ByPath(string path)
     {

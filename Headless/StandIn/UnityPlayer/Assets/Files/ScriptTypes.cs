@@ -9,8 +9,8 @@ using Nowpose.UnityPlayer.Assets.Values;
 namespace Nowpose.UnityPlayer.Assets.Files;
 
 /// <summary>
-/// Finds the class of a script file. The class has the name of the file. Its assembly has the name of the nearest assembly definition in the
-/// folders above; if there is none, it may be any assembly.
+/// Finds the class of a script file. The class has the name of the file. Its assembly has the name of the nearest assembly definition in the folders
+/// above the file. If there is none, any assembly may contain the class.
 /// </summary>
 sealed class ScriptTypes
 {

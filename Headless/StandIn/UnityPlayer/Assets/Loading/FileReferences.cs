@@ -15,7 +15,7 @@ sealed class FileReferences : IReferences
     readonly Dictionary<Object, long> _ids = new Dictionary<Object, long>();
     readonly Dictionary<Transform, int> _roots = new Dictionary<Transform, int>();
 
-    /// <param name="assets">All other assets.</param>
+    /// <param name="assets">Assets to which the file may refer.</param>
     /// <param name="objects">Objects of the file by fileID.</param>
     /// <param name="roots">Root objects of the file in order.</param>
     public FileReferences(LoadedAssets assets, IReadOnlyDictionary<long, Object> objects, IReadOnlyList<GameObject> roots)

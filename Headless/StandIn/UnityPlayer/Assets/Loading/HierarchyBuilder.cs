@@ -38,7 +38,7 @@ sealed class HierarchyBuilder
     /// <summary>Creates the objects of a file.</summary>
     /// <param name="assets">Assets to which the file may refer.</param>
     /// <param name="file">Descriptions of the objects.</param>
-    /// <param name="whole">Prefab of which the new objects are an instance; null if they are the objects of the file itself.</param>
+    /// <param name="whole">Prefab instance that the new objects form; null if they are the objects of the file itself.</param>
     /// <param name="made">Called after the creation of all objects, before their fields are set.</param>
     public static HierarchyBuilder Build(
         LoadedAssets assets, ObjectFile file, PrefabOrigin.Group whole = null, Action<HierarchyBuilder> made = null)

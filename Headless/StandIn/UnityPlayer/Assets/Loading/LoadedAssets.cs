@@ -11,7 +11,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
-/// <summary>Loads the assets of a library as objects of one world, each asset when it is first referred to.</summary>
+/// <summary>Loads the assets of a library as objects of one world. Loads each asset when it is first referenced.</summary>
 sealed class LoadedAssets
 {
     const long ScriptFileId = 11500000;
@@ -168,7 +168,9 @@ sealed class LoadedAssets
         }
     }
 
-    /// <summary>Returns the type number in references to an asset; null if only Unity can compute the fileIDs of its objects.</summary>
+    /// <summary>
+    /// Returns the type number that references to an asset contain; null if only Unity can compute the fileIDs of the asset's objects.
+    /// </summary>
     static int? TypeOf(AssetFile file)
     {
         return file.Extension switch

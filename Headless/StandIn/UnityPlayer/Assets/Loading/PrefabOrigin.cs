@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
 /// <summary>
-/// Stores the prefab object of which an object in a hierarchy is an instance. With it, the object can be saved as part of a prefab instance.
+/// Stores the prefab object that an object in a hierarchy instantiates. The object can therefore be saved as part of a prefab instance.
 /// </summary>
 sealed class PrefabOrigin
 {

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>Classes of Unity that are supported in prefabs and scenes, with their fields in the format of Unity 2021.</summary>
+/// <summary>Unity's classes that are supported in prefabs and scenes, with their fields in the format of Unity 2021.</summary>
 static class EngineClasses
 {
     static readonly ObjectClass[] All =
@@ -64,7 +64,7 @@ static class EngineClasses
 
     static IEnumerable<Slot> TransformSlots()
     {
-        // Uses the fields and not the properties, because the properties normalise rotations, but values must be written as they were read.
+        // Uses the fields, because values must be written as they were read, but the properties normalise rotations.
         foreach (var name in new[] { "m_LocalRotation", "m_LocalPosition", "m_LocalScale" }) yield return Slot.Field(typeof(Transform), name);
         yield return Slot.Constant("m_ConstrainProportionsScale", Nodes.Number(0));
         yield return Slot.Checked("m_Children", (Transform t, IReferences references, Place place) => new YamlSequenceNode(
@@ -98,7 +98,7 @@ static class EngineClasses
     }
 
     /// <summary>
-    /// Specifies a field of a component by a name (for a serialised field of the stand-in), by a name and its only allowed value, or by a slot.
+    /// Specifies a field of a component: by a name (a serialised field of the stand-in), by a name and the only allowed value, or by a slot.
     /// </summary>
     readonly struct FieldSpec
     {

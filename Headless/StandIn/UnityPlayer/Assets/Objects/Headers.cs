@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>Fields with which objects of many classes start.</summary>
+/// <summary>Leading fields that the objects of many classes have in common.</summary>
 static class Headers
 {
     /// <summary>First fields of an object that does not belong to a prefab instance.</summary>

@@ -25,7 +25,7 @@ static class MaterialClass
         return shader;
     }
 
-    /// <summary>Sets the shader of a material, and sets the properties to the default values that the shader declares.</summary>
+    /// <summary>Sets the shader of a material. Also sets the properties to the default values that the shader declares.</summary>
     public static void SetShader(Material material, Shader shader)
     {
         material.shader = shader;

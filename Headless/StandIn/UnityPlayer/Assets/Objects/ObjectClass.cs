@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A class of objects in files, with its number, its name and its fields in order.</summary>
+/// <summary>A class of Unity's files, with its number, its name and its fields in order.</summary>
 class ObjectClass
 {
     readonly Slot[] _slots;
@@ -25,10 +25,10 @@ class ObjectClass
     public int Id { get; }
     public string Name { get; }
 
-    /// <summary>Type of the stand-in for this class.</summary>
+    /// <summary>The stand-in's type for this class.</summary>
     public Type Type { get; }
 
-    /// <summary>Sets the fields of an object that the file contains. The other fields keep their default values.</summary>
+    /// <summary>Sets those fields of an object that the file contains. The other fields keep their default values.</summary>
     /// <exception cref="AssetException">The file contains a field that the class does not have, or an invalid value.</exception>
     public void Read(YamlMappingNode fields, Object target, IReferences references, Place place)
     {

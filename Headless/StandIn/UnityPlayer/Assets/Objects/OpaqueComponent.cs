@@ -3,7 +3,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A component whose class the stand-in does not have. It stores all fields unchanged.</summary>
+/// <summary>A component of a class that the stand-in does not implement. It stores all fields unchanged.</summary>
 sealed class OpaqueComponent : Component
 {
     /// <summary>Name of the component's class in Unity.</summary>

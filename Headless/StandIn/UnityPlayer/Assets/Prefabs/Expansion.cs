@@ -85,7 +85,7 @@ sealed class Expansion
         }
     }
 
-    /// <summary>Adds to the instance's lists, which come from the prefab, the children and components that only the instance has.</summary>
+    /// <summary>Adds the children and components that only the instance has to the lists that the instance has from the prefab.</summary>
     void AddFrom(PrefabInstance instance)
     {
         foreach (var own in _objects.Where(o => o.Link == null))

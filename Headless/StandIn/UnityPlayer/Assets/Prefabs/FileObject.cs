@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>One object of a file in which the prefab instances are replaced with their objects. Has its own copy of the fields.</summary>
+/// <summary>One object of a file after the prefab instances were replaced with their objects. It has its own copy of the fields.</summary>
 sealed class FileObject
 {
     public FileObject(UnityDocument document, string file)
@@ -33,7 +33,7 @@ sealed class FileObject
     public long FileId { get; }
     public YamlMappingNode Fields { get; }
 
-    /// <summary>Prefab object of which this object is an instance; null for an object of the file itself.</summary>
+    /// <summary>The prefab object that this object instantiates; null for an object of the file itself.</summary>
     public PrefabLink Link { get; }
 
     public Place Place => PlaceAs(ClassName);

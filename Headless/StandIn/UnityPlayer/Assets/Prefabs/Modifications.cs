@@ -10,11 +10,12 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 static class Modifications
 {
     /// <summary>
-    /// Fields that define the hierarchy. They are not modifications: an instance has the hierarchy of its prefab and added children.
+    /// Fields that define the hierarchy. They are not stored as modifications, because an instance has the hierarchy of its prefab, plus added
+    /// children.
     /// </summary>
     static readonly HashSet<string> Structure = new HashSet<string> { "m_GameObject", "m_Component", "m_Father", "m_Children" };
 
-    /// <summary>Returns the modifications that an object needs in comparison to its prefab.</summary>
+    /// <summary>Returns the modifications by which an object differs from its prefab object.</summary>
     /// <exception cref="AssetException">
     /// The objects have different fields, because the prefab was written with an older version of the class.
     /// </exception>
@@ -65,7 +66,7 @@ static class Modifications
         }
     }
 
-    /// <summary>Returns all values except empty texts and empty references, which are the defaults.</summary>
+    /// <summary>Returns all values except empty strings and empty references, which are the defaults.</summary>
     public static IEnumerable<Modification> All(YamlNode now, string path)
     {
         if (AssetReference.TryRead(now, out var reference)) return reference.IsNone ? Array.Empty<Modification>() : One(path, "", reference);

@@ -5,7 +5,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>A prefab or scene as one flat set of objects, in which the objects of its prefab instances are included with their changes.</summary>
+/// <summary>A prefab or scene as one flat list of objects. The objects of its prefab instances are included, with their changes applied.</summary>
 /// <remarks>Do not change the fields of its objects. Copy an object to change its fields.</remarks>
 sealed class ObjectFile
 {
@@ -23,13 +23,13 @@ sealed class ObjectFile
     /// <summary>Name of the file in error messages.</summary>
     public string Name { get; }
 
-    /// <summary>The objects in the order of the file. The objects of an instance are at the position of the instance.</summary>
+    /// <summary>The objects in the order of the file. In this order, the objects of a prefab instance take the place of the instance.</summary>
     public IReadOnlyList<FileObject> Objects { get; }
 
     /// <summary>Reads the documents of a prefab or scene.</summary>
     /// <param name="documents">Documents of the file.</param>
     /// <param name="name">Name of the file in error messages.</param>
-    /// <param name="prefabAt">Returns the prefab with a GUID, and throws if the GUID is unknown.</param>
+    /// <param name="prefabAt">Returns the prefab with this GUID. Throws if the GUID is unknown.</param>
     public static ObjectFile Read(IReadOnlyList<UnityDocument> documents, string name, Func<string, ObjectFile> prefabAt)
     {
         var expansion = new Expansion(name, prefabAt);

@@ -24,6 +24,6 @@ sealed class PrefabInstance
     public string SourceGuid { get; }
     public ObjectFile Source { get; }
 
-    /// <summary>Returns the fileID in this file of an object of the prefab. The fileID 0 (no object) stays 0.</summary>
+    /// <summary>Returns the fileID that an object of the prefab has in this file. Returns 0 (no object) for 0.</summary>
     public long Map(long sourceFileId) => sourceFileId == 0 ? 0 : (FileId ^ sourceFileId) & long.MaxValue;
 }

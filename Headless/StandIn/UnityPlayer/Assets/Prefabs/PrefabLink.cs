@@ -1,6 +1,6 @@
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
-/// <summary>Identifies the prefab object of which an object is an instance.</summary>
+/// <summary>Identifies the prefab object that an object instantiates.</summary>
 sealed class PrefabLink
 {
     public PrefabLink(PrefabInstance instance, long sourceFileId)

@@ -15,7 +15,9 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 /// </summary>
 static class PropertyPath
 {
-    /// <summary>Tag of an element added to a list that is empty in the prefab. Its fields are known only from the modifications.</summary>
+    /// <summary>
+    /// Tag of an element that was added to a list that is empty in the prefab. Only the modifications state the fields of such an element.
+    /// </summary>
     static readonly TagName Open = new TagName("!open");
 
     static readonly Regex Element = new Regex(@"^data\[(\d+)\]\z", RegexOptions.CultureInvariant);

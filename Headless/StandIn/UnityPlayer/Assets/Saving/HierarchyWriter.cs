@@ -8,8 +8,8 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
 /// <summary>
-/// Writes a hierarchy as the documents of a prefab or scene: objects with all their fields, and prefab instances with their changes. This is the
-/// inverse of <see cref="HierarchyBuilder"/>.
+/// Writes a hierarchy as the documents of a prefab or scene. These documents are objects with all their fields, and prefab instances with their
+/// changes. This is the inverse of <see cref="HierarchyBuilder"/>.
 /// </summary>
 sealed class HierarchyWriter
 {

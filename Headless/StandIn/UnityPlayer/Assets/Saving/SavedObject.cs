@@ -23,13 +23,13 @@ sealed class SavedObject
     public Object Target { get; }
     public long FileId { get; }
 
-    /// <summary>Prefab object of which this object is an instance; null for an object of the file itself.</summary>
+    /// <summary>The prefab object that this object instantiates; null for an object of the file itself.</summary>
     public PrefabLink Link { get; }
 
     public ObjectClass Class { get; }
     public string ClassName { get; }
 
-    /// <summary>Fields of the object. They are available after the call of <see cref="Write"/>.</summary>
+    /// <summary>Fields of the object; null before <see cref="Write"/> has been called.</summary>
     public YamlMappingNode Fields { get; private set; }
 
     public void Write(FileReferences references)
@@ -55,6 +55,6 @@ sealed class SavedObject
         return new UnityDocument(Class.Id, ClassName, FileId, fields, isStripped: true);
     }
 
-    /// <summary>Returns the reference to the prefab object of which this object is an instance.</summary>
+    /// <summary>Returns the reference to the prefab object that this object instantiates.</summary>
     public AssetReference Source() => new AssetReference(Link.SourceFileId, Link.Instance.SourceGuid, AssetReference.Imported);
 }

@@ -3,7 +3,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>Format of a set of layers, which is an int in Unity's API: <c>serializedVersion: 2, m_Bits: 4294967295</c>.</summary>
+/// <summary>Format of a layer mask, which is an int in Unity's API: <c>serializedVersion: 2, m_Bits: 4294967295</c>.</summary>
 sealed class BitsFormat : IValueFormat
 {
     public object Read(YamlNode node, object current, IReferences references, Place place)

@@ -5,8 +5,8 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>
-/// Format of a [Serializable] class or struct: its fields by name. In place of null, which the format does not support, Unity writes an object
-/// with default values.
+/// Format of a [Serializable] class or struct: its fields by name. The format does not support null. In its place, Unity writes an object with
+/// default values.
 /// </summary>
 sealed class ClassFormat : IValueFormat
 {

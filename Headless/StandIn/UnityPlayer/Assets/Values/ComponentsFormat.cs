@@ -6,7 +6,7 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 
-/// <summary>Format of a vector, quaternion or colour: its public numbers by name, in braces.</summary>
+/// <summary>Format of a vector, quaternion or colour: its components by name, in braces.</summary>
 sealed class ComponentsFormat : IValueFormat
 {
     readonly Type _type;

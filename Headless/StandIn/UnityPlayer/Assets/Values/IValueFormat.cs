@@ -7,7 +7,7 @@ interface IValueFormat
 {
     /// <summary>Reads a value.</summary>
     /// <param name="node">Node in the file.</param>
-    /// <param name="current">Current value of the field, which supplies the parts that the file does not contain; may be null.</param>
+    /// <param name="current">Current value of the field; may be null. The result keeps those parts of it that the file does not contain.</param>
     /// <param name="references">References of the file.</param>
     /// <param name="place">Location of the node, for error messages.</param>
     object Read(YamlNode node, object current, IReferences references, Place place);

@@ -43,7 +43,7 @@ static class ValueFormats
     static IValueFormat Compose(Type type)
     {
         var item = type.IsArray ? type.GetElementType() : SerializedFields.IsList(type) ? type.GetGenericArguments()[0] : null;
-        // Not implemented, because it is not needed: Unity writes a list of integers as one string of hexadecimal digits.
+        // Lists of integers are not needed and not supported: Unity writes such a list as one string of hexadecimal digits.
         if (item != null && item.IsPrimitive && item != typeof(float) && item != typeof(double))
             throw new NotSupportedException("a list of " + item.Name + " cannot be read or written yet");
         if (item != null) return new ListFormat(type, item);

@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>
-/// A reference to an object: <c>{fileID: N}</c> if the object is in the same file, <c>{fileID: N, guid: G, type: T}</c> if it is in another file.
+/// A reference to an object: <c>{fileID: N}</c> to an object in the same file, <c>{fileID: N, guid: G, type: T}</c> to an object in another file.
 /// </summary>
 readonly struct AssetReference : IEquatable<AssetReference>
 {

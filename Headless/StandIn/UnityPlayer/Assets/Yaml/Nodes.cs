@@ -11,11 +11,11 @@ static class Nodes
 
     public static YamlScalarNode Number(long value) => Text(Numbers.Write(value));
 
-    /// <summary>Creates a mapping in braces on one line.</summary>
+    /// <summary>Creates a mapping that is written in braces on one line.</summary>
     public static YamlMappingNode Braces(params (string Name, YamlNode Value)[] entries) =>
         Fill(new YamlMappingNode { Style = MappingStyle.Flow }, entries);
 
-    /// <summary>Creates a mapping with one line per entry.</summary>
+    /// <summary>Creates a mapping that is written with one line per entry.</summary>
     public static YamlMappingNode Lines(params (string Name, YamlNode Value)[] entries) =>
         Fill(new YamlMappingNode { Style = MappingStyle.Block }, entries);
 

@@ -9,7 +9,7 @@ static class Numbers
 
     public static string Write(ulong value) => value.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>Returns the shortest text from which the same value can be read. Exponents have the form <c>1e-7</c>.</summary>
+    /// <summary>Returns the shortest string that is read back as the same value. Exponents have the form <c>1e-7</c>.</summary>
     public static string Write(float value) => Exponent(value.ToString("R", CultureInfo.InvariantCulture));
 
     /// <inheritdoc cref="Write(float)"/>

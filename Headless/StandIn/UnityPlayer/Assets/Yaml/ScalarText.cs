@@ -6,8 +6,8 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>
-/// Writes one scalar as Unity does. A text with line breaks or characters beyond ASCII is written in double quotes with escapes, because Unity
-/// decodes escapes only there. Any other text is written plain if the same text can be read back, otherwise in single quotes. A long text is
+/// Writes one scalar as Unity does. A string with line breaks or non-ASCII characters is written in double quotes with escapes, because Unity decodes
+/// escapes only there. Any other string is written without quotes if it can be read back unchanged, otherwise in single quotes. A long string is
 /// wrapped at the first space after column 80.
 /// </summary>
 static class ScalarText
@@ -19,11 +19,11 @@ static class ScalarText
     static readonly Regex Printable = new Regex(@"^[ -~]*\z", RegexOptions.CultureInvariant);
 
     /// <summary>
-    /// Matches the compiler's name for the field of an automatic property. Unity writes this text plain although it has angle brackets.
+    /// Matches the compiler's name of the field of an automatic property. Unity writes this name without quotes, although it contains angle brackets.
     /// </summary>
     static readonly Regex BackingField = new Regex(@"^<\w+>k__BackingField[\w.\[\]]*\z", RegexOptions.CultureInvariant);
 
-    /// <summary>Appends a scalar to a text.</summary>
+    /// <summary>Appends a scalar to the text of a file.</summary>
     /// <param name="text">Text of the file up to the scalar.</param>
     /// <param name="scalar">The scalar. This method chooses the style.</param>
     /// <param name="continuation">Indent of continuation lines.</param>

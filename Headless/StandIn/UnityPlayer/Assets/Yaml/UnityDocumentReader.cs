@@ -9,7 +9,7 @@ namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>Reads the objects in a file in Unity's text format.</summary>
 /// <remarks>
-/// The headers of Unity's documents are not valid YAML: they may have <c>stripped</c> after the anchor, and one tag directive is valid for all
+/// The headers of Unity's documents are not valid YAML: they may have <c>stripped</c> after the anchor, and one tag directive applies to all
 /// documents. The contents of the documents are valid YAML.
 /// </remarks>
 static class UnityDocumentReader

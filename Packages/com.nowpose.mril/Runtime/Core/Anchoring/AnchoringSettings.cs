@@ -14,7 +14,7 @@ namespace Nowpose.Anchoring
         /// <param name="toleranceMetres">Distance of a marker from its position at the lock above which the marker counts as moved.</param>
         /// <param name="toleranceDegrees">Change of a marker's angle since the lock above which the marker counts as moved.</param>
         /// <param name="easeMs">
-        /// Duration over which a changed lock is blended in, after which 2 % of the change remains; 0 for an immediate change.
+        /// Duration over which a changed lock is blended in; 2 % of the change remains at its end. 0 applies a change immediately.
         /// </param>
         /// <exception cref="InputException">A number is out of range.</exception>
         public AnchoringSettings(

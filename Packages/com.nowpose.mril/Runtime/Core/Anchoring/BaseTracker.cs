@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring
 {
     /// <summary>
-    /// Determines the pose of a robot's base from its markers: locks it, lets the device store it, and monitors whether it is still valid.
+    /// Determines the pose of a robot's base from its markers. It locks the pose, lets the device store it, and monitors whether it is still valid.
     /// </summary>
     /// <remarks>
     /// Use it on the frame's thread only. A frame without a new lock normally allocates nothing. While a marker that is not yet part of the
@@ -36,7 +36,7 @@ namespace Nowpose.Anchoring
             _words = new BaseStatusText(settings);
         }
 
-        /// <summary>Name of the cell, under which the position is stored; empty for none.</summary>
+        /// <summary>Name of the cell, under which the device stores the position; empty if the position is not stored.</summary>
         public string Cell { get; private set; } = "";
 
         public IReadOnlyList<TrackedMarker> Markers => _markers.All;
@@ -71,7 +71,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
         public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
 
-        /// <summary>Reason why a source reports no markers, which is shown during a search; null if nothing is wrong.</summary>
+        /// <summary>Reason why a source reports no markers; null if nothing is wrong. The status shows it during a search.</summary>
         public string SourceProblem { get; set; }
 
         /// <summary>Time at which a source last reported any code; null if none was reported since the start of the search.</summary>
@@ -141,7 +141,7 @@ namespace Nowpose.Anchoring
 
         /// <summary>Records that the base was placed elsewhere, and removes the lock. A running search continues.</summary>
         /// <param name="at">
-        /// Pose in the room frame from which the next lock is blended in; null if unknown, so that the next lock applies at once.
+        /// Pose in the room frame from which the next lock is blended in; null if the pose is unknown, so that the next lock applies immediately.
         /// </param>
         public void Place(RigidTransform? at = null)
         {
@@ -164,7 +164,9 @@ namespace Nowpose.Anchoring
 
         /// <summary>Processes one frame.</summary>
         /// <param name="sightings">Sightings of all sources; sightings of other codes are ignored.</param>
-        /// <param name="head">Viewer's head in the room frame, x forward; null when unknown; the checks that depend on it are then skipped.</param>
+        /// <param name="head">
+        /// Viewer's head in the room frame, x forward. If it is null, it is unknown, and the checks that depend on it are skipped.
+        /// </param>
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {
@@ -187,7 +189,7 @@ namespace Nowpose.Anchoring
             if (!Base.HasValue && isOpen) _place.Seek(anchors, Cell);
             if (IsLost != _wasLost)
             {
-                // The deviations were measured in a map that is no longer valid.
+                // Removes the sightings, because their deviations were measured in a map that is no longer valid.
                 _wasLost = IsLost;
                 _markers.RemoveSightings();
             }

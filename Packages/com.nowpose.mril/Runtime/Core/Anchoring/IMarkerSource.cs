@@ -5,7 +5,7 @@ namespace Nowpose.Anchoring
     /// <summary>Reports the markers in the room, for example from a device's code detection, from placement by hand, or from a recording.</summary>
     public interface IMarkerSource
     {
-        /// <summary>Adds all currently known markers to the list, each once, and keeps the existing entries. Must not throw.</summary>
+        /// <summary>Adds all markers that the source currently reports to the list, each once. Keeps the existing entries. Must not throw.</summary>
         /// <remarks>Called once per frame on the frame's thread; must be fast and must not allocate if no marker is new.</remarks>
         void Read(List<MarkerSighting> markers);
     }

@@ -9,8 +9,8 @@ namespace Nowpose.Anchoring
         SpatialAnchorState State { get; }
 
         /// <summary>
-        /// Current pose in the room frame, with the device's corrections of its map; the last pose while tracking is lost, null before the
-        /// first pose.
+        /// Current pose in the room frame, including the device's corrections of its map. While tracking is lost, it is the last pose. Null before
+        /// the first pose.
         /// </summary>
         RigidTransform? Pose { get; }
 
@@ -20,7 +20,9 @@ namespace Nowpose.Anchoring
         /// <summary>Reason why the anchor is not held or not stored, in one line; null if nothing is wrong.</summary>
         string Problem { get; }
 
-        /// <summary>Stores the anchor under a name as soon as it is held, and replaces the anchor stored before. Returns at once.</summary>
+        /// <summary>
+        /// Stores the anchor under a name as soon as the device holds it, in place of an anchor stored under this name earlier. Returns immediately.
+        /// </summary>
         void Keep(string name);
     }
 

@@ -3,12 +3,11 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring
 {
     /// <summary>
-    /// Holds positions in the room in the device's own map and stores them across restarts. Use it on the frame's thread only; never
-    /// throws.
+    /// Lets the device hold positions in the room in its own map, and store them across restarts. Use it on the frame's thread only; never throws.
     /// </summary>
     interface ISpatialAnchors
     {
-        /// <summary>Whether the stored anchors are known. Always false if the device stores none.</summary>
+        /// <summary>Whether the stored anchors have been loaded. Always false on a device that has no anchor store.</summary>
         bool IsReady { get; }
 
         /// <summary>Starts to hold a position, and returns at once. Disposing the anchor releases it but does not remove a stored anchor.</summary>

@@ -9,7 +9,7 @@ namespace Nowpose.Anchoring
     /// </remarks>
     public readonly struct MarkerSighting
     {
-        /// <param name="id">Identifies the marker within its source as long as the source runs.</param>
+        /// <param name="id">Identifier of the marker within its source, valid for as long as the source runs.</param>
         /// <param name="payload">
         /// Text of the code; null while it has not been read. For a marker placed by hand, null means that its frame is the robot's base
         /// frame.

@@ -6,10 +6,10 @@ namespace Nowpose.Anchoring
     /// <summary>Computations with poses, such as distances and interpolation.</summary>
     static class PoseNumbers
     {
-        /// <summary>Tolerance of the unit length of a rotation's rows; the rounding errors of floats are smaller.</summary>
+        /// <summary>Tolerance for the length of a rotation's rows, which should be 1. The rounding errors of floats are smaller.</summary>
         const double Unit = 1e-3;
 
-        /// <summary>Whether all numbers are finite and the rotation is valid.</summary>
+        /// <summary>Returns whether all numbers are finite and the rotation is valid.</summary>
         public static bool IsPose(this in RigidTransform pose)
         {
             var r = pose;
@@ -24,7 +24,7 @@ namespace Nowpose.Anchoring
         /// <summary>Returns the angle between the rotations, 0 to π rad.</summary>
         public static double AngleTo(this in RigidTransform a, in RigidTransform b)
         {
-            // The antisymmetric part of the rotation aᵀb gives the sine: the cosine alone is inaccurate for angles below 1e-8.
+            // Uses the sine from the antisymmetric part of aᵀb, because the cosine alone is inaccurate for angles below 1e-8.
             var (x, y, z) = TwiceSine(a, b);
             return Math.Atan2(Length(x, y, z) / 2, (Trace(a, b) - 1) / 2);
         }
@@ -63,8 +63,8 @@ namespace Nowpose.Anchoring
                 0, 0, 0);
         }
 
-        /// <summary>Interpolates between two poses: linear position, constant rate of rotation.</summary>
-        /// <param name="part">0 to 1.</param>
+        /// <summary>Interpolates between two poses: linearly in position, at a constant rate in rotation.</summary>
+        /// <param name="part">Fraction of the way from <paramref name="from"/> to <paramref name="to"/>, 0 to 1.</param>
         public static RigidTransform Between(in RigidTransform from, in RigidTransform to, double part)
         {
             var (x, y, z) = (from.Inverse * to).RotationVector();

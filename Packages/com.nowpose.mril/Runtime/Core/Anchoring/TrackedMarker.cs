@@ -8,7 +8,7 @@ namespace Nowpose.Anchoring
     /// <summary>One of the markers of a base, with its sightings.</summary>
     public sealed class TrackedMarker
     {
-        /// <summary>Minimum distance between two sightings of the same code to count as two prints. A smaller distance may be noise.</summary>
+        /// <summary>Minimum distance at which two sightings of the same code count as two prints. A smaller distance may be noise.</summary>
         const double ApartMetres = 0.05;
 
         /// <summary>Minimum number of sightings for an estimate. Fewer sightings do not show the scatter.</summary>
@@ -63,10 +63,10 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the deviation of the marker from its expected pose exceeds the tolerance.</summary>
         public bool HasMoved { get; private set; }
 
-        /// <summary>Recent median deviation from the expected position, in metres; null with too few sightings.</summary>
+        /// <summary>Recent median deviation from the expected position, in metres; null if there are too few sightings.</summary>
         public double? DeviationMetres => Watch.IsKnown ? Watch.Metres : (double?)null;
 
-        /// <summary>Recent median deviation from the expected rotation, in radians; null with too few sightings.</summary>
+        /// <summary>Recent median deviation from the expected rotation, in radians; null if there are too few sightings.</summary>
         public double? DeviationRadians => Watch.IsKnown ? Watch.Radians : (double?)null;
 
         /// <summary>
@@ -74,7 +74,7 @@ namespace Nowpose.Anchoring
         /// </summary>
         public double? SpreadMetres => _mean?.SpreadMetres;
 
-        /// <summary>Root mean square angle of the poses to their mean, in radians.</summary>
+        /// <summary>Root mean square angle between the poses and their mean, in radians; null before the first estimate.</summary>
         public double? SpreadRadians => _mean?.SpreadRadians;
 
         internal DeviationWatch Watch { get; } = new DeviationWatch();
@@ -130,7 +130,7 @@ namespace Nowpose.Anchoring
             return true;
         }
 
-        /// <summary>Returns the expected pose.</summary>
+        /// <summary>Returns the pose in the room frame at which the marker is expected, given the locked base.</summary>
         internal RigidTransform PlaceAt(in RigidTransform locked) => locked * (IsPart ? Locked.Mean : Marker.MarkerInBase);
 
         /// <summary>Compares the newest sighting with the expected pose.</summary>

@@ -4,14 +4,17 @@ using Nowpose.Messages;
 
 namespace Nowpose.Counter
 {
-    /// <summary>Converts counts of one counter to readings of another that runs on the same oscillator.</summary>
+    /// <summary>Converts counts of one counter to counts of another counter that runs on the same oscillator.</summary>
     /// <remarks>
     /// On Windows, <see cref="System.Diagnostics.Stopwatch"/> is the performance counter, scaled and possibly shifted by a constant. The
     /// offset between the two therefore never changes, even during sleep, and one measurement is valid as long as the process runs.
     /// </remarks>
     sealed class CounterPairing
     {
-        /// <summary>Number of readings. An interrupt disturbs one or a few readings, never all.</summary>
+        /// <summary>
+        /// Number of measurements (brackets). In each, the target is read between two readings of the counter. An interrupt disturbs one or a few of
+        /// them, never all.
+        /// </summary>
         const int Brackets = 32;
 
         readonly long _frequency, _targetFrequency, _count, _reading;
@@ -28,10 +31,10 @@ namespace Nowpose.Counter
         /// <summary>Counts per second of the counter whose counts are converted.</summary>
         public long Frequency => _frequency;
 
-        /// <summary>Upper bound of the offset's error: half the shortest bracket and one count of each counter.</summary>
+        /// <summary>Upper bound of the offset's error: half the duration of the shortest bracket, plus one count of each counter.</summary>
         public TimeSpan Uncertainty { get; }
 
-        /// <summary>Reads both counters several times and keeps the reading with the shortest duration.</summary>
+        /// <summary>Measures both counters several times and keeps the measurement with the shortest duration.</summary>
         /// <param name="open">Returns the counter whose counts are to be converted; throws if the platform has none.</param>
         /// <param name="target">The counter to convert to.</param>
         /// <param name="fault">Reason for the failure, in one line; null on success.</param>
@@ -60,7 +63,7 @@ namespace Nowpose.Counter
         /// Converts a count to a count of the target. The result is rounded towards the time of the pairing, so its error is below one count.
         /// Allocates nothing.
         /// </summary>
-        /// <param name="count">Count to convert. A count that a device cannot reach gives an undefined result, not an exception.</param>
+        /// <param name="count">Count to convert. For a count that no device can reach, the result is undefined, but no exception is thrown.</param>
         public long ToTarget(long count)
         {
             // Converts whole seconds separately: the product of a large count and the other frequency would overflow.

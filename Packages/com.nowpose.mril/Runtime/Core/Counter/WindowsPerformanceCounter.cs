@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Counter
 {
-    /// <summary>The performance counter of Windows, unscaled; UWP apps may call both functions.</summary>
+    /// <summary>The unscaled performance counter of Windows. UWP apps may call QueryPerformanceCounter and QueryPerformanceFrequency.</summary>
     sealed class WindowsPerformanceCounter : ICounter
     {
         /// <exception cref="TypeLoadException">The platform is not Windows: kernel32 or its functions are missing.</exception>

@@ -3,17 +3,17 @@ using Nowpose.Prediction;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Predicts one component of a vector, from its first change on.</summary>
+    /// <summary>Predicts one component of a vector, starting at its first change.</summary>
     /// <remarks>
-    /// Many components never change: the height of a workpiece on a conveyor, two of the three angles of a turntable. Their value needs no
-    /// prediction. Allocates nothing after construction.
+    /// Many components never change, for example the height of a workpiece on a conveyor, or two of the three angles of a turntable. Their values
+    /// need no prediction. Allocates nothing after construction.
     /// </remarks>
     sealed class AxisPredictor
     {
         /// <summary>Maximum difference from the first value that counts as rounding, in m or rad.</summary>
         const double Rounding = 1e-9;
 
-        /// <summary>Number of samples kept before the first change, which show the predictor that the motion starts from rest.</summary>
+        /// <summary>Number of samples kept before the first change. They show the predictor that the motion starts from rest.</summary>
         const int Kept = 8;
 
         readonly JointPredictor _predictor;
@@ -23,7 +23,7 @@ namespace Nowpose.Frames
         int _count;
         bool _hasChanged;
 
-        /// <param name="waitsForChange">Whether samples are predicted only from the first change on.</param>
+        /// <param name="waitsForChange">Whether the prediction starts only at the first change.</param>
         public AxisPredictor(JointPredictor predictor, bool waitsForChange)
         {
             _predictor = predictor;
@@ -31,7 +31,7 @@ namespace Nowpose.Frames
             Reset();
         }
 
-        /// <summary>Value of the newest sample; 0 before the first.</summary>
+        /// <summary>Value of the newest sample; 0 before the first sample.</summary>
         public double Hold => _hasChanged ? _predictor.Hold : _value;
 
         /// <inheritdoc cref="JointPredictor.Restarts"/>
@@ -48,7 +48,7 @@ namespace Nowpose.Frames
                 return DropReason.None;
             }
             _hasChanged = true;
-            // Each kept sample is added with the display time at its arrival, because the predictor estimates the horizon from it.
+            // Adds each kept sample with the display time at its arrival, because the predictor estimates the horizon from this time.
             for (var age = _count - 1; age >= 0; age--) _predictor.Add(_newestFirst[age], displayed - (sample.Time - _newestFirst[age].Time));
             return _predictor.Add(sample, displayed);
         }

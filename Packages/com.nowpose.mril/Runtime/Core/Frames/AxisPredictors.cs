@@ -6,7 +6,7 @@ namespace Nowpose.Frames
     /// <summary>Three predictors of one kind, for the components of a vector.</summary>
     sealed class AxisPredictors
     {
-        // The first component always predicts. Its drop reasons, time and horizon apply to the whole vector.
+        // The first component is always predicted. Its drop reasons, time and horizon apply to the whole vector.
         readonly JointPredictor _x;
         readonly AxisPredictor _y, _z;
 
@@ -19,7 +19,7 @@ namespace Nowpose.Frames
             _z = new AxisPredictor(create(), skipsConstants);
         }
 
-        /// <summary>Vector of the newest sample; 0 before the first.</summary>
+        /// <summary>Vector of the newest sample; 0 before the first sample.</summary>
         public Vector3D Hold => new Vector3D(_x.Hold, _y.Hold, _z.Hold);
 
         /// <inheritdoc cref="JointPredictor.NewestTime"/>
@@ -43,7 +43,7 @@ namespace Nowpose.Frames
 
         public Vector3D At(double time) => new Vector3D(_x.At(time).Position, _y.At(time), _z.At(time));
 
-        /// <summary>Returns how the vector at a time is determined.</summary>
+        /// <summary>Returns how the vector at a time is computed, for example interpolated or predicted.</summary>
         public PredictionKind KindAt(double time) => _x.At(time).Kind;
 
         public void Reset()

@@ -91,8 +91,8 @@ namespace Nowpose.Frames
                 : PoseOf(_rotations.RotationOf(_angles.At(time), time), _position.At(time));
         }
 
-        /// <summary>Returns <see cref="Hold"/>. For use while the display time is unknown.</summary>
-        /// <param name="kind">Held, or <see cref="PredictionKind.None"/> before the first sample.</param>
+        /// <summary>Returns <see cref="Hold"/>. Use it while the display time is unknown.</summary>
+        /// <param name="kind"><see cref="PredictionKind.Held"/>, or <see cref="PredictionKind.None"/> before the first sample.</param>
         public RigidTransform Newest(out PredictionKind kind)
         {
             kind = double.IsNegativeInfinity(NewestTime) ? PredictionKind.None : PredictionKind.Held;
@@ -100,8 +100,8 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Discards all samples, because the parent has changed. The first sample in the new parent predicts an object at rest there, up to the
-        /// horizon cap, as in a gripper or a fixture. The speed is known from the second sample on.
+        /// Discards all samples, because the parent has changed. Until the second sample in the new parent arrives, the object is predicted to be at
+        /// rest there, up to the horizon cap, as in a gripper or a fixture. The second sample determines the first speed.
         /// </summary>
         public void ChangeParent()
         {

@@ -35,7 +35,10 @@ namespace Nowpose.Frames
 
         public string Name { get; }
 
-        /// <summary>Name of the parent in which the displayed pose is given: the gripper's link while a gripper determines the place.</summary>
+        /// <summary>
+        /// Name of the parent of the displayed pose. While a gripper determines the place, this is the gripper's link or, after the release, the
+        /// world.
+        /// </summary>
         public string Parent => _reach?.Parent ?? _parent;
 
         /// <summary>Name of the parent in the poses that are received.</summary>
@@ -45,22 +48,22 @@ namespace Nowpose.Frames
         public bool IsStationary => _isStationary && _reach == null;
 
         /// <summary>
-        /// The place of the object that a gripper determines, from the next display frame on; null if its own source determines it.
+        /// Place that a gripper gives the object from the next display frame on; null if the object's own source determines the place.
         /// </summary>
         public ReachPlace Reach => _isReachWaiting ? _nextReach : _reach;
 
-        /// <summary>Whether another parent waits for the next display frame.</summary>
+        /// <summary>Whether a change of the parent, or of the place that a gripper determines, waits for the next display frame.</summary>
         public bool IsBeingHandedOver => _waitingCount > 0 || _isReachWaiting;
 
         /// <summary>Displayed pose in the world, right-handed, metres.</summary>
         public RigidTransform World { get; private set; } = RigidTransform.Identity;
 
-        /// <summary>Newest pose in the parent, which a display without compensation shows; the identity before the first.</summary>
+        /// <summary>Newest pose in the parent, which a display without compensation shows; the identity before the first pose.</summary>
         public RigidTransform Held => _reach != null ? _reach.Pose : _given;
 
         public FrameState State { get; private set; }
 
-        /// <summary>Stamp of the newest pose; null before the first, and for a stationary frame.</summary>
+        /// <summary>Stamp of the newest pose; null before the first pose, and for a stationary frame.</summary>
         public ControlTime? Newest => _isStationary ? null : _newest;
 
         /// <summary>Returns whether a pose in another parent is older than the newest pose, or than the waiting poses in a third parent.</summary>
@@ -88,9 +91,9 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Sets the place of the object that a gripper determines, from the next display frame on. Blended like a change of the parent.
+        /// Sets the place that a gripper gives the object from the next display frame on. It is blended like a change of the parent.
         /// </summary>
-        /// <param name="place">Null if the object's own source determines the place again.</param>
+        /// <param name="place">The place; null if the object's own source determines the place again.</param>
         public void Put(ReachPlace place)
         {
             if (Reach == null && place != null) (_sourceRest ??= new SourceRest()).Begin();
@@ -167,7 +170,8 @@ namespace Nowpose.Frames
             _newest = null;
         }
 
-        // A source without data of the gripper repeats the pose from before the grip, so only a different pose shows that the object was moved.
+        // A source that has no data about the gripper repeats the pose from before the grip. Therefore, only a different pose shows that the object
+        // was moved.
         bool IsMovedBy(in FrameTransform pose)
         {
             if (Reach == null || pose.Stamp <= _newest) return false;

@@ -11,7 +11,7 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class DistanceLimit
     {
-        /// <summary>Maximum distance relative to the recent maximum: 1 and 2.5 gave the same mean errors within 0.2 %.</summary>
+        /// <summary>Maximum distance as a multiple of the recent maximum. Values of 1 and 2.5 gave the same mean errors within 0.2 %.</summary>
         const double Growth = 1.5;
 
         readonly double _timeConstant;
@@ -24,10 +24,10 @@ namespace Nowpose.Frames
             Clear();
         }
 
-        /// <summary>Factor of the distance from the line, 0 to 1, until the next sample.</summary>
+        /// <summary>Factor by which the distance from the line is multiplied until the next sample, 0 to 1.</summary>
         public double Factor { get; private set; }
 
-        /// <summary>Adds the distance of the forecast after a sample.</summary>
+        /// <summary>Adds the distance of the forecast that was computed after a sample.</summary>
         /// <param name="interval">Time since the previous sample, s.</param>
         /// <param name="distance">Distance from the line after one horizon, m or rad.</param>
         public void Add(double interval, double distance)

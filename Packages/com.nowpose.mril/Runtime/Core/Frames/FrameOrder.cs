@@ -13,7 +13,7 @@ namespace Nowpose.Frames
         readonly Dictionary<string, int> _indices;
         readonly List<IRobotLinks> _robots = new List<IRobotLinks>();
         readonly List<string> _rootNames = new List<string>();
-        // The links by their qualified names, because composing a name allocates memory.
+        // The links by their qualified names. The names are stored, because composing a name allocates memory.
         readonly Dictionary<string, (int Robot, int Link)> _links = new Dictionary<string, (int, int)>(StringComparer.Ordinal);
         readonly List<int> _roots = new List<int>();
         Place[] _places = Array.Empty<Place>();
@@ -42,7 +42,7 @@ namespace Nowpose.Frames
         /// <summary>All frames, a parent before its children.</summary>
         public ReadOnlySpan<Place> Places => new ReadOnlySpan<Place>(_places, 0, _count);
 
-        /// <summary>Finds all parents again, after a change of the structure.</summary>
+        /// <summary>Determines all parents and the order again after a change of the structure.</summary>
         public void Arrange()
         {
             _roots.Clear();
@@ -101,7 +101,7 @@ namespace Nowpose.Frames
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
         /// <param name="at">The time on the control clock, and in seconds since the epoch of the predictors.</param>
-        /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
+        /// <param name="reach">Place that a gripper gives the frame; null if the frame's own source determines its place.</param>
         public RigidTransform PoseAt(int frame, ReachPlace reach, (ControlTime Time, double Seconds) at, out PoseOrigin origin) =>
             PoseAt(frame, reach, at, out origin, 0);
 
@@ -163,7 +163,7 @@ namespace Nowpose.Frames
             var place = PlaceIn(index, _frames[index].Parent);
             var above = place.Robot < 0 ? place.Parent : _roots[place.Robot];
             if (above >= 0) Put(above);
-            // A grip by reach, or a robot that is described after the frames, can close a cycle. A frame in it has no parent.
+            // A ReachGrip, or a robot whose description arrives after the frames, can close a cycle. One frame of the cycle then has no parent.
             if (above >= 0 && _placeOf[above] < 0) place = new Place(index, -1, -1, isInWorld: false);
             _placeOf[index] = _count;
             _places[_count++] = place;
@@ -200,7 +200,7 @@ namespace Nowpose.Frames
             /// </summary>
             public int Parent { get; }
 
-            /// <summary>Index of the robot whose link is the parent; −1 for none.</summary>
+            /// <summary>Index of the robot whose link is the parent; −1 if the parent is not a link.</summary>
             public int Robot { get; }
 
             public bool IsInWorld { get; }

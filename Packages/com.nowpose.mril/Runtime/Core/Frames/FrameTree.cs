@@ -75,14 +75,14 @@ namespace Nowpose.Frames
         /// Sets the place of an object that a gripper holds or has released, from the next display frame on. The displayed pose changes
         /// smoothly, as for a change of the object's parent.
         /// </summary>
-        /// <param name="place">The place; null to return the object to its own source.</param>
+        /// <param name="place">The place; null if the object's own source determines the place again.</param>
         public void Put(int index, ReachPlace place)
         {
             _frames[index].Put(place);
             _isHandedOver = true;
         }
 
-        /// <summary>Returns all objects that a gripper holds or has released to their own sources.</summary>
+        /// <summary>Cancels each placement by a gripper: an object that a gripper holds or has released is placed by its own source again.</summary>
         public void TakeFrom(ReachGrip gripper)
         {
             for (var i = 0; i < _frames.Count; i++)
@@ -90,7 +90,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Returns the pose of a frame in the world at a time other than the displayed one.</summary>
-        /// <param name="reach">The place that a gripper has given the frame; null if its own source places it.</param>
+        /// <param name="reach">Place that a gripper gives the frame; null if the frame's own source determines its place.</param>
         public RigidTransform PoseAt(int index, ReachPlace reach, ControlTime at, out PoseOrigin origin)
         {
             Arrange();
@@ -125,7 +125,9 @@ namespace Nowpose.Frames
             EvaluateAll(time);
         }
 
-        /// <summary>Returns the pose of a frame in the world that a display without compensation shows: the newest poses and samples.</summary>
+        /// <summary>
+        /// Returns the pose of a frame in the world that a display without compensation shows. It is computed from the newest poses and samples.
+        /// </summary>
         /// <param name="index">Index of the frame, known before the last <see cref="Evaluate"/>.</param>
         public RigidTransform HeldOf(int index) => _order.HeldOf(index);
 

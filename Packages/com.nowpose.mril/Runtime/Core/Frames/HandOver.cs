@@ -12,13 +12,15 @@ namespace Nowpose.Frames
     /// </remarks>
     readonly struct HandOver
     {
-        /// <summary>Duration of the blend, in s. It is so short that a person does not notice a shift of some millimetres while the gripper moves away.</summary>
+        /// <summary>
+        /// Duration of the blend, in s. It is so short that a person does not notice a shift of some millimetres while the gripper moves away.
+        /// </summary>
         public const double Seconds = 0.15;
 
-        /// <summary>Maximum differences that are ignored because they are small, in m and rad.</summary>
+        /// <summary>Differences up to these values are ignored because they are small, in m and rad.</summary>
         const double MinShift = 0.002, MinTurn = 0.02;
 
-        /// <summary>Minimum difference that is ignored because it is large, in m.</summary>
+        /// <summary>Differences from this value on are ignored because they are large, in m.</summary>
         const double MaxShift = 0.25;
 
         readonly double _start;

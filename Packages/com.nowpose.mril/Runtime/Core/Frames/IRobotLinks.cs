@@ -6,7 +6,7 @@ namespace Nowpose.Frames
     /// <summary>The links of a displayed robot, to which frames can be attached.</summary>
     interface IRobotLinks
     {
-        /// <summary>The robot's namespace; empty for a robot without one.</summary>
+        /// <summary>The robot's namespace; empty if the robot has none.</summary>
         string Namespace { get; }
 
         RobotModel Robot { get; }

@@ -7,19 +7,21 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
 {
-    /// <summary>A gripper that takes the object within its reach when its signal changes, if no source reports what it grips.</summary>
+    /// <summary>
+    /// A gripper that grips the object within its reach when its signal changes. It is used if no source reports what the gripper holds.
+    /// </summary>
     /// <remarks>
-    /// The poses at the stamp of the change decide, not those at the arrival of its message. At first these poses are predicted, because the
-    /// display time is ahead of the samples. As soon as samples from after the stamp have arrived, they decide, so that all headsets with
-    /// the same samples take the same object in the same place. A source that gives the object a parent itself has priority. A released
-    /// object stays in the world at its pose at the stamp of the release, until its source moves it. Use it only on the thread that computes the
-    /// display frames.
+    /// The poses at the time stamp of the change determine which object is gripped, not the poses at the arrival of the message. At first, these
+    /// poses are predicted, because the display time is ahead of the samples. As soon as samples from after the time stamp have arrived, the poses
+    /// are computed from them, so that all headsets with the same samples grip the same object in the same place. A source that gives the object a
+    /// parent itself has priority. A released object stays in the world at its pose at the time stamp of the release, until its source moves it. Use
+    /// it only on the thread that computes the display frames.
     /// </remarks>
     sealed class ReachGrip
     {
         /// <summary>
-        /// Maximum time to wait for samples from after a change of the signal, in s. Then the available data decide. It is longer than every
-        /// latency worth compensating.
+        /// Maximum time to wait for samples from after a change of the signal, in s. After this time, the available data determine the effect of the
+        /// change. It is longer than every latency worth compensating.
         /// </summary>
         const double Patience = 1;
 
@@ -49,7 +51,7 @@ namespace Nowpose.Frames
             _objects = objects;
         }
 
-        /// <summary>Name of the held object; null for none.</summary>
+        /// <summary>Name of the held object; null if the gripper holds none.</summary>
         public string Held => _isClosed == true && IsMine ? _tree[_held].Name : null;
 
         /// <summary>Reason why the held object is unknown, in one line; null if it is known.</summary>
@@ -78,8 +80,8 @@ namespace Nowpose.Frames
 
         /// <summary>Handles a restart of the gripper's signal, during which the gripper may have opened and closed unnoticed.</summary>
         /// <param name="isOfSource">
-        /// Whether the source of the signal has restarted. All objects that the gripper held or released are then returned to their sources.
-        /// Otherwise only the times of the control system have become invalid, and the objects stay until the next change.
+        /// Whether the source of the signal has restarted. In this case, the objects' own sources determine the places of all objects that the
+        /// gripper held or released. Otherwise, only the times of the control system have become invalid, and the objects stay until the next change.
         /// </param>
         public void Restart(bool isOfSource)
         {
@@ -92,7 +94,7 @@ namespace Nowpose.Frames
             if (_isClosed == true) Fault = FrameMessages.SignalRestarted;
         }
 
-        /// <summary>Returns a held object to its source.</summary>
+        /// <summary>Lets a held object's own source determine its place again.</summary>
         public void Leave()
         {
             if (IsMine) _tree.Put(_held, null);

@@ -17,7 +17,7 @@ namespace Nowpose.Frames
         /// <summary>Maximum number of samples: more than the longest history of a forecaster. The number is a power of two, for a mask.</summary>
         const int Capacity = 128;
 
-        /// <summary>Rotations below this, in rad, are rounding errors.</summary>
+        /// <summary>Rotations by a smaller angle, in rad, are rounding errors.</summary>
         const double Rounding = 1e-14;
 
         // A ring: the entry of an age is at (_newest + age) & (Capacity - 1).
@@ -26,7 +26,7 @@ namespace Nowpose.Frames
 
         public int Count { get; private set; }
 
-        /// <summary>Rotation of the newest sample; the identity before the first.</summary>
+        /// <summary>Rotation of the newest sample; the identity before the first sample.</summary>
         public UnitQuaternion Newest => Count > 0 ? At(0).Rotation : UnitQuaternion.Identity;
 
         /// <summary>Adds a sample. Samples may be added in any order.</summary>
@@ -44,7 +44,7 @@ namespace Nowpose.Frames
             return angles;
         }
 
-        /// <summary>Returns the rotation for angles at a time.</summary>
+        /// <summary>Converts angles at a time to a rotation.</summary>
         public UnitQuaternion RotationOf(in Vector3D angles, double time)
         {
             var age = 0;

@@ -10,10 +10,13 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class ScatterDetector
     {
-        /// <summary>Number of newest samples, and the minimum number for a decision.</summary>
+        /// <summary>Window: number of newest samples that are examined. MinSamples: minimum number for a decision.</summary>
         const int Window = 8, MinSamples = 4;
 
-        /// <summary>Maximum ratio of progress to path length, and minimum ratio of second to first differences, of samples that scatter.</summary>
+        /// <summary>
+        /// Limits for samples that scatter. MaxProgress: maximum ratio of progress to path length. MinRoughness: minimum ratio of second to first
+        /// differences.
+        /// </summary>
         const double MaxProgress = 0.7, MinRoughness = 1.0;
 
         /// <summary>
@@ -37,7 +40,7 @@ namespace Nowpose.Frames
         /// <summary>Whether a motion starts: the newest sample has left the position about which the previous samples scattered.</summary>
         public bool HasLeft { get; private set; }
 
-        /// <summary>Mean distance of consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
+        /// <summary>Mean distance between consecutive samples that only scatter; 0 after a motion, and for samples that do not differ.</summary>
         public double Noise { get; private set; }
 
         /// <summary>Adds a sample that is newer than all previous samples.</summary>

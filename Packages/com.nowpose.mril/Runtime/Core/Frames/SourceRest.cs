@@ -4,8 +4,8 @@ using Nowpose.Kinematics;
 namespace Nowpose.Frames
 {
     /// <summary>
-    /// Detects when the source of an object, whose place a gripper determines, reports a pose that differs from its pose at the release by more than
-    /// the noise of a tracker.
+    /// Detects that the source of an object reports a pose that differs from its pose at the release by more than the noise of a tracker. It is used
+    /// while a gripper, and not the source, determines the place of the object.
     /// </summary>
     /// <remarks>
     /// <see cref="ScatterDetector"/> measures the noise from the grip on. For white noise with the standard deviation σ in each component, the
@@ -19,7 +19,10 @@ namespace Nowpose.Frames
         /// <summary>Maximum difference between two samples of the same pose, relative to the mean difference between consecutive samples.</summary>
         const double MaxDifference = 6;
 
-        /// <summary>Minimum number of consecutive samples of another pose that count as a motion if the samples have noise; a single one may be an outlier.</summary>
+        /// <summary>
+        /// Minimum number of consecutive samples with a different pose that count as a motion if the samples have noise, because a single one may be
+        /// an outlier.
+        /// </summary>
         const int MinConsecutive = 2;
 
         readonly ScatterDetector _positions = new ScatterDetector();
@@ -29,7 +32,7 @@ namespace Nowpose.Frames
         double _metres, _radians;
         int _different;
 
-        /// <summary>Begins with a grip.</summary>
+        /// <summary>Starts measuring the noise. Call it at a grip.</summary>
         public void Begin()
         {
             _positions.Clear();
@@ -56,7 +59,9 @@ namespace Nowpose.Frames
             _rotations.Add(UnitQuaternion.Of(_first.Inverse * pose).Log());
         }
 
-        /// <summary>Returns whether a pose after the release shows that the source has left the pose at the release. Call it once for each pose.</summary>
+        /// <summary>
+        /// Returns whether a pose after the release shows that the source has left its pose at the release. Call it once for each pose.
+        /// </summary>
         public bool IsLeftBy(in RigidTransform pose)
         {
             var difference = _rest.Inverse * pose;

@@ -9,7 +9,7 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Frames
 {
-    /// <summary>Reads and writes the poses of stationary frames in a file: the tf2_msgs/TFMessage of /tf_static, as JSON.</summary>
+    /// <summary>Reads and writes the poses of stationary frames in a file. The file contains the tf2_msgs/TFMessage of /tf_static as JSON.</summary>
     static class StationaryFrameFile
     {
         const int MaxBytes = 1024 * 1024, Nesting = 6;

@@ -11,7 +11,9 @@ namespace Nowpose.Frames
     /// </remarks>
     readonly struct UnitQuaternion
     {
-        /// <summary>Maximum difference of an input quaternion's length from one. Allows, for example, for components with three decimals.</summary>
+        /// <summary>
+        /// Maximum difference between the length of an input quaternion and one. It allows, for example, components with three decimals.
+        /// </summary>
         public const double LengthTolerance = 1e-3;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -33,11 +35,11 @@ namespace Nowpose.Frames
 
         public double W { get; }
 
-        /// <summary>False for <c>default</c> only.</summary>
+        /// <summary>Whether the value is a rotation; false only for <c>default</c>.</summary>
         public bool IsRotation => X != 0 || Y != 0 || Z != 0 || W != 0;
 
-        /// <summary>Makes a rotation from four numbers whose length is 1 within <see cref="LengthTolerance"/>, and scales it to 1.</summary>
-        /// <returns>False if the numbers have another length or are not finite.</returns>
+        /// <summary>Creates a rotation from four components whose length is 1 within <see cref="LengthTolerance"/>, and normalises them.</summary>
+        /// <returns>False if the components have another length or are not finite.</returns>
         public static bool TryNormalise(double x, double y, double z, double w, out UnitQuaternion rotation)
         {
             var length = LengthOf(x, y, z, w);
@@ -49,7 +51,7 @@ namespace Nowpose.Frames
         /// <summary>Returns the rotation of a pose.</summary>
         public static UnitQuaternion Of(in RigidTransform pose)
         {
-            // The largest of 4w², 4x², 4y² and 4z² is the divisor, so that rounding errors stay small.
+            // Divides by the largest of 4w², 4x², 4y² and 4z², so that rounding errors stay small.
             double w = 1 + pose.R00 + pose.R11 + pose.R22, x = 1 + pose.R00 - pose.R11 - pose.R22;
             double y = 1 - pose.R00 + pose.R11 - pose.R22, z = 1 - pose.R00 - pose.R11 + pose.R22;
             if (w >= x && w >= y && w >= z) return Normalised(pose.R21 - pose.R12, pose.R02 - pose.R20, pose.R10 - pose.R01, w);
@@ -66,7 +68,7 @@ namespace Nowpose.Frames
         public static UnitQuaternion Exp(in Vector3D vector)
         {
             var angle = vector.Length;
-            // sin(a / 2) / a; the series is exact to rounding below 1e-3 rad.
+            // Computes sin(a / 2) / a. The error of the series below 1e-3 rad is less than the rounding error.
             var scale = angle < 1e-3 ? 0.5 - angle * angle / 48 : Math.Sin(0.5 * angle) / angle;
             return Normalised(scale * vector.X, scale * vector.Y, scale * vector.Z, Math.Cos(0.5 * angle));
         }
@@ -94,7 +96,7 @@ namespace Nowpose.Frames
             a.W * b.Z + a.X * b.Y - a.Y * b.X + a.Z * b.W,
             a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z);
 
-        /// <summary>Interpolates at a constant rate along the shorter way (spherical linear interpolation).</summary>
+        /// <summary>Interpolates at a constant rate along the shorter arc (spherical linear interpolation).</summary>
         /// <param name="fraction">0 for the first rotation, 1 for the second; other values extrapolate.</param>
         public static UnitQuaternion Slerp(in UnitQuaternion from, in UnitQuaternion to, double fraction) =>
             from * Exp((from.Inverse * to).Log() * fraction);
@@ -116,7 +118,7 @@ namespace Nowpose.Frames
 
         public override string ToString() => FormattableString.Invariant($"({X:0.######}, {Y:0.######}, {Z:0.######}, {W:0.######})");
 
-        // Rounding errors of products would add up.
+        // Normalises each product, because its rounding errors would otherwise accumulate.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static UnitQuaternion Normalised(double x, double y, double z, double w)
         {

@@ -12,7 +12,7 @@ namespace Nowpose.Frames
         double _maxSpeed;
         bool _isActive;
 
-        /// <param name="timeConstant">Maximum time constant in s; 0 for no blend.</param>
+        /// <param name="timeConstant">Maximum time constant, in s; 0 disables the blend.</param>
         public VectorBlend(double timeConstant) => _blend = new SectionBlend(timeConstant);
 
         /// <inheritdoc cref="SectionBlend.IsNeeded"/>
@@ -23,7 +23,7 @@ namespace Nowpose.Frames
         /// <param name="shown">The vector displayed at that time.</param>
         /// <param name="predicted">Vector that the newest prediction gives for that time.</param>
         /// <param name="before">Time of the newest sample of the displayed prediction, in s.</param>
-        /// <param name="recent">The samples, including the newest one.</param>
+        /// <param name="recent">The newest samples, including the one that changed the prediction.</param>
         public void Start(double displayed, in Vector3D shown, in Vector3D predicted, double before, RecentVectors recent)
         {
             _blend.Replace(displayed, before);
@@ -33,7 +33,7 @@ namespace Nowpose.Frames
         }
 
         /// <summary>Returns the displayed vector.</summary>
-        /// <param name="predicted">The newest prediction for the time.</param>
+        /// <param name="predicted">The newest prediction for <paramref name="time"/>.</param>
         public Vector3D At(double time, in Vector3D predicted) => _isActive ? predicted + _residual * _blend.RemainderAt(time) : predicted;
 
         /// <summary>Discards the displayed prediction and the maximum speed.</summary>
@@ -44,7 +44,7 @@ namespace Nowpose.Frames
             _isActive = false;
         }
 
-        // A single interval is not sufficient, because an object that was moved elsewhere has any speed in it.
+        // Uses two intervals, because the speed in a single one can have any value if the object was moved elsewhere.
         void UpdateMaxSpeed(RecentVectors recent)
         {
             if (recent.Count < 3) return;

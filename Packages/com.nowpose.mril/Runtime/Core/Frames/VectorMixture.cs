@@ -19,7 +19,9 @@ namespace Nowpose.Frames
         /// <summary>Regularisation towards the prior: with 0.05 or 0.4, the maximum errors are larger.</summary>
         const double Regularisation = 0.2;
 
-        /// <summary>Weight of the prior, relative to its weight for a joint, because successive errors of a component are similar.</summary>
+        /// <summary>
+        /// Weight of the prior, as a multiple of its weight for a joint. It is larger because successive errors of a component are similar.
+        /// </summary>
         const double PriorWeight = 8;
 
         /// <summary>
@@ -37,7 +39,7 @@ namespace Nowpose.Frames
         /// <summary>Maximum number of forecasts that wait for their sample: half a second of samples at 180 Hz.</summary>
         const int Capacity = 96;
 
-        /// <summary>Maximum displacement from samples that only scatter, as a multiple of the usual error of hold.</summary>
+        /// <summary>Maximum displacement from the newest sample while samples only scatter, as a multiple of the usual error of hold.</summary>
         const double MaxDisplacement = 2;
 
         const int Components = 3, Hold = 1, Line = 2;
@@ -55,7 +57,7 @@ namespace Nowpose.Frames
         readonly ScatterDetector _scatter = new ScatterDetector();
         readonly DistanceLimit _distance = new DistanceLimit(Mixer.TimeConstant);
 
-        // Forecasts that wait for their time.
+        // Forecasts that wait for a sample at or after their time.
         readonly RecyclingQueue<Expected> _waiting;
         double _newestTime, _newestOrder, _lineUntil;
         Vector3D _newest;
@@ -66,7 +68,7 @@ namespace Nowpose.Frames
         /// alone.
         /// </param>
         /// <param name="limits">Horizon cap and maximum gap.</param>
-        /// <param name="blend">Time constant of the blend between two predictions, s; 0: none.</param>
+        /// <param name="blend">Time constant of the blend between two predictions, s; 0 disables the blend.</param>
         public VectorMixture(AxisPredictors main, (int Degree, int History)[] polynomials, PredictionLimits limits, double blend)
         {
             Main = main;
@@ -120,7 +122,8 @@ namespace Nowpose.Frames
         Vector3D Forecast(int index, double time) =>
             index == 0 ? Main.At(time) : _polynomials[index - 1].At(Math.Min(time - _newestTime, _horizonCap));
 
-        // A rare large difference of two noisy samples can be taken for a change point by the prior, which extrapolates it.
+        // Limits the displacement. In rare cases, the prior mistakes a large difference between two noisy samples for a change point and extrapolates
+        // it.
         Vector3D Bounded(in Vector3D position)
         {
             var hold = Main.Hold;
@@ -159,7 +162,7 @@ namespace Nowpose.Frames
             Expect(time + Main.Horizon, interval);
         }
 
-        // The weights that result from noise at rest do not suit a first move; after one horizon, its errors are included.
+        // The weights that result from noise at rest do not suit a first move. After one horizon, they include the errors of this move.
         bool IsFirstMove(double interval, in Vector3D position)
         {
             var displacement = (position - _newest).Length * Main.Horizon / interval;

@@ -22,11 +22,11 @@ namespace Nowpose.Frames
         double _centre, _slope, _constant;
         Vector3D _mean, _linear, _quadratic;
 
-        /// <param name="degree">n, 0 to 2.</param>
-        /// <param name="history">h, the number of samples used besides the newest one; n or more.</param>
+        /// <param name="degree">Degree n, 0 to 2.</param>
+        /// <param name="history">History h: the number of samples used besides the newest one; at least n.</param>
         public VectorPolynomial(int degree, int history) => (_degree, _samples) = (degree, history + 1);
 
-        /// <summary>Solves for the newest samples, of which there is at least one.</summary>
+        /// <summary>Fits the polynomial to the newest samples, of which there is at least one.</summary>
         public void Solve(RecentVectors recent)
         {
             var count = _degree == 0 ? 1 : Math.Min(_samples, recent.Count);
@@ -42,7 +42,7 @@ namespace Nowpose.Frames
             if (count > 2 && _degree > 1) SolveQuadratic(recent, newest, count);
         }
 
-        /// <summary>Returns the vector at a number of seconds after the newest sample.</summary>
+        /// <summary>Returns the vector at a given time, in s, after the newest sample.</summary>
         public Vector3D At(double ahead)
         {
             var u = ahead - _centre;

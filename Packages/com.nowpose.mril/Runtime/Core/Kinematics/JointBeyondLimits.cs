@@ -17,7 +17,7 @@ namespace Nowpose.Kinematics
         /// <summary>Position at the time of detection, in rad or m.</summary>
         public double Position { get; }
 
-        /// <summary>A message of one line with the joint, its position, its limits and the possible causes.</summary>
+        /// <summary>One-line message with the joint, its position, its limits and the possible causes.</summary>
         public string Words { get; }
 
         static string WordsOf(RobotJoint joint, double position)

@@ -39,7 +39,10 @@ namespace Nowpose.Kinematics
         /// <summary>Maximum jerk in either direction, above 0; not part of most URDFs.</summary>
         public double Jerk { get; }
 
-        /// <summary>Whether the joint turns without end: its angle may wrap from π to −π.</summary>
+        /// <summary>
+        /// Whether positions are angles of a continuous joint, which may wrap from π to −π. False in the limits that a URDF states;
+        /// <see cref="Session.PredictionSettings.Bounded"/> sets it for a revolute joint without position limits.
+        /// </summary>
         public bool IsEndless { get; }
 
         public bool Contains(double position) => position >= Lower && position <= Upper;

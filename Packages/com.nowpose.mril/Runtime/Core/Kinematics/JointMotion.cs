@@ -15,11 +15,12 @@ namespace Nowpose.Kinematics
         /// <summary>Index of the parent link.</summary>
         public readonly int Parent;
 
-        /// <summary>Index of the joint's position; -1 for a fixed joint.</summary>
+        /// <summary>Index of the joint in the array of positions; -1 for a fixed joint.</summary>
         public readonly int Position;
         public readonly RigidTransform Origin;
 
-        // Terms of the rotation. The translation of _sine is R0·a, the direction of sliding; the other two have no translation.
+        // Terms of the rotation. The translation of _sine is R0·a, the sliding direction of a prismatic joint; the other two terms have no
+        // translation.
         readonly RigidTransform _constant, _sine, _cosine;
 
         public JointMotion(RobotLink link)

@@ -25,14 +25,14 @@ namespace Nowpose.Kinematics
 
         public VisualShape Shape { get; }
 
-        /// <summary>Frame of the shape in the frame of the link.</summary>
+        /// <summary>Pose of the shape's frame in the frame of the link.</summary>
         public RigidTransform Origin { get; }
 
         /// <summary>Full extent along the shape's own axes in metres (diameters, not radii); for a mesh, the dimensionless scale.</summary>
         public (double X, double Y, double Z) Size { get; }
 
         /// <summary>
-        /// Mesh file as named in the URDF (<c>package://…</c> or a path); null for shapes other than <see cref="VisualShape.Mesh"/>.
+        /// Mesh file as named in the URDF (<c>package://NAME/PATH</c> or a path); null for shapes other than <see cref="VisualShape.Mesh"/>.
         /// </summary>
         public string MeshFile { get; }
 
@@ -40,7 +40,7 @@ namespace Nowpose.Kinematics
         public VisualColour? Colour { get; }
     }
 
-    /// <summary>Red, green, blue and opacity, as written in the URDF; the valid range is 0…1, which is not enforced.</summary>
+    /// <summary>Red, green, blue and opacity, as written in the URDF. The valid range is 0 to 1, which is not enforced.</summary>
     readonly struct VisualColour
     {
         public VisualColour(double red, double green, double blue, double alpha)

@@ -1,12 +1,12 @@
 namespace Nowpose.Kinematics
 {
-    /// <summary>Kind of motion of a joint. Positions are in radians, for <see cref="Prismatic"/> in metres.</summary>
+    /// <summary>Kind of motion of a joint. Positions are in radians, or in metres for <see cref="Prismatic"/>.</summary>
     public enum JointKind
     {
         Fixed,
         Revolute,
 
-        /// <summary>Revolute without position limits.</summary>
+        /// <summary>A revolute joint without position limits.</summary>
         Continuous,
         Prismatic,
     }
@@ -34,7 +34,9 @@ namespace Nowpose.Kinematics
         public string ParentLink { get; }
         public string ChildLink { get; }
 
-        /// <summary>Index of the joint in <see cref="RobotModel.MovingJoints"/> and of its position; -1 for a fixed joint.</summary>
+        /// <summary>
+        /// Index of the joint in <see cref="RobotModel.MovingJoints"/>, and of its position in an array of positions; -1 for a fixed joint.
+        /// </summary>
         public int MovingIndex { get; }
 
         /// <summary>The joint's frame in the parent link's frame, which is also the child link's pose at position 0.</summary>
@@ -70,7 +72,7 @@ namespace Nowpose.Kinematics
 
         public double Multiplier { get; }
 
-        /// <summary>Offset in radians, for a prismatic follower in metres.</summary>
+        /// <summary>Offset in radians, or in metres if the follower is prismatic.</summary>
         public double Offset { get; }
     }
 }

@@ -45,8 +45,8 @@ namespace Nowpose.Kinematics
         public RobotLink Root => Links[0];
 
         /// <summary>
-        /// Link of the tool: <c>tool_centre_point</c>, else <c>tool0</c>, else <c>flange</c>, else the leaf with the most moving joints above it
-        /// (the first in the URDF if there are several).
+        /// Link of the tool: the first existing one of <c>tool_centre_point</c>, <c>tool0</c> and <c>flange</c>. If none exists, the leaf with the
+        /// most moving joints above it (the first in the URDF if there are several).
         /// </summary>
         public RobotLink ToolLink { get; }
 
@@ -55,10 +55,10 @@ namespace Nowpose.Kinematics
         /// </summary>
         public RobotLink FlangeLink { get; }
 
-        /// <summary>Returns an index in <see cref="Links"/>, -1 if there is no such link.</summary>
+        /// <summary>Returns the index of a link in <see cref="Links"/>; -1 if there is no such link.</summary>
         public int IndexOfLink(string name) => _linkIndices.TryGetValue(name, out var index) ? index : -1;
 
-        /// <summary>Returns an index in <see cref="MovingJoints"/>, -1 if there is no such joint or it is fixed.</summary>
+        /// <summary>Returns the index of a joint in <see cref="MovingJoints"/>; -1 if the joint does not exist or is fixed.</summary>
         public int IndexOfMovingJoint(string name) => _movingIndices.TryGetValue(name, out var index) ? index : -1;
 
         /// <summary>Computes the position of each mimic joint without a given position from the position of its master; allocates nothing.</summary>

@@ -14,7 +14,7 @@ namespace Nowpose.Kinematics
             RotationW = rotationW;
         }
 
-        /// <summary>Position in metres, like <see cref="Y"/> and <see cref="Z"/>.</summary>
+        /// <summary>X coordinate of the position, in metres; <see cref="Y"/> and <see cref="Z"/> likewise.</summary>
         public double X { get; }
 
         public double Y { get; }

@@ -7,8 +7,8 @@ namespace Nowpose.Kinematics
 {
     /// <summary>SHA-256 of a URDF text, independent of how the text was transferred.</summary>
     /// <remarks>
-    /// It ignores line endings, a byte order mark and white space around the document, which editors, version control and
-    /// publishers change. Everything else counts, including comments. <c>default</c> is the hash of no text.
+    /// It ignores the kind of line endings, a byte order mark and white space around the document, because editors, version control and publishers
+    /// change them. All other characters affect the hash, including those of comments. <c>default</c> is the hash of no text.
     /// </remarks>
     readonly struct UrdfHash : IEquatable<UrdfHash>
     {

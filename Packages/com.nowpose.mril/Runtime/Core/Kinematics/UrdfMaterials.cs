@@ -31,7 +31,7 @@ namespace Nowpose.Kinematics
             return _colours.TryGetValue((string)material.Attribute("name") ?? "", out colour) ? colour : (VisualColour?)null;
         }
 
-        // The <material> elements of gazebo contain a name as text and belong to another format.
+        // Gazebo's own <material> elements are excluded: they contain the name of a material as text and are not URDF materials.
         static bool IsRobotMaterial(XElement material, XElement root) =>
             material.Parent == root || material.Parent.Name.LocalName == "visual" && material.Parent.Parent.Parent == root;
 

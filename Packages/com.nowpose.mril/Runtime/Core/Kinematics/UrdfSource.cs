@@ -32,7 +32,7 @@ namespace Nowpose.Kinematics
             }
         }
 
-        /// <summary>Returns a child in the parent's own namespace, because extensions such as gazebo's may reuse the element names.</summary>
+        /// <summary>Returns a child element in the parent's own namespace, because extensions such as Gazebo's may reuse the element names.</summary>
         public static XElement Child(XElement parent, string name) => parent.Element(parent.Name.Namespace + name);
 
         public InputException Error(XElement at, string message)

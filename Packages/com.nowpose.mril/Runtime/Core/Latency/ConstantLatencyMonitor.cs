@@ -50,8 +50,8 @@ namespace Nowpose.Latency
         const int FramesToJudge = 8;
 
         /// <summary>
-        /// Hysteresis: fraction of the limit below which the median must stay for <see cref="FramesToReturn"/> frames before the state is
-        /// <see cref="RangeState.Inside"/> again.
+        /// Hysteresis of the state. The state becomes <see cref="RangeState.Inside"/> again when the median has stayed below ClearlyInside times the
+        /// limit for <see cref="FramesToReturn"/> frames.
         /// </summary>
         const double ClearlyInside = 0.94;
         const int FramesToReturn = 30;
@@ -64,7 +64,7 @@ namespace Nowpose.Latency
         /// <param name="range">Initial value of <see cref="Range"/>.</param>
         public ConstantLatencyMonitor(ConstantLatencyRange range) => _range = range;
 
-        /// <summary>Range to monitor; null if no range is known, which keeps the state unknown. A change applies from the next frame.</summary>
+        /// <summary>Range to monitor. If it is null, no range is known, and the state stays unknown. A change applies from the next frame.</summary>
         public ConstantLatencyRange Range
         {
             get => _range;
@@ -105,7 +105,9 @@ namespace Nowpose.Latency
         public TimeSpan? RenderTime => _recent.Count == 0 ? (TimeSpan?)null : _recent.At(0.5);
 
         /// <summary>Adds the render time of one frame. A change of the source restarts the window.</summary>
-        /// <param name="renderTime">Zero and negative values are ignored: drivers that do not measure report zero.</param>
+        /// <param name="renderTime">
+        /// Render time of the frame. Zero and negative values are ignored, because drivers that do not measure report zero.
+        /// </param>
         /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is no longer measured.</param>
         public void Add(TimeSpan renderTime, RenderTimeSourceKind source)
         {

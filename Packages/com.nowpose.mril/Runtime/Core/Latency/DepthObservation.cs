@@ -27,7 +27,7 @@ namespace Nowpose.Latency
         /// <summary>Whether a render pass of the display asks for depth; null before the first frame.</summary>
         public bool? IsRequested { get; }
 
-        /// <returns>The first condition that is not met, or <see cref="DepthSubmission.Active"/>.</returns>
+        /// <returns>State for the first condition that is not met; <see cref="DepthSubmission.Active"/> if all are met.</returns>
         public DepthSubmission Judge()
         {
             if (!IsRunning) return DepthSubmission.Unknown;

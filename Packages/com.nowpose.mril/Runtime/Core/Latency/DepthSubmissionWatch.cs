@@ -13,7 +13,7 @@ namespace Nowpose.Latency
 
         public DepthSubmission State { get; private set; }
 
-        /// <param name="now">Not earlier than in the previous call.</param>
+        /// <param name="now">Time of the observation, not earlier than in the previous call.</param>
         /// <returns>Whether <see cref="State"/> has changed.</returns>
         public bool Follow(HeadsetTime now, DepthSubmission observed)
         {

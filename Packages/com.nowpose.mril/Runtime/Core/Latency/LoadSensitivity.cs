@@ -8,9 +8,9 @@ namespace Nowpose.Latency
 {
     /// <summary>Result of the check whether the render time of a sweep depends on the load. If it does not, the sweep yields no limit.</summary>
     /// <remarks>
-    /// Compares the lowest third of the loads with the highest third, separately for each pass through the loads; the pass with the
-    /// smallest rise decides. If the sweep has only one direction, the drift at constant load is subtracted. Up to a tenth of the render
-    /// times may be outliers.
+    /// Compares the lowest third of the loads with the highest third, separately for each pass through the loads; the pass with the smallest rise
+    /// relative to its minimum significant rise decides. If the sweep has only one direction, the drift at constant load is subtracted. Up to a tenth
+    /// of the render times may be outliers.
     /// </remarks>
     public sealed class LoadSensitivity
     {
@@ -26,7 +26,7 @@ namespace Nowpose.Latency
 
         internal LoadSight Sight { get; }
 
-        /// <summary>The source of most render times, to which the result applies; times of other sources are ignored.</summary>
+        /// <summary>Source with the most render times. The result applies to this source; times of other sources are ignored.</summary>
         public RenderTimeSourceKind Source { get; }
 
         /// <summary>The result with its numbers in one line; includes the remedy if the render time does not depend on the load.</summary>

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>The state of a base and of its markers in one line, with an instruction to the user.</summary>
+    /// <summary>Messages about the state of a base and of its markers. Each is one line with an instruction to the user.</summary>
     static class BaseStatusMessages
     {
         public const string Placed = "placed by hand";
@@ -30,7 +30,7 @@ namespace Nowpose.Messages
         public static string Corrected(int mm, string degrees) => $"; moved by the headset by {mm} mm, {degrees}°";
 
         /// <param name="isBlind">Whether no code of any kind was reported for a long time.</param>
-        /// <param name="problem">Problem of the source of markers; null for none.</param>
+        /// <param name="problem">Problem of the source of markers; null if there is none.</param>
         public static string Looking(bool isBlind, string problem) =>
             isBlind ? "looking for markers; allow the camera if it is blocked" : "looking for markers" + Because(problem);
 
@@ -40,13 +40,14 @@ namespace Nowpose.Messages
             : $"{marker}, {difference} from its expected position: put it back, or lock again";
 
         public static string Restored(bool hasMarkers, string problem) =>
-            (hasMarkers ? "as in an earlier run: look at a marker to confirm it" : "as in an earlier run: lock it to confirm it") + Because(problem);
+            (hasMarkers ? "restored from an earlier run: look at a marker to confirm it" : "restored from an earlier run: lock it to confirm it")
+            + Because(problem);
 
         public static string Elsewhere(string metres, bool hasMarkers) => hasMarkers
             ? $"the headset now reports a position of the base {metres} m away, which is ignored: look around, or lock again"
             : $"the headset now reports a position of the base {metres} m away, which is ignored: look around, or place it again";
 
-        /// <summary>Returns the end of a line with a problem; empty for null.</summary>
+        /// <summary>Returns the suffix that adds a problem to a line: "; " and the problem. Empty if the problem is null.</summary>
         public static string Because(string problem) => problem == null ? "" : "; " + problem;
     }
 }

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of clocks and times.</summary>
+    /// <summary>Error messages about clocks and times.</summary>
     static class ClockMessages
     {
         public const string NotSynchronised = "the headset clock is not synchronised: no control time is known yet; check State first";

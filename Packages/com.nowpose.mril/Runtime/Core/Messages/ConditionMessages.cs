@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Conditions of a display: differences from the calibration, and errors in their values.</summary>
+    /// <summary>Messages about display conditions that differ from those of the calibration, and error messages about invalid conditions.</summary>
     static class ConditionMessages
     {
         public static string OtherDevice(string calibrated, string actual) =>

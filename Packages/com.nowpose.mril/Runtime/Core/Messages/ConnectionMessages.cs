@@ -5,7 +5,7 @@ using Nowpose.Sync;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of the connection to a gateway or a rosbridge server, with remedies.</summary>
+    /// <summary>Error messages about the connection to a gateway or a rosbridge server, with remedies.</summary>
     static class ConnectionMessages
     {
         public static string NotAHost(string host) =>

@@ -2,7 +2,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Problems of the submission of depth.</summary>
+    /// <summary>Messages about problems with depth submission.</summary>
     static class DepthSubmissionMessages
     {
         /// <summary>Returns the problem and its remedy in one line. Allocates nothing.</summary>

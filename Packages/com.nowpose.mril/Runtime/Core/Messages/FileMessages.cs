@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of files.</summary>
+    /// <summary>Error messages about files.</summary>
     static class FileMessages
     {
         public static string TooLong(string path, long bytes, int max) => $"{path}: file has {bytes} bytes; the limit is {max}";

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of frames, of grips and of the file of stationary frames.</summary>
+    /// <summary>Error messages about frames, grips and the file of stationary frames.</summary>
     static class FrameMessages
     {
         public static string NotFinite(double time, double x, double y, double z, double order) =>
@@ -17,7 +17,7 @@ namespace Nowpose.Messages
         public const string ArmWithoutData = "the arm had no data when the gripper closed, so the held object is unknown; open and close the gripper";
         public const string List = "list of stationary frames";
 
-        public static string NotUnitQuaternion(string tolerance) => $"a rotation must be a quaternion with the norm 1 within {tolerance}";
+        public static string NotUnitQuaternion(string tolerance) => $"a rotation is not a unit quaternion; its norm must be 1 ± {tolerance}; normalise it";
 
         public const string FileNumber = "a number must be finite";
         public const string OwnParent = "a frame is its own parent; correct its header.frame_id";

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of markers and of a base's set of markers.</summary>
+    /// <summary>Error messages about markers and a base's set of markers.</summary>
     static class MarkerMessages
     {
         public const string PayloadEmpty = "marker: its payload is empty; enter the text of its code";

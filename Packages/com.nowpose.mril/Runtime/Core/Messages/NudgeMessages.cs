@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of the calibration by eye.</summary>
+    /// <summary>Error messages about the calibration by eye.</summary>
     static class NudgeMessages
     {
         public static string TooSlow(double mmPerS, double minMmPerS) =>

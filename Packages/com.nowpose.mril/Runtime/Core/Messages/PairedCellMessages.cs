@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Errors in the list of paired cells.</summary>
+    /// <summary>Error messages about the list of paired cells.</summary>
     static class PairedCellMessages
     {
         public static string CodeCount(int codes, int max) => $"paired cell: {codes} codes; allowed: 1 to {max}";
@@ -21,7 +21,7 @@ namespace Nowpose.Messages
         public static string OtherFormat(string format) => $"its format must be '{format}'";
         public static string NewerVersion(long version, int max) => $"it has version {version}; this release of Nowpose reads version {max}; update Nowpose";
 
-        /// <param name="copy">Path of the kept copy; null for none.</param>
+        /// <param name="copy">Path of the kept copy; null if there is none.</param>
         public static string Lost(string reason, string copy) => copy == null
             ? $"{reason}; look at the codes again"
             : $"{reason}; the file is kept as {copy}; look at the codes again";

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>A gateway's answers to a pairing code, with remedies.</summary>
+    /// <summary>Messages about a gateway's answer to a pairing code, with remedies.</summary>
     static class PairingAnswerMessages
     {
         public static string Unencrypted(string host) => $"pairing: the code's token would be sent unencrypted to {host}; use a pin";
@@ -12,8 +12,8 @@ namespace Nowpose.Messages
 
         public static string Status(string status) => $"the gateway answered the code with status {status}; see its log";
         public static string TooLong(int max) =>
-            $"the gateway's answer to the code is of unknown length or longer than {max} bytes; check that it is a gateway";
+            $"the answer to the code is of unknown length or longer than {max} bytes; check that the address in the code is that of a gateway";
 
-        public const string NoToken = "the gateway's answer to the code contains no valid token; check that it is a gateway";
+        public const string NoToken = "the answer to the code contains no valid token; check that the address in the code is that of a gateway";
     }
 }

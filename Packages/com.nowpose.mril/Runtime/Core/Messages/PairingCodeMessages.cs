@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors in the codes of cells and gateways.</summary>
+    /// <summary>Error messages about the codes of cells and gateways.</summary>
     static class PairingCodeMessages
     {
         public const string PinMissing =
@@ -31,7 +31,7 @@ namespace Nowpose.Messages
         public static string Character(int position, int character) =>
             FormattableString.Invariant($"character {position} is U+{character:X4}; allowed: ASCII without spaces and control characters");
 
-        public static string NoVersion(int version) => $"has no version; expected: /{version}?";
+        public static string NoVersion(int version) => $"has no valid version number; allowed: {version}; show the code again";
 
         public static string OtherVersion(int version, int supported) =>
             $"has version {version}; this release of Nowpose reads version {supported}; update Nowpose";

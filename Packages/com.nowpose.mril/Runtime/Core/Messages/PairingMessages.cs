@@ -4,14 +4,14 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Questions and messages to the wearer.</summary>
+    /// <summary>Questions and messages to the wearer about pairing.</summary>
     static class PairingMessages
     {
         public const string LookAtMarker = "look at the robot's marker";
         public const string CodeWasTried = "this code has been tried; request another one on the gateway's page or terminal";
         public const string MarkerFirst = "the gateway's code has been read; now look at the robot's marker";
 
-        /// <param name="known">The accepted code of the same name; null for none.</param>
+        /// <param name="known">Accepted code of the cell with the same name; null if there is none.</param>
         public static string Question(CellCode code, CellCode known)
         {
             if (known == null)
@@ -39,8 +39,8 @@ namespace Nowpose.Messages
         public static string Known(string cell) => "cell '" + cell + "': known";
 
         /// <summary>Returns the status if there is neither a question nor a problem.</summary>
-        /// <param name="exchanging">The cell whose token is being exchanged; null for none.</param>
-        /// <param name="used">The cell in use; null for none.</param>
+        /// <param name="exchanging">The cell whose token is being exchanged; null if there is none.</param>
+        /// <param name="used">The cell in use; null if there is none.</param>
         public static string Calm(string exchanging, PairedCell used, bool isTokenRefused)
         {
             if (exchanging != null) return Exchanging(exchanging);

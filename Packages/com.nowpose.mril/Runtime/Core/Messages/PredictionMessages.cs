@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of samples, plans and predictors.</summary>
+    /// <summary>Error messages about samples, plans and predictors.</summary>
     static class PredictionMessages
     {
         public static string History(int max) => $"must be at least the degree and at most {max}";

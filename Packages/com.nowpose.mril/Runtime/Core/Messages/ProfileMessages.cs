@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of latency profiles. The reader adds the file.</summary>
+    /// <summary>Error messages about latency profiles. The reader adds the name of the file.</summary>
     static class ProfileMessages
     {
         public const string LimitWithoutSource = "render time limit: state the source of the render times from which it was determined";
@@ -18,7 +18,7 @@ namespace Nowpose.Messages
 
         public const string NotComplete = "it is not a complete JSON object; calibrate again";
 
-        /// <summary>Stands in a message for a value that is an object, a list or a Boolean.</summary>
+        /// <summary>Describes, in a message, a value that is an object, a list or a Boolean.</summary>
         public const string OtherKind = "neither a string nor a number";
 
         public static string NotANumber(string field, string value, double min, double max, string unit) => FormattableString.Invariant(

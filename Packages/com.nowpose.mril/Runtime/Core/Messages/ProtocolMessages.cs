@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of calls that write or read messages.</summary>
+    /// <summary>Error messages about invalid arguments of methods that write or read protocol messages.</summary>
     static class ProtocolMessages
     {
         public static string PositionCount(int positions, int joints) =>

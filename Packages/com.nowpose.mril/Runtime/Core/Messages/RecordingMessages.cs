@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of recordings.</summary>
+    /// <summary>Error messages about recordings.</summary>
     static class RecordingMessages
     {
         public static string MaxSize(string path, string megabytes) =>

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of robots and of their joint values.</summary>
+    /// <summary>Error messages about robots and their joint values.</summary>
     static class RobotMessages
     {
         public static string PoseCount(int poses, int links) => $"{poses} poses were passed for {links} links; pass one pose for each link";

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of settings.</summary>
+    /// <summary>Error messages about settings.</summary>
     static class SettingMessages
     {
         public const string NotPositive = "must be positive and finite";

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Short texts for the states of joints and of measured values.</summary>
+    /// <summary>Short labels for the states of joints and of measured values.</summary>
     static class StateNames
     {
         public const string OtherSourceLimit = "limit is for another source";

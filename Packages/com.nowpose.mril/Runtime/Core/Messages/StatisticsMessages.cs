@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Messages for invalid calls of the statistics functions.</summary>
+    /// <summary>Error messages about invalid calls of the statistics functions.</summary>
     static class StatisticsMessages
     {
         public const string WindowSize = "window must be 1 or more";

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Results and errors of a load sweep.</summary>
+    /// <summary>Messages about the result of a load sweep, and error messages about load sweeps.</summary>
     static class SweepMessages
     {
         public const string NotMeasured =

@@ -1,6 +1,6 @@
 namespace Nowpose.Messages
 {
-    /// <summary>Errors of calls for the code that shows the control time.</summary>
+    /// <summary>Error messages about invalid arguments for the code that shows the control time.</summary>
     static class TimestampCodeMessages
     {
         public const string TimeOutOfRange = "a coded time must be 0 to 65535 ms";

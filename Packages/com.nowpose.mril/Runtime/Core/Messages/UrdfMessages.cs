@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Errors in a robot description. The reader adds the file, the line and the element.</summary>
+    /// <summary>Error messages about a robot description. The reader adds the file, the line and the element.</summary>
     static class UrdfMessages
     {
         public const string JointTwice = "another joint has the same name; rename one of them";

@@ -22,7 +22,7 @@ namespace Nowpose.Motion
             (0, 0), (-1, 0.3), (-1, 1), (-1, 0.3), (1, -0.2), (1, -1), (1, -0.2),
         };
 
-        /// <summary>Indices of the waypoints at which a tool would grip and release: the lowest waypoints.</summary>
+        /// <summary>Indices of the waypoints at which a tool would grip and release: the waypoints with the largest dip.</summary>
         public const int Grip = 2, Release = 5;
 
         public static double[][] Of(RobotModel robot) =>

@@ -27,7 +27,7 @@ namespace Nowpose.Motion
         public double Acceleration { get; }
         public double Jerk { get; }
 
-        /// <summary>Returns limits with the speed of the URDF, or with the speed of a small robot if the URDF has none.</summary>
+        /// <summary>Returns limits with the speed that the URDF specifies, or with the speed of a small robot if the URDF specifies none.</summary>
         public static DriveLimits Of(RobotJoint joint)
         {
             var usual = joint.Kind == JointKind.Prismatic ? Prismatic : Revolute;

@@ -36,7 +36,9 @@ namespace Nowpose.Network
         /// <param name="webSocketPort">Port of the WebSocket that carries the joint positions.</param>
         /// <param name="pin">The gateway's public key. If given, connections use wss and TLS, and trust only this key.</param>
         /// <param name="deviceTrust">Whether to use wss and TLS with the device's certificate store; ignored if there is a pin.</param>
-        /// <param name="token">Token that authenticates this headset to the gateway; null for none. It is sent only over TLS or loopback.</param>
+        /// <param name="token">
+        /// Token that authenticates this headset to the gateway; null if it has none. It is sent only over TLS or loopback.
+        /// </param>
         /// <param name="insecureLan">Whether plain connections beyond loopback are allowed; the status then shows a warning.</param>
         /// <param name="headsetName">Name of this headset in its diagnostics.</param>
         /// <param name="publishesDisplayed">Whether the displayed joints are published to the gateway, for external observers.</param>
@@ -69,7 +71,7 @@ namespace Nowpose.Network
         /// <summary>The gateway's public key; null if the certificate is not pinned.</summary>
         public CertificatePin Pin { get; }
 
-        /// <summary>The headset's token; null for none. Never shown or logged.</summary>
+        /// <summary>The headset's token; null if it has none. Never shown or logged.</summary>
         public string Token { get; }
 
         public string HeadsetName { get; }

@@ -24,7 +24,9 @@ namespace Nowpose.Network
             _trust = new ServerTrust(settings.Pin);
         }
 
-        /// <exception cref="GatewayRefusalException">The certificate is not trusted, or the gateway did not answer in time.</exception>
+        /// <exception cref="GatewayRefusalException">
+        /// The certificate is not trusted, the TLS version is too old, or the gateway did not answer in time.
+        /// </exception>
         /// <exception cref="SocketException">The gateway refused the connection, or the network is down.</exception>
         /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
@@ -80,7 +82,7 @@ namespace Nowpose.Network
             var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
             try
             {
-                // Closing the socket is the only way to end a connect or a handshake on .NET Standard 2.1.
+                // Closing the socket is the only way to cancel a connection attempt or a TLS handshake on .NET Standard 2.1.
                 using (cancel.Register(tcp.Dispose))
                 {
                     await tcp.ConnectAsync(address, port).ConfigureAwait(false);

@@ -52,10 +52,10 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
-        /// <summary>Gets the displayed joints, up to twenty times a second; null without new positions.</summary>
+        /// <summary>Gets the displayed joints; null if there are no new positions. Called up to twenty times a second.</summary>
         JointStateMessage Displayed();
 
-        /// <summary>Gets the headset's state, once a second; null if there is none to publish.</summary>
+        /// <summary>Gets the headset's state; null if there is none to publish. Called once a second.</summary>
         DiagnosticsMessage Diagnostics();
     }
 }

@@ -22,8 +22,8 @@ namespace Nowpose.Network
 
         public void Dispose() => _turn.Dispose();
 
-        /// <returns>Time just before the text's first byte was sent.</returns>
-        /// <exception cref="IOException">The text could not be sent within the timeout.</exception>
+        /// <returns>Time just before the first byte of the message was sent.</returns>
+        /// <exception cref="IOException">The message could not be sent within the timeout.</exception>
         public async Task<HeadsetTime> SendAsync(string text, CancellationToken cancel)
         {
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
@@ -46,7 +46,7 @@ namespace Nowpose.Network
             var begun = _clock.Now;
             // OrCancelled also returns if the link ignores the cancellation: with a full buffer and a lost peer, a send may never complete.
             await _link.SendAsync(text, cancel).OrCancelled(cancel).ConfigureAwait(false);
-            // The semaphore is not released after a failure, because the link may still be sending that text and supports only one send at a time.
+            // The semaphore is not released after a failure, because the link may still be sending that message and supports only one send at a time.
             _turn.Release();
             return begun;
         }

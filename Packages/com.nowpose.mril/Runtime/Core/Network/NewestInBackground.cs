@@ -3,8 +3,8 @@ using System.Threading.Tasks;
 
 namespace Nowpose.Network
 {
-    /// <summary>Handles texts on the thread pool, one at a time, because the handling takes long. Keeps only the newest waiting text.</summary>
-    /// <remarks>At any time, at most one text is being handled and one waits.</remarks>
+    /// <summary>Handles strings on the thread pool, one at a time, because the handling takes long. Keeps only the newest waiting string.</summary>
+    /// <remarks>At any time, at most one string is being handled and one waits.</remarks>
     sealed class NewestInBackground
     {
         readonly Action<string> _handle;
@@ -12,7 +12,7 @@ namespace Nowpose.Network
         string _waiting;
         bool _isRunning;
 
-        /// <param name="handle">Must not throw.</param>
+        /// <param name="handle">Handles one string; must not throw.</param>
         public NewestInBackground(Action<string> handle) => _handle = handle;
 
         public void Add(string text)

@@ -26,7 +26,7 @@ namespace Nowpose.Network
             added.SetResult(true);
         }
 
-        /// <summary>Adds the topics of a robot.</summary>
+        /// <summary>Adds the topics of a robot, and the topics of the gateway's joint status and version.</summary>
         /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
         public void AddRobot(string robot)
         {

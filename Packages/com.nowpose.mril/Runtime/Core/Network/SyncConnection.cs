@@ -35,7 +35,7 @@ namespace Nowpose.Network
 
         /// <summary>Sends a request and waits for its reply.</summary>
         /// <returns>The fault of the reply; the exchange is valid only with <see cref="SyncExchangeFault.None"/>.</returns>
-        /// <exception cref="IOException">No reply in time, an invalid frame, or a lost connection.</exception>
+        /// <exception cref="IOException">No reply arrived in time, the frame is invalid, or the connection was lost.</exception>
         public SyncExchangeFault Exchange(out SyncExchange exchange)
         {
             var sequence = ++_sequence;

@@ -66,7 +66,7 @@ namespace Nowpose.Pairing
         /// <summary>The exact text of the printed code.</summary>
         public string Text { get; }
 
-        /// <param name="text">A text of any length; a text longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
+        /// <param name="text">String of any length; a string longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
         /// <exception cref="InputException">The text is not a cell code of this version, or a value is invalid; the message is one line.</exception>
         public static CellCode Parse(string text)
         {
@@ -83,7 +83,7 @@ namespace Nowpose.Pairing
         public bool HasSameGateway(CellCode other) =>
             other.Host == Host && Equals(other.Pin, Pin) && other.SyncPort == SyncPort && other.WebSocketPort == WebSocketPort;
 
-        /// <param name="token">The headset's token for the gateway; null for none.</param>
+        /// <param name="token">The headset's token for the gateway; null if it has none.</param>
         public ConnectionSettings ToConnection(string token, string headsetName) =>
             new ConnectionSettings(Host, SyncPort, WebSocketPort, Pin, token: token, headsetName: headsetName);
 

@@ -63,7 +63,7 @@ namespace Nowpose.Pairing
             }
         }
 
-        // Excludes angle brackets, which are tags in Unity's texts; control, format and direction characters; and surrogate pairs.
+        // Excludes angle brackets, which delimit tags in Unity's rich text; control, format and direction characters; and surrogate pairs.
         static bool IsAllowed(char c)
         {
             if (Invisible.Contains(c) || (c >= '\uFE00' && c <= '\uFE0F')) return false;

@@ -15,17 +15,17 @@ namespace Nowpose.Pairing
         HeadsetTime _waitingUntil;
         TokenExchange _running;
 
-        /// <param name="send">Must not block.</param>
+        /// <param name="send">Sends the token of the code to the gateway; must not block.</param>
         public CodeExchange(string headsetName, Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)
         {
             _headsetName = headsetName;
             _send = send;
         }
 
-        /// <summary>Name of the cell that is being paired; null for none.</summary>
+        /// <summary>Name of the cell that is being paired; null if there is none.</summary>
         public string Cell => _running?.Cell;
 
-        /// <summary>The code that waits for a cell; null for none.</summary>
+        /// <summary>The code that waits for a cell; null if there is none.</summary>
         public TokenCode Waiting { get; private set; }
 
         /// <inheritdoc cref="TokenExchange.Trouble"/>

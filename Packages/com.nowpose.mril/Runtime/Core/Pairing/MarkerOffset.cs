@@ -64,7 +64,9 @@ namespace Nowpose.Pairing
 
         internal static string Write(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 
-        /// <summary>Reads a decimal number of at most three digits, with at most six decimals after a full stop.</summary>
+        /// <summary>
+        /// Reads a decimal number with an optional minus sign, one to three digits before the decimal point and at most six digits after it.
+        /// </summary>
         /// <remarks>Rejects exponents, spaces, infinities and digits of other alphabets, which parsers treat differently.</remarks>
         public static bool TryReadNumber(string text, out double number)
         {

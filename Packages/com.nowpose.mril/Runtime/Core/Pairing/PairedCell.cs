@@ -35,7 +35,7 @@ namespace Nowpose.Pairing
 
         public CellCode Newest => _codes[_codes.Length - 1];
 
-        /// <summary>The headset's token for the gateway; null for none. Secret.</summary>
+        /// <summary>The headset's token for the gateway; null if it has none. Secret.</summary>
         public string Token { get; }
 
         /// <summary>Whether a connection can succeed: a gateway on the headset's own machine may require no token.</summary>

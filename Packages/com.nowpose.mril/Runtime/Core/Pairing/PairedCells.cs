@@ -13,7 +13,7 @@ namespace Nowpose.Pairing
 
         readonly PairedCell[] _cells;
 
-        /// <param name="used">Name of the cell in use; null for none.</param>
+        /// <param name="used">Name of the cell in use; null if there is none.</param>
         /// <exception cref="InputException">There are too many cells, two have the same name, or the cell in use is not among them.</exception>
         public PairedCells(IEnumerable<PairedCell> cells, string used)
         {
@@ -26,7 +26,7 @@ namespace Nowpose.Pairing
 
         public IReadOnlyList<PairedCell> All => _cells;
 
-        /// <summary>The cell in use; null for none.</summary>
+        /// <summary>The cell in use; null if there is none.</summary>
         public PairedCell Used { get; }
 
         /// <returns>Null if there is none. Allocates nothing.</returns>
@@ -62,8 +62,8 @@ namespace Nowpose.Pairing
         }
 
         /// <summary>
-        /// Adds a cell, or replaces the cell of the same name, and makes the given cell the cell in use. Removes the least recently added
-        /// cell if there are too many.
+        /// Adds a cell, or replaces the cell of the same name, and makes the given cell the cell in use. Removes the least recently used cell if
+        /// there are too many.
         /// </summary>
         public PairedCells Use(PairedCell cell) => new PairedCells(
             Without(cell.Cell)._cells.Reverse().Take(MaxCount - 1).Reverse().Append(cell), cell.Cell);

@@ -11,7 +11,7 @@ namespace Nowpose.Pairing
     {
         const int MaxBytes = 1024 * 1024;
 
-        /// <summary>Loads the cells; none if the file is missing. Renames a file that cannot be used, and reports the problem.</summary>
+        /// <summary>Loads the cells. The list is empty if the file is missing. Renames a file that cannot be used, and reports the problem.</summary>
         /// <param name="problem">The problem in one line; null if there is none.</param>
         public static PairedCells Load(string path, out string problem)
         {

@@ -10,16 +10,16 @@ namespace Nowpose.Pairing
         /// <summary>The question, in one line.</summary>
         public string Text { get; }
 
-        /// <summary>Code of the gateway to accept; null for another question.</summary>
+        /// <summary>Code of the gateway to accept; null if the question is about something else.</summary>
         public SeenCode Code { get; private set; }
 
-        /// <summary>Name of the cell to forget; null for another question.</summary>
+        /// <summary>Name of the cell to forget; null if the question is about something else.</summary>
         public string Forgotten { get; private set; }
 
-        /// <summary>Name of the known cell to use from now on; null for another question.</summary>
+        /// <summary>Name of the known cell to use from now on; null if the question is about something else.</summary>
         public string Used { get; private set; }
 
-        /// <param name="known">The accepted cell of the same name; null for none.</param>
+        /// <param name="known">The accepted cell of the same name; null if there is none.</param>
         public static PairingQuestion Connect(SeenCode code, PairedCell known) =>
             new PairingQuestion(PairingMessages.Question(code.Cell, known?.Newest)) { Code = code };
 

@@ -22,7 +22,9 @@ namespace Nowpose.Pairing
         /// <summary>Reason why the text is neither a cell code nor a token code, in one line; null if it is one of them.</summary>
         public string Fault { get; }
 
-        /// <summary>Text that identifies the gateway: it is the same for all markers of a cell that have the same gateway.</summary>
+        /// <summary>
+        /// String that identifies the gateway: the same for all markers of a cell that have the same gateway; null if there is no cell code.
+        /// </summary>
         public string Gateway { get; }
 
         public HeadsetTime LastSeen { get; set; }

@@ -17,7 +17,7 @@ namespace Nowpose.Pairing
         readonly List<string> _old = new List<string>();
         bool _isOversizedReported, _isFullReported;
 
-        /// <param name="fault">The problem, reported once; null for none.</param>
+        /// <param name="fault">The problem, reported once; null if there is none.</param>
         /// <returns>Null if the text is not a pairing code, or was not stored.</returns>
         public SeenCode Read(string text, HeadsetTime now, out string fault)
         {

@@ -52,7 +52,7 @@ namespace Nowpose.Pairing
         /// <summary>The exact text of the code. Secret.</summary>
         public string Text { get; }
 
-        /// <param name="text">A text of any length; a text longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
+        /// <param name="text">String of any length; a string longer than <see cref="PairingCode.MaxLength"/> is rejected.</param>
         /// <exception cref="InputException">
         /// The text is not a token code of this version, or a value is invalid. The message is one line without the token.
         /// </exception>

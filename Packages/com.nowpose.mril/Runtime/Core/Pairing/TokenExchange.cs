@@ -15,7 +15,7 @@ namespace Nowpose.Pairing
         HeadsetTime _nextStart;
         Task<PairingAnswer> _running;
 
-        /// <param name="send">Must not block.</param>
+        /// <param name="send">Sends the token of the code to the gateway; must not block.</param>
         public TokenExchange(
             PairedCell cell, TokenCode code, string headsetName, HeadsetTime now,
             Func<ConnectionSettings, string, CancellationToken, Task<PairingAnswer>> send)

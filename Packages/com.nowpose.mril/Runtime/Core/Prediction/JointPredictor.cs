@@ -93,8 +93,8 @@ namespace Nowpose.Prediction
 
         /// <summary>Returns the position at a time. Never NaN: the fallback is the newest sample's position. Does not change the state.</summary>
         /// <returns>
-        /// <see cref="PredictionKind.None"/> with position 0 before the first sample. For an endless joint, the angle is in the newest sample's
-        /// turn; it exceeds π if the joint moves beyond it.
+        /// <see cref="PredictionKind.None"/> with position 0 before the first sample. For a continuous joint, the angle is in the same turn as the
+        /// newest sample and exceeds π if the joint moves beyond π.
         /// </returns>
         public JointPrediction At(double time)
         {
@@ -128,7 +128,7 @@ namespace Nowpose.Prediction
 
         /// <summary>Returns the planned position, however far ahead, with the joint's delay and offset.</summary>
         /// <param name="time">See <see cref="At"/>.</param>
-        /// <returns>False without a plan at that time, or if the joint does not follow it.</returns>
+        /// <returns>False if there is no plan at that time, or if the joint does not follow it.</returns>
         internal bool TryPlan(double time, out double position)
         {
             position = 0;
@@ -154,7 +154,7 @@ namespace Nowpose.Prediction
         void Use(in JointSample sample, double displayed)
         {
             var isNewest = _buffer.IsNewer(sample);
-            // Products of such displacements can overflow. The sample is ignored; if it is the newest one, a new history starts with it.
+            // Products of such displacements can overflow. If the sample is the newest, a new history starts with it; otherwise it is ignored.
             if (!(Math.Abs(sample.Position - Hold) < JointSample.MaxMagnitude))
             {
                 if (!isNewest) return;
@@ -177,7 +177,7 @@ namespace Nowpose.Prediction
         {
             // A plan with a later first set-point starts from the joint's position at the plan's start.
             var here = _plan.HasPlan && _plan.IsFollowedAt(start, NewestTime) ? _plan.At(start) : SectionAt(start).Position;
-            // A plan contains an endless joint's angle within one turn; the samples are unwrapped.
+            // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
             var turns = _limits.IsEndless ? SampleBuffer.WholeTurns(Hold + _buffer.Shift - path.FirstPosition) : 0;
             var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
             _plan.Replace(path, start, from, turns, double.IsNaN(displayed) ? double.NegativeInfinity : displayed, NewestTime);
@@ -212,7 +212,8 @@ namespace Nowpose.Prediction
             if (_blend.TryStart(displayed, Math.Abs(residual), _motion.MaxSpeed, _motion.MeanInterval)) _residual = residual;
         }
 
-        // The displayed position of an endless joint with all its turns: the section, the plan if there is one, and the rest of the residual.
+        // The displayed position, unwrapped for a continuous joint: the section, blended with the plan if there is one, and the remainder of the
+        // residual.
         JointPrediction UnwrappedAt(double time)
         {
             if (double.IsNegativeInfinity(_newestTime)) return default;

@@ -9,8 +9,8 @@ namespace Nowpose.Prediction
     {
         /// <param name="lower">Minimum position, rad or m.</param>
         /// <param name="upper">Maximum position, rad or m.</param>
-        /// <param name="horizonCap">Seconds, 0 or more; infinity for none.</param>
-        /// <param name="maximumGap">Seconds, positive; infinity for none.</param>
+        /// <param name="horizonCap">Maximum horizon in s, 0 or more; infinity if there is no maximum.</param>
+        /// <param name="maximumGap">Maximum gap between samples in s, positive; infinity if there is no maximum.</param>
         /// <param name="velocity">Maximum speed, per second, positive; infinity if it is unknown.</param>
         /// <param name="acceleration">Maximum acceleration, per second squared, positive; infinity if it is unknown.</param>
         /// <param name="jerk">Maximum jerk, per second cubed, positive; infinity if it is unknown.</param>
@@ -73,7 +73,7 @@ namespace Nowpose.Prediction
         /// <summary>Maximum jerk, rad/s³ or m/s³. S-curve profiles require it together with the maximum speed and acceleration.</summary>
         public double Jerk { get; }
 
-        /// <summary>Whether positions are angles in rad of a joint that turns without end, and may wrap from π to −π.</summary>
+        /// <summary>Whether the joint is continuous: its positions are angles in rad, which may wrap from π to −π.</summary>
         public bool IsEndless { get; }
 
         internal double Clamp(double position) => position < Lower ? Lower : position > Upper ? Upper : position;

@@ -64,7 +64,7 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
-        /// <param name="shared">Forecasters that this predictor shares with those of other joints; null for its own.</param>
+        /// <param name="shared">Forecasters that this predictor shares with those of other joints; null to create its own.</param>
         /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
         internal static JointPredictor Adaptive(
             PredictionLimits limits, PredictionParts parts, SharedForecasters shared = null, double blend = 0, params Forecaster[] more)

@@ -72,7 +72,7 @@ namespace Nowpose.Protocol
             return json.EndObject(seen, 0b11);
         }
 
-        // ROS encodes a byte as a number or as a text, depending on the ROS version.
+        // ROS encodes a byte as a number or as a string, depending on the ROS version.
         static bool ReadLevel(ref JsonUtf8Reader json, out int level)
         {
             level = 0;

@@ -24,7 +24,7 @@ namespace Nowpose.Protocol
         Missing,
     }
 
-    /// <summary>Names of joint states on the wire (lower case), and which of them are good.</summary>
+    /// <summary>Names of joint states on the wire, in lower case, and the check whether a state is good.</summary>
     static class JointDataStates
     {
         /// <summary>Names, indexed by the numeric value of the state.</summary>

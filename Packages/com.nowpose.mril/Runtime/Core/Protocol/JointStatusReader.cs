@@ -7,7 +7,7 @@ namespace Nowpose.Protocol
     /// <summary>Reads the joint status of a gateway: diagnostic_msgs/DiagnosticArray with one value "STATE SINCE REASON" per joint.</summary>
     static class JointStatusReader
     {
-        /// <summary>Maximum length of a reason in UTF-16 code units. A longer reason is cut.</summary>
+        /// <summary>Maximum length of a reason in UTF-16 code units. A longer reason is truncated.</summary>
         const int MaxReasonLength = 256;
 
         /// <returns>Null if the message is rejected.</returns>

@@ -4,14 +4,14 @@ using System.Collections.Generic;
 namespace Nowpose.Protocol
 {
     /// <summary>
-    /// Reads the types of values that occur in the protocol's fields: names, optional texts and counts, finite numbers, arrays of numbers.
+    /// Reads the types of values that occur in the protocol's fields: names, optional strings and counts, finite numbers, and arrays of numbers.
     /// </summary>
     static class JsonFields
     {
         /// <summary>Reads a name: a non-empty string that is not longer than the protocol allows.</summary>
         public static bool Name(ref this JsonUtf8Reader json, out string name) => json.Text(out name) && json.IsName(name);
 
-        /// <summary>Reads a name. Creates no string if the cache contains the name.</summary>
+        /// <summary>Reads a name. Creates no string object if the cache contains the name.</summary>
         /// <inheritdoc cref="Name(ref JsonUtf8Reader, out string)"/>
         public static bool Name(ref this JsonUtf8Reader json, JsonNameCache cache, out string name)
         {
@@ -21,7 +21,7 @@ namespace Nowpose.Protocol
             return json.IsName(name);
         }
 
-        /// <summary>Reads a text, or null for JSON null, which some languages write for a missing field.</summary>
+        /// <summary>Reads a string; the result is null for JSON null, which some languages write for a missing field.</summary>
         public static bool OptionalText(ref this JsonUtf8Reader json, out string text)
         {
             text = null;
@@ -29,8 +29,8 @@ namespace Nowpose.Protocol
         }
 
         /// <inheritdoc cref="OptionalText(ref JsonUtf8Reader, out string)"/>
-        /// <param name="known">Texts for which no string is created.</param>
-        /// <param name="cache">Cache for other texts.</param>
+        /// <param name="known">Known strings, for which no string object is created.</param>
+        /// <param name="cache">Cache for other strings.</param>
         public static bool OptionalText(ref this JsonUtf8Reader json, JsonNames known, JsonNameCache cache, out string text)
         {
             text = null;

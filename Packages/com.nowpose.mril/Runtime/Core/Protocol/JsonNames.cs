@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Nowpose.Protocol
 {
-    /// <summary>A few known texts in UTF-8, to compare with received JSON without creating a string.</summary>
+    /// <summary>A few known strings in UTF-8, for comparison with received JSON without creating string objects.</summary>
     sealed class JsonNames
     {
         readonly string[] _names;
@@ -17,7 +17,7 @@ namespace Nowpose.Protocol
 
         public string this[int index] => _names[index];
 
-        /// <returns>Index of the text; -1 if it is not one of the names.</returns>
+        /// <returns>Index of the string; -1 if it is not one of the known strings.</returns>
         public int IndexOf(ReadOnlySpan<byte> utf8)
         {
             for (var i = 0; i < _utf8.Length; i++)

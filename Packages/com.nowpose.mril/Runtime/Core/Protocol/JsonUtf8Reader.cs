@@ -160,8 +160,8 @@ namespace Nowpose.Protocol
             return isRead;
         }
 
-        /// <summary>Reads a text. Creates no string for a known text.</summary>
-        /// <param name="index">Index of a known text; -1 for any other text.</param>
+        /// <summary>Reads a string. Creates no string object for a known string.</summary>
+        /// <param name="index">Index of a known string; -1 for any other string.</param>
         public bool Text(JsonNames known, out int index, out string text)
         {
             index = -1;
@@ -232,7 +232,7 @@ namespace Nowpose.Protocol
             return true;
         }
 
-        /// <summary>Reads a text without creating a string.</summary>
+        /// <summary>Reads a string without creating a string object.</summary>
         public bool ReadText(out JsonText text)
         {
             text = default;

@@ -46,7 +46,10 @@ namespace Nowpose.Protocol
 
         public static readonly TimeSpan PingInterval = TimeSpan.FromSeconds(2);
 
-        /// <summary>Time without a pong after which the WebSocket is closed.</summary>
+        /// <summary>
+        /// Timeout of the WebSocket: the gateway closes it if no pong arrives, and the headset if no message arrives. Also the headset's timeout for
+        /// opening it.
+        /// </summary>
         public static readonly TimeSpan PongTimeout = TimeSpan.FromSeconds(6);
 
         /// <summary>Timeout for sending the reply to a close frame.</summary>

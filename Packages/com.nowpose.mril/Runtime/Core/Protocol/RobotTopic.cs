@@ -53,7 +53,9 @@ namespace Nowpose.Protocol
         /// <param name="robot">The robot's namespace; empty for the robot without a namespace.</param>
         public static string Qualified(string robot, string name) => robot.Length == 0 ? name : robot + "/" + name;
 
-        /// <summary>Returns whether a text is a robot's namespace: a letter, then letters, digits and underscores, at most 32 characters.</summary>
+        /// <summary>
+        /// Returns whether a string is a valid namespace of a robot: a letter, then letters, digits and underscores, at most 32 characters in total.
+        /// </summary>
         public static bool IsNamespace(string text)
         {
             if (text.Length == 0 || text.Length > ProtocolLimits.NamespaceLength || !IsLetter(text[0])) return false;

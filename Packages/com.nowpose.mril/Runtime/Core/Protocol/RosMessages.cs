@@ -55,7 +55,7 @@ namespace Nowpose.Protocol
             return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(ref json, into) : json.Skip();
         }
 
-        // Reads the reason if it is a text; skips values of other types, which a server may also send.
+        // Reads the reason if it is a string; skips values of other types, which a server may also send.
         static bool ReadFailure(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             if (!json.IsText) return json.Skip();

@@ -60,7 +60,7 @@ namespace Nowpose.Protocol
             return json.EndObject(seen, 0b11);
         }
 
-        /// <summary>Reads the stamp of a header; the epoch if there is none.</summary>
+        /// <summary>Reads the stamp of a header. If the header has no stamp, the result is the epoch.</summary>
         public static bool ReadOptionalHeader(ref JsonUtf8Reader json, out ControlTime stamp)
         {
             stamp = default;

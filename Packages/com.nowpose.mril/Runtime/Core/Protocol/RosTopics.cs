@@ -49,7 +49,7 @@ namespace Nowpose.Protocol
         public const string TransformsType = "tf2_msgs/TFMessage";
         public const string SignalsType = "nowpose_msgs/Signals";
 
-        /// <summary>Returns the time notation of a type: package/Name means ROS 1, package/msg/Name or no type ROS 2.</summary>
+        /// <summary>Returns the time notation of a type: package/Name means ROS 1; package/msg/Name, or no type, means ROS 2.</summary>
         public static RosTimeForm TimeFormOf(string type) =>
             string.IsNullOrEmpty(type) || type.Contains("/msg/", StringComparison.Ordinal) ? RosTimeForm.Sec : RosTimeForm.Secs;
     }

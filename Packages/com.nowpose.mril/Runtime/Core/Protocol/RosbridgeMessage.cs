@@ -60,13 +60,15 @@ namespace Nowpose.Protocol
         /// <summary>Body of a publication on /nowpose/signal_status; its joints are signals.</summary>
         public JointStatusMessage SignalStatus { get; internal set; }
 
-        /// <summary>Whether the call of a service response succeeded.</summary>
+        /// <summary>Whether the call to which this service response belongs succeeded.</summary>
         public bool Result { get; internal set; }
 
         /// <summary>Control time in a response of /rosapi/get_time; null for other messages and failed calls.</summary>
         public ControlTime? Time { get; internal set; }
 
-        /// <summary>Values of a response of a service below <see cref="RosTopics.PlantTime"/>; null for other messages and failed calls.</summary>
+        /// <summary>
+        /// Values in the response of a service whose name begins with <see cref="RosTopics.PlantTime"/>; null for other messages and failed calls.
+        /// </summary>
         public PlantTimeMessage PlantTime { get; internal set; }
 
         internal void Clear()

@@ -11,7 +11,9 @@ namespace Nowpose.Protocol
     /// <summary>Writes rosbridge v2 messages: valid JSON in every culture, numbers in full precision. Thread-safe.</summary>
     static class RosbridgeWriter
     {
-        /// <param name="type">A type name; it also determines the notation of times (<see cref="RosTopics.TimeFormOf"/>). Null for none.</param>
+        /// <param name="type">
+        /// A type name; it also determines the notation of times (<see cref="RosTopics.TimeFormOf"/>). Null to omit the type.
+        /// </param>
         /// <param name="throttleRateMs">Minimum interval between two messages, in ms; 0 for no limit.</param>
         /// <param name="queueLength">Queue capacity in messages; 0 for the server's default.</param>
         public static string Subscribe(string topic, string type = null, string id = null, int throttleRateMs = 0, int queueLength = 0) =>

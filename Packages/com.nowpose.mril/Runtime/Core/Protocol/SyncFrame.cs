@@ -57,7 +57,7 @@ namespace Nowpose.Protocol
         public ushort Flags { get; }
         public uint Sequence { get; }
 
-        /// <summary>The server's error bound of its own C1, in µs; <see cref="uint.MaxValue"/> for larger values.</summary>
+        /// <summary>Error bound of C1 as stated by the server, in µs; <see cref="uint.MaxValue"/> for larger values.</summary>
         public uint ErrorBoundUs { get; }
 
         /// <summary>t1: time on C2 at which the request was sent, in ns.</summary>
@@ -82,7 +82,7 @@ namespace Nowpose.Protocol
             new SyncFrame(SyncFrameKind.Request, 0, sequence, 0, t1Ns, 0, 0, 0);
 
         /// <summary>Creates the reply to <paramref name="request"/> with its sequence and t1.</summary>
-        /// <param name="errorBound">The server's error bound of its own C1; saturates at 2³²−1 µs.</param>
+        /// <param name="errorBound">Error bound of C1 as stated by the server; saturates at 2³²−1 µs.</param>
         public static SyncFrame Reply(
             in SyncFrame request, long t2Ns, long t3Ns, bool isSynchronised, TimeSpan errorBound, uint resolutionNs) =>
             new SyncFrame(
@@ -160,7 +160,7 @@ namespace Nowpose.Protocol
         }
     }
 
-    /// <summary>Reason why bytes are not a sync frame. Each fault closes the connection.</summary>
+    /// <summary>Reason why bytes are not a sync frame. The connection is closed after each fault.</summary>
     enum SyncFrameFault
     {
         None,

@@ -26,7 +26,7 @@ namespace Nowpose.Protocol
             return bytes;
         }
 
-        /// <summary>Reads the length. Returns false if it is zero or exceeds the protocol's limit, which closes the connection.</summary>
+        /// <summary>Reads the length. Returns false if it is zero or exceeds the protocol's limit; the connection is then closed.</summary>
         public static bool TryReadLength(ReadOnlySpan<byte> bytes, out int length)
         {
             length = bytes.Length == LengthSize ? BinaryPrimitives.ReadUInt16LittleEndian(bytes) : 0;

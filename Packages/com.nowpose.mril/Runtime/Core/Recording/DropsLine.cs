@@ -20,7 +20,7 @@ namespace Nowpose.Recording
             for (var i = 0; i < Faults.Count; i++) numbers[Reasons.Count + i] = session.SyncFaults[(SyncExchangeFault)i];
         }
 
-        /// <summary>Fills the counts of messages only.</summary>
+        /// <summary>Fills in only the counts of dropped messages.</summary>
         public static void Fill(DropCounters drops, double[] numbers)
         {
             for (var i = 0; i < Reasons.Count; i++) numbers[i] = drops[(DropReason)i];

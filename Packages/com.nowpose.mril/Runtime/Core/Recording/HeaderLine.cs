@@ -15,7 +15,7 @@ namespace Nowpose.Recording
         static readonly LineNames Sources = new LineNames(typeof(RenderTimeSourceKind));
         static readonly LineNames Securities = new LineNames(typeof(TransportSecurity));
 
-        /// <param name="startedUtc">Null if it is unknown.</param>
+        /// <param name="startedUtc">Start of the recording; null if it is unknown.</param>
         public static void Write(JsonLine line, SessionSettings settings, RobotModel robot, DisplayConditions conditions, DateTime? startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);
@@ -29,7 +29,7 @@ namespace Nowpose.Recording
         }
 
         /// <summary>Writes the first line of a gateway's file. It contains only the settings that a prediction uses.</summary>
-        /// <param name="robot">Null without a robot description.</param>
+        /// <param name="robot">Robot model; null if there is no robot description.</param>
         public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);

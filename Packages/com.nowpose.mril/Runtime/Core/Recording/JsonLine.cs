@@ -77,7 +77,7 @@ namespace Nowpose.Recording
             return Close(']');
         }
 
-        /// <param name="prefix">Text before each value; null for none.</param>
+        /// <param name="prefix">Prefix of each value; null if there is none.</param>
         public JsonLine Add(string name, string prefix, string[] values)
         {
             Open(name, '[');

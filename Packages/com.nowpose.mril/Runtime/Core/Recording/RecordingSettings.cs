@@ -11,7 +11,7 @@ namespace Nowpose.Recording
 
         /// <param name="path">Path of the file. Its folder is created if it does not exist, and an existing file is replaced.</param>
         /// <param name="maximumMegabytes">Maximum size, 0.001 to 100 000 MB of 10⁶ bytes; the recording ends there.</param>
-        /// <param name="startedUtc">Start time for the header, to identify old files; null for none.</param>
+        /// <param name="startedUtc">Start time for the header, to identify old files; null to omit it.</param>
         /// <exception cref="InputException">A value is out of range, or the path is empty.</exception>
         public RecordingSettings(string path, double maximumMegabytes = 500, DateTime? startedUtc = null)
             : this(path, () => OpenFile(path), maximumMegabytes, startedUtc)
@@ -52,7 +52,7 @@ namespace Nowpose.Recording
     {
         Recording,
 
-        /// <summary>The recording ended by disposal; the file is complete.</summary>
+        /// <summary>The recording ended because the recorder was disposed; the file is complete.</summary>
         Closed,
 
         /// <summary>The recording ended at the maximum size; the file contains all earlier records.</summary>

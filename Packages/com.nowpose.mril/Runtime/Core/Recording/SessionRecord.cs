@@ -38,7 +38,7 @@ namespace Nowpose.Recording
         /// <summary>The sample; used by sample records. The message is referenced, not copied, because no code modifies it.</summary>
         public SampleArrival Arrival { get; set; }
 
-        /// <summary>Text before the names of joints, for a robot that is not the robot of the header; used by sample and plan records.</summary>
+        /// <summary>Prefix of the joint names, for a robot other than the robot of the header; used by sample and plan records.</summary>
         public string NamePrefix { get; set; }
 
         /// <summary>Arrival time on the control clock; used by sample, pose and signal records of a gateway's file.</summary>

@@ -6,8 +6,8 @@ namespace Nowpose.Recording
 {
     /// <summary>The statistics of a session as the numbers of one line, and the names of these numbers.</summary>
     /// <remarks>
-    /// The order is: numbers of the session, the reason why the errors are withheld, the tool's error over the newest seconds and over the
-    /// run, and each joint's error.
+    /// The order is: numbers of the session, the reason why the errors are withheld, the tool's error over the last ten seconds and over the run, and
+    /// each joint's error.
     /// </remarks>
     sealed class StatisticsLine
     {

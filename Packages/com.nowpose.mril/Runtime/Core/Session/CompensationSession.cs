@@ -143,8 +143,8 @@ namespace Nowpose.Session
         public ConstantLatencyRange Range => _display.Range;
 
         /// <summary>
-        /// Source of display times; null for none. While it provides a display time, <see cref="Visualisation"/> is not used. The session calls
-        /// it within <see cref="Tick"/>; it must not call the session. May be set on any thread.
+        /// Source of display times; null if there is none. While it provides a display time, <see cref="Visualisation"/> is not used. The session
+        /// calls it within <see cref="Tick"/>; it must not call the session. May be set on any thread.
         /// </summary>
         public IDisplayTimeSource DisplayTimeSource { get => _display.Source; set => _display.Source = value; }
 

@@ -38,7 +38,7 @@ namespace Nowpose.Session
         public string Description => DescriptionWith(Age.HasValue ? " for " + TextOf(Age.Value) : "");
 
         /// <summary>Returns the description with a time in the caller's format, such as "no data since 14:03:12: node deleted"; allocates.</summary>
-        /// <param name="since">Text of the time; null for none.</param>
+        /// <param name="since">The time as a string; null to omit it.</param>
         public string DescriptionSince(string since) => DescriptionWith(since == null ? "" : " since " + since);
 
         string DescriptionWith(string time) => WordsOf(State) + time + (string.IsNullOrEmpty(Reason) ? "" : ": " + Reason);

@@ -48,7 +48,8 @@ namespace Nowpose.Session
                 var joint = _robot.IndexOfMovingJoint(report.Joint.Substring(_prefix.Length));
                 if (joint < 0) continue;
                 reports.OfJoint[joint] = report;
-                // A gripper may send samples only while it moves. If they stop for an unknown reason, it is listed, but the arm's pose stays current.
+                // A gripper may send samples only while it moves. If they stop for an unknown reason, the gripper is listed, but the arm's pose stays
+                // current.
                 reports.IsAnyMissing |= !report.State.IsGood() && (_isToolJoint[joint] || report.State != JointDataState.Stale);
             }
             _newest = reports;

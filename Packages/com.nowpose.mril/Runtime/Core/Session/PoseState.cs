@@ -1,7 +1,8 @@
 namespace Nowpose.Session
 {
     /// <summary>
-    /// State of the displayed pose relative to the robot's current pose. Any state except <see cref="Current"/> must look different.
+    /// State of the displayed pose relative to the robot's current pose. A pose in any state except <see cref="Current"/> must look different from a
+    /// current pose.
     /// </summary>
     public enum PoseState
     {

@@ -6,7 +6,7 @@ using Nowpose.Latency.DisplayTime;
 
 namespace Nowpose.Session
 {
-    /// <summary>The display of a session: L_visu, the range for render times, and the conditions of the device.</summary>
+    /// <summary>Display settings of a session: L_visu, the constant-latency range, and the conditions of the device.</summary>
     /// <remarks>All members are thread-safe except <see cref="Selector"/> and <see cref="RenderTimes"/>, which need the session's lock.</remarks>
     sealed class SessionDisplay
     {

@@ -48,21 +48,23 @@ namespace Nowpose.Session
             _backlog = new SampleBacklog(_messageJoints, QueueLength);
         }
 
-        /// <summary>Raised within <see cref="CompensationSession.Tick"/> for each used message, with its L_app if the clock is known.</summary>
+        /// <summary>
+        /// Raised within <see cref="CompensationSession.Tick"/> for each used message, with its L_app; L_app is null while the clock is unknown.
+        /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session. It may keep the message.</remarks>
         public event Action<SampleArrival, TimeSpan?> SampleTaken;
 
         /// <summary>
-        /// Raised for each message with its drop reason, <see cref="DropReason.None"/> if it was used. Raised within
+        /// Raised for each message, with its drop reason; the reason is <see cref="DropReason.None"/> if the message was used. Raised within
         /// <see cref="CompensationSession.Tick"/>, or on the receiving thread if the queue is full.
         /// </summary>
         /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<SampleArrival, DropReason> SampleJudged;
 
         /// <summary>
-        /// Raised for each message of set-points with its drop reason, <see cref="DropReason.None"/> if it is valid, even if Follow Plan
-        /// is off or the predictor is hold. Raised within <see cref="CompensationSession.Tick"/> once the clock is known, or on the
-        /// receiving thread if the message contains no joint of the robot or the queue is full.
+        /// Raised for each message of set-points, with its drop reason. The reason is <see cref="DropReason.None"/> if the message is valid, even if
+        /// the session does not use it because Follow Plan is off or the predictor is hold. Raised within <see cref="CompensationSession.Tick"/> once
+        /// the clock is known, or on the receiving thread if the message contains no joint of the robot or the queue is full.
         /// </summary>
         /// <remarks>The rules for handlers of <see cref="SampleTaken"/> apply.</remarks>
         public event Action<PlanArrival, DropReason> PlanJudged;
@@ -107,7 +109,8 @@ namespace Nowpose.Session
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();
-            // Plans wait for the clock, because their stamps cannot be validated before, and it may take long until a source repeats a dropped plan.
+            // Plans stay queued until the clock is known. Their stamps cannot be validated earlier, and a source may not repeat a dropped plan for a
+            // long time.
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
         }
 

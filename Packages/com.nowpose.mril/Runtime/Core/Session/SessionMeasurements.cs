@@ -5,7 +5,9 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Copies the measurements of a session's parts into its statistics. Allocates nothing; thread-safe only if the parts are.</summary>
+    /// <summary>
+    /// Copies the measurements of a session's parts into its statistics. Allocates nothing; thread-safe only if all parts are thread-safe.
+    /// </summary>
     sealed class SessionMeasurements
     {
         const double MillimetresPerMetre = 1000;

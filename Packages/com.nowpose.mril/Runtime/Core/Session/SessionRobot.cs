@@ -46,16 +46,16 @@ namespace Nowpose.Session
         /// <summary>Queues of messages for the next frame.</summary>
         public SessionIntake Intake { get; }
 
-        /// <summary>The joints without current data.</summary>
+        /// <summary>Detects the joints without current data.</summary>
         public JointWatch Joints { get; }
 
         /// <summary>Compares samples with displayed frames.</summary>
         public HindcastMonitor Hindcast { get; }
 
-        /// <summary>Joints with samples outside the robot's limits.</summary>
+        /// <summary>Detects the joints with samples outside the robot's limits.</summary>
         public LimitWatch Limits => _tracks.Limits;
 
-        /// <summary>The displayed frame, which the next tick overwrites.</summary>
+        /// <summary>The displayed frame. The next tick overwrites it.</summary>
         public DisplayFrame Frame => _computer.Frame;
 
         /// <summary>Displayed pose of the root link in the cell; the identity if no frame of the cell has the root link's name.</summary>

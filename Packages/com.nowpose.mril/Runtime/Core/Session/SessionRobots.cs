@@ -66,7 +66,7 @@ namespace Nowpose.Session
             return added;
         }
 
-        /// <summary>Returns the robot with the given namespace; null if the session has none.</summary>
+        /// <summary>Returns the robot with the given namespace; null if the session has no such robot.</summary>
         public SessionRobot Of(string name)
         {
             foreach (var robot in _all)

@@ -27,17 +27,19 @@ namespace Nowpose.Session
     {
         /// <param name="connection">Connection to the gateway.</param>
         /// <param name="visualisation">Initial L_visu of this device.</param>
-        /// <param name="prediction">Null for the defaults.</param>
-        /// <param name="clock">Null for the defaults.</param>
+        /// <param name="prediction">Settings of the prediction; null for the defaults.</param>
+        /// <param name="clock">Settings of the clock; null for the defaults.</param>
         /// <param name="ransac">Constants of the paper's clock estimator, used if it is selected; null for the paper's values.</param>
         /// <param name="syncIntervalMs">
-        /// Interval from the start of one sync exchange to the start of the next, ms; the server allows 100 requests per second. The pace is
-        /// up to four times as fast at the start and after a step, and up to five times slower on a quiet network, see <see cref="ExchangePace"/>.
+        /// Interval from the start of one sync exchange to the start of the next, ms; the server allows 100 requests per second. The interval is as
+        /// short as a quarter of this value at the start and after a step, and as long as five times this value on a quiet network; see
+        /// <see cref="ExchangePace"/>.
         /// </param>
         /// <param name="range">The constant-latency range of this device; null when it is unknown.</param>
-        /// <param name="clockEstimator">One of <see cref="ClockEstimators.Names"/>.</param>
+        /// <param name="clockEstimator">Name of the clock estimator, one of <see cref="ClockEstimators.Names"/>.</param>
         /// <param name="profile">
-        /// Profile that replaces <paramref name="visualisation"/>, and also <paramref name="range"/> if the profile has one; null for none.
+        /// Profile whose L_visu replaces <paramref name="visualisation"/> and whose range, if it has one, replaces <paramref name="range"/>; null if
+        /// there is no profile.
         /// </param>
         /// <param name="outsideRange">How the robot is displayed while the render time is outside the range.</param>
         /// <param name="rewriteBeforeRender">Value of <see cref="RewriteBeforeRender"/>; calibrate L_visu with the same setting.</param>
@@ -61,7 +63,7 @@ namespace Nowpose.Session
             Clock = clock ?? ClockSettings.Default;
             Ransac = ransac ?? RansacSettings.Paper;
             ClockEstimator = clockEstimator;
-            // Throws at once if the name is unknown.
+            // Throws an exception now, and not at the first use, if the name is unknown.
             CreateClockEstimator();
             // The minimum interval corresponds to half the request rate that the server allows.
             SyncInterval = SettingRange.RequireMs(syncIntervalMs, 2 * 1000.0 / ProtocolLimits.SyncRequestsPerSecond, 10_000, "sync interval");
@@ -77,7 +79,7 @@ namespace Nowpose.Session
         public ClockSettings Clock { get; }
         public RansacSettings Ransac { get; }
 
-        /// <summary>One of <see cref="ClockEstimators.Names"/>.</summary>
+        /// <summary>Name of the clock estimator, one of <see cref="ClockEstimators.Names"/>.</summary>
         public string ClockEstimator { get; }
         public TimeSpan SyncInterval { get; }
 
@@ -111,7 +113,7 @@ namespace Nowpose.Session
         /// <summary>Creates a new estimator of the selected kind.</summary>
         internal IClockEstimator CreateClockEstimator() => ClockEstimators.Create(ClockEstimator, Ransac);
 
-        /// <summary>Creates a schedule of sync exchanges; each caller gets its own.</summary>
+        /// <summary>Creates a schedule of sync exchanges. Each call returns a new object.</summary>
         /// <param name="random">Source of random numbers, see <see cref="ExchangePace"/>.</param>
         internal ExchangePace NewExchangePace(Random random) => new ExchangePace(SyncInterval, Clock.HoldoverAfter, random, IsSyncIntervalConstant);
 

@@ -9,7 +9,9 @@ using Nowpose.Sync;
 
 namespace Nowpose.Session
 {
-    /// <summary>Snapshot of a session. Null means that a value is unknown; <see cref="CompensationSession.Fill"/> overwrites all values.</summary>
+    /// <summary>
+    /// Measurements of a session at one time. A value is null while it is unknown. <see cref="CompensationSession.Fill"/> overwrites all values.
+    /// </summary>
     public sealed class SessionStatistics
     {
         readonly List<JointStatus> _jointStatuses = new List<JointStatus>();
@@ -22,10 +24,12 @@ namespace Nowpose.Session
 
         internal ClockSettings ClockSettings { get; set; } = ClockSettings.Default;
 
-        /// <summary>Whether the session's settings require a display that uses <see cref="Clock"/> to show its estimated error too.</summary>
+        /// <summary>
+        /// Whether, according to the session's settings, a display that uses <see cref="Clock"/> must also show the estimated error of the clock.
+        /// </summary>
         internal bool IsClockCoarse => ClockSettings.IsCoarse(Clock);
 
-        /// <summary>Φ at the time of the snapshot.</summary>
+        /// <summary>Offset Φ of the clocks at the time of the measurements.</summary>
         public ClockOffset? Offset { get; internal set; }
 
         public TimeSpan? RoundTripTime { get; internal set; }
@@ -60,7 +64,9 @@ namespace Nowpose.Session
         [Obsolete("use IsDisplayTimeInconsistent")]
         public bool IsDisplayTimeDoubted => IsDisplayTimeInconsistent;
 
-        /// <summary>Newest display time from the source minus the start of its frame, even if it was not used; null if there is none.</summary>
+        /// <summary>
+        /// Newest display time from the source minus the start of its frame, even if the session did not use this time; null if there is none.
+        /// </summary>
         public TimeSpan? DisplayTimeAhead { get; internal set; }
 
         /// <summary>
@@ -119,10 +125,12 @@ namespace Nowpose.Session
         /// <summary>RMS of <see cref="ToolError"/>, mm.</summary>
         public double? ErrorMm => ToolError?.Rms;
 
-        /// <summary>RMS error without compensation, when the newest sample is shown; mm.</summary>
+        /// <summary>RMS error of the tool without compensation, which shows the newest sample unchanged; mm.</summary>
         public double? HoldErrorMm => ToolError?.HoldRms;
 
-        /// <summary>Reduction of <see cref="ToolError"/>; also null while the robot is at rest.</summary>
+        /// <summary>
+        /// Reduction of the tool error, see <see cref="DisplayedError"/>. Null if <see cref="ToolError"/> is null, and while the robot is at rest.
+        /// </summary>
         public double? ErrorReduction => ToolError?.Reduction;
 
         public PoseState Pose { get; internal set; }
@@ -142,8 +150,8 @@ namespace Nowpose.Session
         internal RobotDescriptionMatch RobotDescriptionMatch { get; set; }
 
         /// <summary>
-        /// First joint with samples outside its limits, which is drawn at the limit; null if there is none. The description may belong to
-        /// another robot, or the samples may have another unit.
+        /// First joint with samples outside its limits, which is drawn at the limit; null if there is none. A possible cause is that the description
+        /// belongs to another robot, or that the samples have another unit.
         /// </summary>
         public JointBeyondLimits BeyondLimits { get; internal set; }
 

@@ -3,7 +3,7 @@ using Nowpose.Latency;
 
 namespace Nowpose.Session
 {
-    /// <summary>Detects the changes between frames that are reported as events.</summary>
+    /// <summary>Detects changes of the session's state from one frame to the next, which are reported as events.</summary>
     /// <remarks>
     /// A deterioration is reported in the frame in which it occurs, an improvement after it has lasted half a second. A flickering state is
     /// therefore reported once, and the two changes alternate: <see cref="SessionChange.Lost"/> is not reported twice without a
@@ -18,12 +18,12 @@ namespace Nowpose.Session
 
         public SessionWatch() => Reset();
 
-        /// <summary>Returns the changes of a frame.</summary>
+        /// <summary>Returns the changes from the previous frame to this frame.</summary>
         public SessionChange Changed(DisplayFrame frame) =>
             Changed(
                 frame.Start, frame.State, frame.IsTimeTrusted, frame.Range, frame.IsDisplayTimeInconsistent, frame.IsDisplayTimeImplausible);
 
-        /// <summary>Returns what has changed in a frame.</summary>
+        /// <summary>Returns the changes from the previous frame to a frame with these values.</summary>
         /// <param name="at">Start of the frame, not earlier than the start of the previous frame.</param>
         /// <param name="isTimeTrusted">Value of <see cref="DisplayFrame.IsTimeTrusted"/>.</param>
         /// <param name="isDisplayTimeInconsistent">Value of <see cref="DisplayFrame.IsDisplayTimeInconsistent"/>, which has hysteresis.</param>

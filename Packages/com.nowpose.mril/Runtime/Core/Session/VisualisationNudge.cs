@@ -41,7 +41,7 @@ namespace Nowpose.Session
         public bool IsIdle => _session != null && _session.IsLightPredicted;
 
         /// <summary>Applies the offset to a new session, and detects a new calibration. Call it once per frame.</summary>
-        /// <param name="session">Null without a session; the offset then applies to the next session.</param>
+        /// <param name="session">The running session; null if there is none. The offset then applies to the next session.</param>
         public void Follow(CompensationSession session)
         {
             var isApplied = session == _session && (session == null || IsUnchanged);

@@ -3,9 +3,7 @@ using Nowpose.Motion;
 
 namespace Nowpose.Signals
 {
-    /// <summary>
-    /// Computes the position of a part that a signal drives, such as the jaw of a gripper, and whose stroke takes a known time.
-    /// </summary>
+    /// <summary>Computes the position of a part that is driven by a signal and has a known stroke time, such as the jaw of a gripper.</summary>
     /// <remarks>
     /// Each change starts a seven-phase move at its stamp, from the position at that time, so a late message does not delay the displayed
     /// part. A move over the whole stroke takes the stroke time; a shorter move has the same acceleration and jerk. A signal between 0 and
@@ -23,7 +21,7 @@ namespace Nowpose.Signals
 
         /// <param name="atZero">Position for the value 0, m or rad.</param>
         /// <param name="atOne">Position for the value 1, m or rad.</param>
-        /// <param name="strokeSeconds">Time for the whole stroke, s; 0 for a part that jumps.</param>
+        /// <param name="strokeSeconds">Time for the whole stroke, s; 0 if the part jumps to its new position.</param>
         public ActuatedStroke(double atZero, double atOne, double strokeSeconds)
         {
             _atZero = atZero;

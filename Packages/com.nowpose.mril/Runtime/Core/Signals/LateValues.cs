@@ -4,15 +4,17 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Signals
 {
     /// <summary>
-    /// Detects that the clock of a signal's source went back, by several consecutive late values: each is older than the newest stamp and
-    /// newer than the previous late value. If there are fewer late values, they were overtaken on the network.
+    /// Detects that the clock of a signal's source went back. The evidence is several consecutive late values, each of them older than the newest
+    /// stamp and newer than the previous late value. Fewer late values only mean that later messages overtook them on the network.
     /// </summary>
     sealed class LateValues
     {
-        /// <summary>Number of late values that shows that the clock went back; the same as for samples.</summary>
+        /// <summary>Number of consecutive late values that proves that the clock went back; the same number as for samples.</summary>
         const int Capacity = ArrivalOrder.MaxLate;
 
-        /// <summary>Smaller number, which is sufficient if the last value is late by more than <see cref="ArrivalOrder.MaxDelay"/>.</summary>
+        /// <summary>
+        /// Number of consecutive late values that is sufficient if the last of them is late by more than <see cref="ArrivalOrder.MaxDelay"/>.
+        /// </summary>
         const int MinFarBehind = 3;
 
         readonly (ControlTime Stamp, double Value)[] _oldestFirst = new (ControlTime, double)[Capacity];
@@ -21,8 +23,11 @@ namespace Nowpose.Signals
         /// <summary>The values, oldest first.</summary>
         public ReadOnlySpan<(ControlTime Stamp, double Value)> All => _oldestFirst.AsSpan(0, _count);
 
-        /// <summary>Adds a received value. A value that is not late shows that the late values before it were overtaken on the network.</summary>
-        /// <param name="newest">Newest stamp of the signal; null for none.</param>
+        /// <summary>
+        /// Adds a received value. If the value is not late, the late values before it are discarded: later messages only overtook them on the
+        /// network.
+        /// </summary>
+        /// <param name="newest">Newest stamp of the signal; null before the first value.</param>
         /// <returns>Whether the source's clock went back. If so, use the values and then call <see cref="Clear"/>.</returns>
         public bool Add(ControlTime stamp, double value, ControlTime? newest)
         {

@@ -48,7 +48,7 @@ namespace Nowpose.Signals
             return _signals[index].Add(stamp, value.Value);
         }
 
-        /// <summary>Makes visible all changes whose time the display time has reached.</summary>
+        /// <summary>Makes all changes visible whose stamps are at or before the display time.</summary>
         public void Evaluate(ControlTime at)
         {
             foreach (var signal in _signals)

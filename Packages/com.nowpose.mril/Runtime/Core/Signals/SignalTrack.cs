@@ -9,10 +9,10 @@ namespace Nowpose.Signals
         /// <summary>Maximum number of changes kept: more than a second of a signal that changes 60 times per second.</summary>
         const int Capacity = 64;
 
-        /// <summary>Stamp of a value whose time is no longer valid: before all stamps, which are positive.</summary>
+        /// <summary>Stamp that replaces an invalid stamp. It is earlier than all received stamps, which are positive.</summary>
         static ControlTime Always => default;
 
-        // Oldest first. The first change is visible if the display time has reached it.
+        // Changes in the order of their stamps, oldest first. The first change is the visible change if _isVisible is true.
         readonly Change[] _changes = new Change[Capacity];
         readonly LateValues _late = new LateValues();
         int _count;
@@ -25,14 +25,15 @@ namespace Nowpose.Signals
         /// <summary>Raised when all times have become invalid. <see cref="Value"/> is kept, and <see cref="Since"/> becomes null.</summary>
         public event Action<SignalTrack> Restarted;
 
-        /// <summary>Whether a change is visible.</summary>
+        /// <summary>Whether a value is visible.</summary>
         public bool IsKnown => _isVisible;
 
-        /// <summary>The visible value; 0 while there is none.</summary>
+        /// <summary>The visible value; 0 while no value is visible.</summary>
         public double Value => _isVisible ? _changes[0].Value : 0;
 
         /// <summary>
-        /// Control time since which the signal has had the visible value; null while there is none, or after <see cref="Restart"/>.
+        /// Control time since which the signal has had the visible value; null while no value is visible, and after <see cref="Restart"/> until the
+        /// next change.
         /// </summary>
         public ControlTime? Since => _isVisible && _changes[0].Stamp > Always ? _changes[0].Stamp : (ControlTime?)null;
 
@@ -80,7 +81,8 @@ namespace Nowpose.Signals
             Restarted?.Invoke(this);
         }
 
-        // Keeps the visible value until the display time reaches the first late value. Discards the other values: their times precede the restart.
+        // Keeps the visible value until the display time reaches the first late value. Discards the other values, because their stamps are from
+        // before the clock went back.
         void RestartWithLateValues()
         {
             _count = 0;
@@ -115,7 +117,7 @@ namespace Nowpose.Signals
             // The previous value was received again with a later stamp, so the signal had returned to it by that time.
             var isBetween = place > 0 && _changes[place - 1].Confirmed > stamp;
             if (isBetween) place = Insert(place, _changes[place - 1].Divide());
-            // The value at the later time was not a change, although its message arrived first.
+            // The next change has the same value, so the signal had this value since the new, earlier stamp. Moves that change to this stamp.
             else if (place < _count && _changes[place].Value == value)
             {
                 _changes[place].MoveTo(stamp);
@@ -124,7 +126,7 @@ namespace Nowpose.Signals
             Insert(place, new Change(stamp, value));
         }
 
-        // When full, the oldest change that is not visible yet is lost, because newer changes replace it.
+        // If the list is full, removes the oldest change that is not visible yet, because newer changes replace it.
         int Insert(int place, in Change change)
         {
             if (_count == Capacity)
@@ -165,7 +167,10 @@ namespace Nowpose.Signals
 
             public void MoveTo(ControlTime stamp) => Stamp = stamp;
 
-            /// <summary>Returns the confirmation as a separate change, and removes it from this change.</summary>
+            /// <summary>
+            /// Returns a change to the same value at the stamp <see cref="Confirmed"/>, and resets <see cref="Confirmed"/> of this change to its own
+            /// stamp.
+            /// </summary>
             public Change Divide()
             {
                 var confirmed = new Change(Confirmed, Value);

@@ -3,13 +3,15 @@ using Nowpose.Messages;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>A display with a GPU that renders frames in order; L_visu is constant up to a render time and scatters above it.</summary>
+    /// <summary>
+    /// Simulates a display with a GPU that renders frames in order. L_visu is constant up to a certain render time and scatters above it.
+    /// </summary>
     /// <remarks>
-    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. As long as frames take less than a refresh interval, each frame
-    /// starts at a refresh. At most two frames are in progress: the next frame waits until the older frame is done. The starts of frames
-    /// that take longer than a refresh interval therefore drift against the refreshes. A frame is displayed at the first refresh for which
-    /// it is done in time. If two frames are done for the same refresh, only the newer frame is displayed. Render times grow with the load
-    /// and scatter a little, and one frame in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
+    /// Models the effect of Schnierle &amp; Röck 2022, Figs 10 and 11. As long as frames take less than a refresh interval, each frame starts at a
+    /// refresh. At most two frames are in progress: the next frame waits until the older frame is done. If frames take longer than a refresh
+    /// interval, their start times therefore drift relative to the refreshes. A frame is displayed at the first refresh before whose deadline it is
+    /// done. If two frames are done before the same refresh, only the newer frame is displayed. Render times grow with the load and scatter a little,
+    /// and one frame in a hundred is much slower. Seeded; allocates nothing after construction; not thread-safe.
     /// </remarks>
     sealed class DisplayPipeline
     {
@@ -20,7 +22,7 @@ namespace Nowpose.Simulation
         long _refresh;
         double _nextStartMs, _gpuFreeMs;
 
-        /// <param name="settings">Null for the defaults.</param>
+        /// <param name="settings">Settings of the display; null for the defaults.</param>
         public DisplayPipeline(int seed, DisplayPipelineSettings settings = null)
         {
             _settings = settings ?? new DisplayPipelineSettings();
@@ -48,7 +50,7 @@ namespace Nowpose.Simulation
             return new PipelineFrame(Span(startMs), Span(renderMs), Span(_gpuFreeMs), Span(visualisationMs), shown);
         }
 
-        // The next frame starts at the next refresh, or later when the older of two frames is done.
+        // The next frame starts at the next refresh, but not before the older of the two frames in progress is done.
         void WaitForRoom(double olderDoneMs)
         {
             _refresh = Math.Max(_refresh + 1, (long)Math.Floor(olderDoneMs / _settings.RefreshMs));

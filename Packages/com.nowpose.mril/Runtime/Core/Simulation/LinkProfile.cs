@@ -54,11 +54,13 @@ namespace Nowpose.Simulation
         public double Loss { get; }
 
         /// <summary>
-        /// Interval between the starts of two stalls, and from the link's start to the first stall; zero for no stalls.
+        /// Interval between the starts of two stalls, and from the link's start to the first stall; zero if the link never stalls.
         /// </summary>
         public TimeSpan StallInterval { get; }
 
-        /// <summary>Duration of a stall. Both directions stall together; packets are not lost but wait for the end of the stall.</summary>
+        /// <summary>
+        /// Duration of a stall. Both directions stall at the same time. Packets are not lost; they arrive after the end of the stall.
+        /// </summary>
         public TimeSpan StallLength { get; }
 
         /// <summary>Returns the end of the stall at a time, or the time itself if the link is not stalled.</summary>

@@ -14,7 +14,7 @@ namespace Nowpose.Simulation
         /// <summary>Good WiFi.</summary>
         public static readonly NetworkProfile Wifi = new NetworkProfile("wifi", 1.5, 1.2, 0.6, 0.01, 0.03, 5, 30);
 
-        /// <summary>Bad WiFi: a busy channel.</summary>
+        /// <summary>Poor WiFi on a busy channel.</summary>
         public static readonly NetworkProfile BusyWifi = new NetworkProfile("busy-wifi", 1.5, 1, 3, 0.03, 0.1, 20, 100);
 
         public static readonly IReadOnlyList<NetworkProfile> All = new[] { Lan, Wifi, BusyWifi };

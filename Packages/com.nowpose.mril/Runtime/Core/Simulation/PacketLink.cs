@@ -12,7 +12,7 @@ namespace Nowpose.Simulation
         HeadsetTime _newestArrival;
 
         /// <param name="start">Time to which stalls are relative. Use the same value for both directions.</param>
-        /// <param name="keepsOrder">Whether packets keep their order, as in the queue of a real link.</param>
+        /// <param name="keepsOrder">Whether packets arrive in the order in which they were sent, as with the queue of a real link.</param>
         public PacketLink(LinkProfile profile, HeadsetTime start, int seed, bool keepsOrder = true)
         {
             _profile = profile;

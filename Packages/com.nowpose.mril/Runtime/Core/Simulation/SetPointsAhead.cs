@@ -5,7 +5,7 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>Generates the messages of a motion planner: the next set-points of a motion with velocities and accelerations.</summary>
+    /// <summary>Generates messages as a motion planner publishes them: the next set-points of a motion, with velocities and accelerations.</summary>
     sealed class SetPointsAhead
     {
         /// <summary>Interval between messages. It is short enough that the set-points never run out.</summary>
@@ -15,7 +15,7 @@ namespace Nowpose.Simulation
         const double Span = 1;
 
         /// <summary>
-        /// Interval of the set-points, in s. The time parameterisation of a usual motion planner uses this interval or a longer one.
+        /// Interval between set-points, in s. Typical motion planners use this interval or a longer one in their time parameterisation.
         /// </summary>
         const double Step = 0.05;
 

@@ -24,7 +24,7 @@ namespace Nowpose.Simulation
             _link = new PacketLink(profile, start, seed, keepsOrder: false);
             var roundTrip = ClockTicks.Span(2 * (profile.BaseMs + profile.MeanJitterMs) / 1000);
             _timeout = MinTimeout + roundTrip;
-            // A sender according to RFC 8985 waits for an additional quarter of the round-trip time, because packets may overtake each other.
+            // According to RFC 8985, a sender waits for an additional quarter of the round-trip time, because packets may overtake each other.
             var seen = interval + roundTrip + new TimeSpan(roundTrip.Ticks / 4);
             _lossSeen = seen < _timeout ? seen.Value : _timeout;
             _newestArrival = start;

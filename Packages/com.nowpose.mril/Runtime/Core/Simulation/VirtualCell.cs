@@ -13,7 +13,10 @@ namespace Nowpose.Simulation
     /// <remarks>Settings and clock may change at run time; packets in transit keep their arrival times.</remarks>
     public sealed class VirtualCell
     {
-        /// <summary>Maximum interval that one call simulates. Earlier events are lost, as after a sleep of the headset.</summary>
+        /// <summary>
+        /// Maximum interval that one call simulates. If more time has passed since the last call, the events before this interval are lost, as while
+        /// a headset sleeps.
+        /// </summary>
         static readonly TimeSpan MaxPause = TimeSpan.FromSeconds(2);
 
         readonly IMotion _motion;
@@ -42,7 +45,7 @@ namespace Nowpose.Simulation
             RobotModel robot, PickAndPlaceMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start) =>
             new VirtualCell(motion, clock, settings, seed, start, new CellWork(robot, motion));
 
-        /// <param name="work">Workpieces and signals of the robot's work; null for none.</param>
+        /// <param name="work">Workpieces and signals of the robot's task; null if the cell has none.</param>
         internal VirtualCell(IMotion motion, VirtualClock clock, VirtualCellSettings settings, int seed, HeadsetTime start, CellWork work)
         {
             _work = work == null ? null : new VirtualWork(work, clock, unchecked(seed * 100 + 90), start);

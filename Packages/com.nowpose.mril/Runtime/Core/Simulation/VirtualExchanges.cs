@@ -37,7 +37,7 @@ namespace Nowpose.Simulation
         {
             if (_session != session)
             {
-                // A new session has its own connection, without exchanges of the previous session.
+                // A new session has a new connection, so an exchange of the previous session is discarded.
                 if (_session != null) _next = now;
                 _underway = null;
                 _session = session;
@@ -59,7 +59,7 @@ namespace Nowpose.Simulation
             session.SyncFaults.Count(fault);
             var ended = _underway.Value.T4;
             _next = _begun + _pace.Next(session.Clock, ended);
-            // The next exchange waits until this exchange has ended, and follows immediately if it is already due.
+            // The next exchange starts when it is due, but not before this exchange has ended.
             if (_next < ended) _next = ended;
             _underway = null;
         }

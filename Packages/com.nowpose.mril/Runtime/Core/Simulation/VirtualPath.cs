@@ -2,7 +2,9 @@ using System;
 
 namespace Nowpose.Simulation
 {
-    /// <summary>One direction of a network whose settings may change at run time. Always draws the same number of random values.</summary>
+    /// <summary>
+    /// One direction of a network whose settings may change at run time. Draws the same number of random values for each packet, with any settings.
+    /// </summary>
     sealed class VirtualPath
     {
         readonly Func<NetworkProfile, PathDelay> _newDelay;

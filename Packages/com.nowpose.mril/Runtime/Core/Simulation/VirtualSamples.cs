@@ -46,7 +46,7 @@ namespace Nowpose.Simulation
             var spread = settings.LatencyMax - settings.LatencyMin;
             var sent = at + settings.LatencyMin + new TimeSpan((long)(_random.NextDouble() * spread.Ticks));
             if (!_path.TrySend(settings, out var took, out var jitter)) return;
-            // On a stream, a sample waits for the previous sample.
+            // On a stream, a sample does not arrive before the previous sample.
             if (sent + took > _inOrder) _inOrder = sent + took;
             var positions = new double[_names.Length];
             _motion.At(ClockTicks.Seconds(at - _start), positions);

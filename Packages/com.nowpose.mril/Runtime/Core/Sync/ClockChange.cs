@@ -1,6 +1,6 @@
 namespace Nowpose.Sync
 {
-    /// <summary>Change of a clock that an exchange indicates.</summary>
+    /// <summary>Change of a clock, of its resolution or of the server's estimate, as indicated by an exchange.</summary>
     enum ClockChange
     {
         None,
@@ -9,8 +9,8 @@ namespace Nowpose.Sync
         Suspected,
 
         /// <summary>
-        /// The resolution of the control clock has changed. Its time stamps are early by half the resolution on average, so that no line
-        /// fits both the new and the earlier exchanges.
+        /// The resolution of the control clock has changed. Its time stamps are early by half the resolution on average, so no line fits both the
+        /// earlier and the new exchanges.
         /// </summary>
         Resolution,
 
@@ -20,7 +20,7 @@ namespace Nowpose.Sync
         /// </summary>
         ServerCorrection,
 
-        /// <summary>A clock stepped by less than a round-trip time. The clocks still belong to the same machines.</summary>
+        /// <summary>A clock stepped by less than a round-trip time. The same machines still provide the clocks.</summary>
         ShortStep,
 
         /// <summary>A clock stepped, perhaps because another machine now provides the control clock.</summary>

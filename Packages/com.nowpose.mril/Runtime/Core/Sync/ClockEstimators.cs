@@ -18,7 +18,7 @@ namespace Nowpose.Sync
 
         /// <summary>Creates a new estimator.</summary>
         /// <param name="name">One of <see cref="Names"/>.</param>
-        /// <param name="ransac">Constants of the paper's estimator, ignored by others; null for the paper's values.</param>
+        /// <param name="ransac">Constants of the paper's estimator; the default estimator ignores them. Null for the paper's values.</param>
         /// <exception cref="InputException">The name is unknown.</exception>
         public static IClockEstimator Create(string name, RansacSettings ransac = null)
         {

@@ -7,10 +7,12 @@ namespace Nowpose.Sync
     {
         public static readonly ClockSettings Default = new ClockSettings();
 
-        /// <param name="exchangesToSynchronise">Minimum number of exchanges of a synchronised clock; 20 fill the paper's moving average.</param>
-        /// <param name="errorToSynchroniseMs">Maximum estimated error (three standard errors) of a synchronised clock, ms.</param>
+        /// <param name="exchangesToSynchronise">
+        /// Minimum number of exchanges before the clock counts as synchronised. The default, 20, is the length of the paper's moving average.
+        /// </param>
+        /// <param name="errorToSynchroniseMs">Maximum estimated error (three standard errors) at which the clock counts as synchronised, ms.</param>
         /// <param name="holdoverAfterSeconds">
-        /// Time without exchanges after which a coarse or synchronised clock goes into holdover, s. The default is ten missed exchanges.
+        /// Time without exchanges after which a coarse or synchronised clock goes into holdover, s. The default corresponds to ten missed exchanges.
         /// </param>
         /// <param name="stepMarginMs">Minimum amount by which an exchange must contradict earlier exchanges to indicate a step, ms.</param>
         /// <param name="restartAfterSeconds">
@@ -18,12 +20,12 @@ namespace Nowpose.Sync
         /// </param>
         /// <param name="maxHoldoverErrorMs">Maximum estimated error at which a pose still counts as current in holdover, ms.</param>
         /// <param name="skewVariationPpm">
-        /// Possible change of the skew within a minute, in addition to its standard errors, ppm. The error bound grows at this rate while no
-        /// exchange arrives. Quartz clocks that warm up change by a few ppm.
+        /// Possible change of the skew within a minute, in addition to its standard errors, ppm. The error bound grows at this rate while no exchange
+        /// arrives. While a quartz clock warms up, its rate changes by a few ppm.
         /// </param>
         /// <param name="coarseErrorMs">
-        /// Maximum estimated error of a coarse clock, ms. A robot at 1 m/s is then shown within 10 mm of its position, compared with
-        /// about 100 mm without compensation.
+        /// Maximum estimated error at which the clock counts as coarse, ms. With the default, a robot that moves at 1 m/s is shown at most 10 mm from
+        /// its position; without compensation, the distance is about 100 mm.
         /// </param>
         public ClockSettings(
             int exchangesToSynchronise = 20, double errorToSynchroniseMs = 1, double holdoverAfterSeconds = 2,
@@ -48,7 +50,9 @@ namespace Nowpose.Sync
         public TimeSpan RestartAfter { get; }
         public TimeSpan MaxHoldoverError { get; }
 
-        /// <summary>Growth rate of the error bound beyond the standard errors of the skew; dimensionless, seconds of error per second.</summary>
+        /// <summary>
+        /// Growth rate of the error bound in addition to the standard errors of the skew; dimensionless (seconds of error per second).
+        /// </summary>
         public double SkewVariation { get; }
 
         /// <summary>Whether a pose based on this clock counts as current: the clock is coarse, synchronised, or in a short holdover.</summary>

@@ -5,15 +5,18 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Distinguishes a step of a clock from a slow path. A long step contradicts the bounds of the recent exchanges, which no path can do,
-    /// however slow or asymmetric it is. A short step moves both bounds. Also detects a change of the resolution.
+    /// Distinguishes a step of a clock from a slow path. A long step contradicts the bounds from recent exchanges; no path can do this, however slow
+    /// or asymmetric it is. A short step moves the lower and the upper bound by the same amount. Also detects a change of the resolution.
     /// </summary>
     sealed class ClockStepDetector
     {
         /// <summary>Number of consecutive exchanges that must contradict earlier exchanges and agree with each other to indicate a change.</summary>
         const int InARow = 3;
 
-        /// <summary>As <see cref="InARow"/>, for a correction of the server: as many as a usable line needs, so that the pose stays current.</summary>
+        /// <summary>
+        /// Value that replaces <see cref="InARow"/> if the server may have corrected its clock: the minimum number of exchanges for a coarse clock,
+        /// so that the pose remains current when the estimate restarts.
+        /// </summary>
         const int InARowAfterCorrection = ClockSynchroniser.ExchangesToBeCoarse;
 
         readonly TimeSpan _margin;
@@ -33,15 +36,18 @@ namespace Nowpose.Sync
         /// <summary>Suspected exchanges; after a detected change, all exchanges since the change.</summary>
         public IReadOnlyList<SyncExchange> Suspects => _suspects;
 
-        /// <summary>Maximum violation of an earlier bound by recent exchanges that are in use: a possible additional error of the clock.</summary>
+        /// <summary>
+        /// Maximum amount by which recent exchanges that are not suspected violate an earlier bound; the clock may have this additional error.
+        /// </summary>
         public TimeSpan Suspicion => _shift.Suspicion;
 
         /// <summary>
-        /// Whether the error bounds that the server stated explain all contradictions of the suspected exchanges; true without such an exchange.
+        /// Whether the error bounds that the server stated explain all contradictions of the suspected exchanges. True if there are no suspected
+        /// exchanges.
         /// </summary>
         public bool IsServerCorrection => _isWithinServerError;
 
-        /// <summary>Classifies an exchange that is not yet in the envelope and the line.</summary>
+        /// <summary>Classifies an exchange before it is added to the envelope and the line.</summary>
         public ClockChange Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {
             if (line.Exchanges == 0) _resolution = exchange.Resolution;
@@ -80,7 +86,8 @@ namespace Nowpose.Sync
         bool AgreesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0
             || (_suspected.Allows(exchange, default, _margin, _isWithinServerError) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
 
-        // A resolution that the server estimates varies by less than half of its value; a difference below the margin has no effect.
+        // A server may estimate its resolution. Such an estimate varies by less than half of its value, which is not a change. A difference below the
+        // margin has no effect.
         bool IsOther(TimeSpan one, TimeSpan other)
         {
             var apart = (one - other).Duration();

@@ -9,13 +9,15 @@ namespace Nowpose.Sync
         /// <summary>Minimum number of exchanges of a coarse clock. Fewer exchanges do not show the scatter of their delays.</summary>
         internal const int ExchangesToBeCoarse = 5;
 
-        /// <summary>Number of contradicting exchanges after which the state is converging. A single contradicting exchange may be an error.</summary>
+        /// <summary>
+        /// Number of contradicting exchanges from which on the state is converging. A single contradicting exchange may be erroneous.
+        /// </summary>
         const int SuspectsToConverge = 2;
 
         /// <summary>
-        /// Standard deviations of the change of the skew: with the same clocks (a clock was set, its resolution changed, or a server corrected
-        /// it), after a long step (another machine may provide the control clock), and after a long time without exchanges (the headset slept and
-        /// cooled down).
+        /// Standard deviations of the change of the skew, dimensionless. SkewUncertaintyOfSameClocks: a clock was set, its resolution changed, or the
+        /// server corrected it. SkewUncertaintyAfterStep: after a long step, another machine may provide the control clock.
+        /// SkewUncertaintyAfterSilence: after a long time without exchanges, the headset may have slept and cooled down.
         /// </summary>
         const double SkewUncertaintyOfSameClocks = 1e-6, SkewUncertaintyAfterStep = 50e-6, SkewUncertaintyAfterSilence = 5e-6;
 
@@ -50,7 +52,9 @@ namespace Nowpose.Sync
         /// <summary>Standard error of the offset at the newest exchange; zero before the first exchange.</summary>
         public TimeSpan OffsetError => _estimate.Line.OffsetError;
 
-        /// <summary>Number of exchanges in the model since the start, the last step, or the last long time without exchanges.</summary>
+        /// <summary>
+        /// Number of exchanges that the model is based on: all since the start, the last step, or the last long time without exchanges.
+        /// </summary>
         public int Exchanges => _estimate.Line.Exchanges;
 
         /// <summary>Whether recent exchanges indicate a step that only further exchanges can confirm.</summary>
@@ -73,11 +77,11 @@ namespace Nowpose.Sync
 
         /// <summary>Returns the model at a headset time, with error bound and state as of that time. Allocates nothing.</summary>
         /// <remarks>
-        /// The error bound is the sum of the bound from the recent exchanges (at most half the minimum round-trip time, the maximum effect of
-        /// an asymmetry), the server's error bound, and the growth since the newest exchange due to the uncertain skew. It relies on the
-        /// resolution that the server states. The bound includes a step below the minimum round-trip time from the first exchange whose delay
-        /// is short enough to show the step. A step below about 0.3 ms can be missed; the bound includes it again when the exchanges before it
-        /// are a minute old.
+        /// The error bound is the sum of the bound from the recent exchanges (at most half the minimum round-trip time, the maximum effect of an
+        /// asymmetry), the server's error bound, and the growth since the newest exchange due to the uncertain skew. It relies on the resolution that
+        /// the server states. If a clock steps by less than the minimum round-trip time, the bound includes the step from the first exchange on whose
+        /// delay is short enough to show it. A step of less than about 0.3 ms may not be detected; the bound then includes it only after the
+        /// exchanges before the step have become a minute old.
         /// </remarks>
         public ClockModel ModelAt(HeadsetTime now)
         {
@@ -150,7 +154,8 @@ namespace Nowpose.Sync
         // The estimated error includes the server's error bound, so it remains valid while the server corrects its clock within this bound.
         bool IsSerious() => _estimator.Line.Exchanges == 0 || (_detector.Suspects.Count >= SuspectsToConverge && !_detector.IsServerCorrection);
 
-        // Keeps the old line with a bound that includes the contradiction. A serious contradiction changes the state to converging.
+        // Keeps the previous line, and widens its error bound so that the bound includes the contradiction. If the contradiction is serious, the
+        // state becomes converging.
         void WidenBound(in SyncExchange exchange, bool isSerious)
         {
             var model = ModelAt(exchange.T4);

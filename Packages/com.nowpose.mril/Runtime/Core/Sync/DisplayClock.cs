@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Clock for the display: follows the synchroniser's model without ever going back. A correction is spread over the next
-    /// frames; a step of a clock takes effect at once. Use it on the frame's thread only; allocates nothing.
+    /// Clock for the display. Follows the synchroniser's model, and never goes back except at a step of a clock. Spreads a correction over the next
+    /// frames; a step of a clock takes effect at once. Use it only on the thread that computes the frames; allocates nothing.
     /// </summary>
     /// <remarks>
     /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051 times while
@@ -15,15 +15,19 @@ namespace Nowpose.Sync
     public sealed class DisplayClock
     {
         /// <summary>
-        /// Maximum correction in seconds per second while synchronised. A typical correction of 20 µs takes less than a frame. A correction of
+        /// Maximum rate of correction while the clock is synchronised, in s/s. A typical correction of 20 µs takes less than a frame. A correction of
         /// 1 ms, after a time without exchanges, takes a fifth of a second, during which a robot at 1 m/s appears 5 mm/s too fast or too slow.
         /// </summary>
         public const double SlewRate = 5e-3;
 
-        /// <summary>Maximum correction while coarse, in s/s: removes an initial error of a few milliseconds in a tenth of a second.</summary>
+        /// <summary>
+        /// Maximum rate of correction while the clock is coarse, in s/s. It removes an initial error of a few milliseconds in a tenth of a second.
+        /// </summary>
         public const double CoarseSlewRate = 0.05;
 
-        /// <summary>Maximum correction while converging, in s/s: the first offsets may be wrong by tens of milliseconds.</summary>
+        /// <summary>
+        /// Maximum rate of correction while the clock is converging, in s/s, because the first offsets may be wrong by tens of milliseconds.
+        /// </summary>
         public const double ConvergingSlewRate = 0.5;
 
         ClockModel _shown;
@@ -41,7 +45,7 @@ namespace Nowpose.Sync
         public ClockModel Follow(in ClockModel believed, HeadsetTime now)
         {
             IsRestarted = believed.Steps != _shown.Steps || believed.IsKnown != _shown.IsKnown;
-            // The slope of an early line through two late replies can be so steep that time would go back.
+            // An early line through two late replies can be so steep that time would go back.
             var skew = Math.Max(-ClockLine.MaxSkew, Math.Min(ClockLine.MaxSkew, believed.Skew));
             if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
             {

@@ -5,7 +5,7 @@ namespace Nowpose.Sync
     /// <summary>Upper limit of an error with hysteresis, so that a state that depends on the limit does not flicker.</summary>
     sealed class ErrorThreshold
     {
-        /// <summary>Fraction of the limit below which an error must fall to be admitted again after it has exceeded the limit.</summary>
+        /// <summary>Fraction of the limit to which an error must fall before it is admitted again, after it has exceeded the limit.</summary>
         const double ReturnShare = 0.75;
 
         readonly TimeSpan _limit;

@@ -3,30 +3,33 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Schedules the sync exchanges. The pace is quick at the start, after a step or a long silence, and while a step is suspected. It is
-    /// slow while the offset is so accurate that more exchanges would not help. Otherwise the configured pace applies. Single-threaded.
+    /// Schedules the sync exchanges. The pace is quick at the start, after a step or a long silence, and while a step is suspected. It is slow while
+    /// the offset is so accurate that more exchanges would not improve it. Otherwise the configured pace applies. Single-threaded.
     /// </summary>
     sealed class ExchangePace
     {
         /// <summary>Minimum interval between two exchanges; the resulting rate is half the rate that a server accepts.</summary>
         static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(20);
 
-        /// <summary>Maximum interval: a sixth of the silence that a server accepts.</summary>
+        /// <summary>Maximum interval: a sixth of the time without requests after which a server closes the connection.</summary>
         static readonly TimeSpan MaxInterval = TimeSpan.FromSeconds(10);
 
         const int QuickFactor = 4, SlowFactor = 5;
 
         /// <summary>
-        /// Number of quick exchanges at the start (five seconds) and after a silence (about one second), for an interval of 200 ms.
+        /// QuickAtStart: number of quick exchanges at the start; they take five seconds if the configured interval is 200 ms. QuickAfterSilence:
+        /// number of quick exchanges after a silence; they take about one second.
         /// </summary>
         const int QuickAtStart = 100, QuickAfterSilence = 25;
 
-        /// <summary>Maximum number of quick exchanges before synchronisation. They take 50 s if the interval is otherwise 200 ms.</summary>
+        /// <summary>
+        /// Maximum number of quick exchanges before the clock is synchronised. They take 50 s if the configured interval is 200 ms.
+        /// </summary>
         const int QuickUntilSynchronised = 1000;
 
         /// <summary>
-        /// Standard error of the offset below which the slow pace starts, and above which it ends. A wired network reaches this accuracy. WiFi
-        /// reaches it rarely, and more exchanges still help there.
+        /// SlowBelow: standard error of the offset below which the slow pace starts. SlowUntil: standard error from which on the slow pace ends. A
+        /// wired network reaches this accuracy. WiFi rarely reaches it, and there more exchanges still improve the offset.
         /// </summary>
         static readonly TimeSpan SlowBelow = ClockTicks.Span(10e-6), SlowUntil = ClockTicks.Span(25e-6);
 
@@ -41,7 +44,9 @@ namespace Nowpose.Sync
         /// <param name="silence">
         /// Time without exchanges after which the clock is in holdover and the next exchanges are quick. The slow interval is at most half of it.
         /// </param>
-        /// <param name="random">Spreads exchanges over the steps of a coarse control clock; not shared with other objects.</param>
+        /// <param name="random">
+        /// Source of random numbers, which spread the exchanges over the steps of a coarse control clock. It must not be shared with other objects.
+        /// </param>
         /// <param name="isConstant">Whether the configured pace always applies, as in the paper.</param>
         public ExchangePace(TimeSpan usual, TimeSpan silence, Random random, bool isConstant = false)
         {
@@ -55,7 +60,7 @@ namespace Nowpose.Sync
 
         /// <summary>Returns the time from the start of the exchange that has just ended to the start of the next.</summary>
         /// <param name="clock">Synchroniser that has already received the ended exchange.</param>
-        /// <param name="now">Not earlier than in the last call.</param>
+        /// <param name="now">Current headset time, not earlier than in the last call.</param>
         public TimeSpan Next(ClockSynchroniser clock, HeadsetTime now)
         {
             if (_isConstant) return _usual;

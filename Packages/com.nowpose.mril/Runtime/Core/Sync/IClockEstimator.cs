@@ -8,10 +8,10 @@ namespace Nowpose.Sync
         /// <summary>The line after the newest exchange; <see cref="ClockLine.Exchanges"/> is 0 before the first exchange.</summary>
         ClockLine Line { get; }
 
-        /// <summary>Possible error of the offset due to changes of the path that were not recognised, in addition to the standard error.</summary>
+        /// <summary>Possible error of the offset due to path changes that were not recognised, in addition to the standard error.</summary>
         TimeSpan PathChangeError { get; }
 
-        /// <param name="exchange">A checked exchange that is newer than all previous exchanges.</param>
+        /// <param name="exchange">An exchange that has passed <see cref="SyncExchangeRules.Check"/> and is newer than all previous exchanges.</param>
         void Add(in SyncExchange exchange);
 
         /// <summary>Removes the estimate of the offset after a clock step or a long time without exchanges.</summary>

@@ -21,8 +21,8 @@ namespace Nowpose.Sync
         const int MaxExchanges = 60;
 
         /// <summary>
-        /// Minimum step: in s, and as a multiple of the accuracy of the bounds. This accuracy is the mean lateness divided by the number of
-        /// older exchanges.
+        /// MinShift: minimum step, s. LatenessShare: minimum step as a multiple of the accuracy of the bounds, which is the mean lateness divided by
+        /// the number of older exchanges.
         /// </summary>
         const double MinShift = 0.15e-3, LatenessShare = 10;
 
@@ -33,8 +33,9 @@ namespace Nowpose.Sync
         const double CommonShare = 0.8;
 
         /// <summary>
-        /// Part of the other bound's movement that late packets may cause, relative to the maximum lateness of the best packet in an earlier group
-        /// of the same size. The maximum itself would hide steps of half a millisecond over WiFi.
+        /// Movement of the other bound that is attributed to late packets, as a fraction of the maximum lateness in the earlier groups of exchanges
+        /// (<see cref="OffsetCorridor.RowBelow"/> and <see cref="OffsetCorridor.RowAbove"/>). With the full maximum, steps of half a millisecond over
+        /// WiFi would not be detected.
         /// </summary>
         const double RowShare = 0.75;
 
@@ -57,15 +58,15 @@ namespace Nowpose.Sync
         public void Reset() => _since.Clear();
 
         /// <returns>Whether a clock has stepped.</returns>
-        /// <param name="line">The line without the exchange.</param>
-        /// <param name="past">Bounds relative to the line, without the newest exchanges.</param>
+        /// <param name="line">Clock line before this exchange is added to the estimate.</param>
+        /// <param name="past">Bounds from earlier exchanges, relative to the line. The newest exchanges are not included.</param>
         public bool Judge(in SyncExchange exchange, in ClockLine line, OffsetCorridor past)
         {
             if (_since.Count == MaxExchanges) _since.Clear();
             if (_since.Count == 0)
             {
                 if (Violation(exchange, line, past) <= Margin(exchange, line, past)) return false;
-                // Stores the line, because the following exchanges also move it.
+                // Stores the current line and bounds, because the exchanges after a step also move the line.
                 _line = line;
                 _past.CopyFrom(past);
                 (_violations, _broken, _other) = (0, 0, double.PositiveInfinity);
@@ -90,7 +91,7 @@ namespace Nowpose.Sync
             return _sign > 0 ? below - past.Lower : past.Upper - above;
         }
 
-        // A clock with a coarse resolution appears to step by its resolution occasionally.
+        // Includes the resolution, because the stamps of a coarse clock occasionally appear to step by it.
         static double Margin(in SyncExchange exchange, in ClockLine line, OffsetCorridor past) =>
             Math.Max(MinShift + ClockTicks.Seconds(exchange.Resolution), LatenessShare * past.Lateness / past.Count)
             + line.SkewError * ClockTicks.Seconds(exchange.T4 - line.Reference);

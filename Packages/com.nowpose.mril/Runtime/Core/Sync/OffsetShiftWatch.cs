@@ -15,8 +15,8 @@ namespace Nowpose.Sync
     sealed class OffsetShiftWatch
     {
         /// <summary>
-        /// Age in exchanges after which an exchange contributes to the bounds, and minimum number of older exchanges. Newer exchanges do not
-        /// contribute, because a step whose first exchanges are late would otherwise move the bounds in small steps.
+        /// MinAge: age in exchanges from which on an exchange contributes to the bounds. MinPast: minimum number of exchanges of at least this age.
+        /// Newer exchanges do not contribute: after a step whose first exchanges are late, they would move the bounds in small steps.
         /// </summary>
         const int MinAge = 2 * OffsetShift.MinExchanges, MinPast = 30;
 
@@ -26,7 +26,9 @@ namespace Nowpose.Sync
         readonly OffsetCorridor _past = new OffsetCorridor(OffsetShift.MinExchanges);
         readonly OffsetShift _rise = new OffsetShift(1), _fall = new OffsetShift(-1);
 
-        /// <summary>Maximum violation of a bound by recent exchanges, caused by a step or by a path that has become shorter; zero for none.</summary>
+        /// <summary>
+        /// Maximum violation of a bound by recent exchanges, caused by a step or by a path that has become shorter; zero if there is no violation.
+        /// </summary>
         public TimeSpan Suspicion => ClockTicks.Span(Math.Max(_rise.Broken, _fall.Broken));
 
         /// <summary>Exchanges since the step that <see cref="Judge"/> detected.</summary>
@@ -40,7 +42,7 @@ namespace Nowpose.Sync
 
         /// <returns>Whether a clock has stepped.</returns>
         /// <param name="exchange">An exchange that is not yet in the envelope.</param>
-        /// <param name="line">The line without the exchange.</param>
+        /// <param name="line">Clock line before this exchange is added to the estimate.</param>
         public bool Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {
             if (line.Exchanges == 0) Reset();

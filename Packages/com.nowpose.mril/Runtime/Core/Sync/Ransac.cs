@@ -5,7 +5,9 @@ namespace Nowpose.Sync
     /// <summary>Random sample consensus for a line: selects the line through two points that has the most points within a bound.</summary>
     static class Ransac
     {
-        /// <returns>The points within <paramref name="bound"/> of the best line; all points if no line has two of them.</returns>
+        /// <returns>
+        /// The points within <paramref name="bound"/> of the best line; all points if every line has fewer than two points within the bound.
+        /// </returns>
         public static (double[] X, double[] Y) Inliers(double[] x, double[] y, int hypotheses, double bound, Random random)
         {
             int bestCount = 0, bestPoint = 0;

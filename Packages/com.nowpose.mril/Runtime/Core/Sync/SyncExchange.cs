@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Sync
 {
-    /// <summary>One sync exchange: four timestamps, two on each clock (Schnierle &amp; Röck 2022, Fig. 7).</summary>
+    /// <summary>One sync exchange: four time stamps, two on each clock (Schnierle &amp; Röck 2022, Fig. 7).</summary>
     /// <remarks>Only exchanges that passed <see cref="SyncExchangeRules.Check"/> should reach an estimator.</remarks>
     readonly struct SyncExchange
     {
@@ -50,8 +50,8 @@ namespace Nowpose.Sync
         public bool ServerSynchronised { get; }
 
         /// <summary>
-        /// Φ* from this exchange alone, Eq. (5). It is exact if both directions take equally long; otherwise its error is at most half of
-        /// <see cref="RoundTripTime"/>.
+        /// Offset Φ* from this exchange alone, Eq. (5). It is exact if the delays of both directions are equal; otherwise its error is at most half
+        /// of <see cref="RoundTripTime"/>.
         /// </summary>
         public ClockOffset Offset
         {
@@ -59,12 +59,12 @@ namespace Nowpose.Sync
             {
                 var there = T1.SinceEpoch - T2.SinceEpoch;
                 var back = T4.SinceEpoch - T3.SinceEpoch;
-                // Half of the difference instead of half of the sum, which would overflow for clocks with distant epochs.
+                // Uses half of the difference, because the sum would overflow if the epochs of the clocks are far apart.
                 return new ClockOffset(there + new TimeSpan((back - there).Ticks / 2));
             }
         }
 
-        /// <summary>Duration of both directions without the time spent at the server: (t4 − t1) − (t3 − t2).</summary>
+        /// <summary>Sum of the delays in both directions, without the time at the server: (t4 − t1) − (t3 − t2).</summary>
         public TimeSpan RoundTripTime => (T4 - T1) - (T3 - T2);
     }
 }

@@ -20,7 +20,7 @@ namespace Nowpose.Sync
         /// <summary>The server's processing time exceeds the duration of the exchange by more than the resolution of its clock.</summary>
         NegativeRoundTrip,
 
-        /// <summary>A time stamp is more than 146 years from its epoch, which is implausible and would overflow sums.</summary>
+        /// <summary>A time stamp is more than 146 years from its epoch. It is implausible, and sums with it would overflow.</summary>
         ImplausibleTime,
 
         /// <summary>The data is not a protocol frame: wrong magic, version or kind. Ends the connection.</summary>
@@ -29,7 +29,7 @@ namespace Nowpose.Sync
         /// <summary>The exchange contradicts recent exchanges: a possible clock step, or an inconsistent server. It is set aside.</summary>
         Contradiction,
 
-        /// <summary>t4 is not after the t4 of the previous exchange: a log out of order, or a repeated line.</summary>
+        /// <summary>t4 is not after the t4 of the previous exchange. The lines of a log are out of order, or a line is repeated.</summary>
         NotNewer,
     }
 }

@@ -45,7 +45,7 @@ namespace Nowpose.Unity.Anchoring
         /// <inheritdoc cref="MarkerSources.Read"/>
         public List<MarkerSighting> Read() => _sources.Read();
 
-        /// <summary>Moves the hand-placed markers along with the base, except those that a hand holds.</summary>
+        /// <summary>Moves the hand-placed markers along with the base, except the markers that the user is moving.</summary>
         public void Rest(Pose place, IReadOnlyList<TrackedMarker> markers)
         {
             foreach (var source in _sources.Found)

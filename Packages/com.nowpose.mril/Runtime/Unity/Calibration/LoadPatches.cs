@@ -7,7 +7,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Calibration
 {
     /// <summary>
-    /// Builds the patches of a rendering load in small steps, within a time budget per frame. Hidden patches are kept for later loads.
+    /// Builds the patches of a rendering load in small steps, within a time budget per frame. Patches that a load does not need are hidden and kept
+    /// for later loads.
     /// </summary>
     sealed class LoadPatches
     {
@@ -48,7 +49,7 @@ namespace Nowpose.Unity.Calibration
         /// <summary>Number of vertices of all visible patches.</summary>
         public int VerticesShown { get; private set; }
 
-        /// <summary>Requests a load, given in vertices. Immediately hides the patches that do not belong to it.</summary>
+        /// <summary>Requests a load, given as a number of vertices. Immediately hides the patches that the load does not need.</summary>
         public void Ask(int vertices)
         {
             if (vertices == _asked) return;

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>One patch of a rendering load, as an object in the scene.</summary>
+    /// <summary>An object in the scene that holds one patch of a rendering load.</summary>
     sealed class LoadSlot
     {
         readonly GameObject _object;
@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Calibration
         public void SetVertices(Vector3[] vertices, Vector3[] normals, int count)
         {
             Free();
-            // With 32-bit indices, the GPU reads as many bytes per vertex as it would for one large mesh.
+            // Uses 32-bit indices, so the GPU reads as many index bytes as for one large mesh.
             _mesh = new Mesh { name = "Load Patch", indexFormat = IndexFormat.UInt32 };
             _mesh.SetVertices(vertices, 0, count);
             _mesh.SetNormals(normals, 0, count);

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Calibration
 {
-    /// <summary>Kinds of steps in which a patch of a rendering load is built. Steps of different kinds have different durations.</summary>
+    /// <summary>Kinds of steps that build a patch of a rendering load. Their durations differ.</summary>
     enum LoadStep
     {
         /// <summary>Computes some vertices of a patch and their triangles.</summary>

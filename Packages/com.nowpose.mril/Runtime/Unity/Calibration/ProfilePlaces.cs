@@ -27,12 +27,13 @@ namespace Nowpose.Unity.Calibration
         public string SavedPath => Path.Combine(Application.persistentDataPath, _fileName);
 
         /// <summary>
-        /// Reasons, one line each, why the search rejected the profiles before the result, or all profiles without a result.
+        /// Reasons, one line each, why the last search rejected profiles or could not search a place. If a profile was found, these are the places
+        /// before it.
         /// </summary>
         public IReadOnlyList<string> Refusals => _refusals;
 
         /// <summary>Searches for the first profile that is valid for this device.</summary>
-        /// <param name="from">Name of the place with the profile, or of the last place that was searched.</param>
+        /// <param name="from">Path or name of the place where the profile was found, or of the last place that was searched.</param>
         /// <returns>Null if no profile is valid.</returns>
         public LatencyProfile Find(out string from)
         {

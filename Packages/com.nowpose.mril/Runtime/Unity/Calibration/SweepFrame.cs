@@ -5,7 +5,8 @@ using Nowpose.Session;
 namespace Nowpose.Unity.Calibration
 {
     /// <summary>
-    /// Data of one frame that a sweep keeps until the next frame. If a frame is computed twice, the second computation replaces the first.
+    /// Data of one frame, which a sweep keeps until the next frame. If a frame is computed twice, the data of the second computation replace those of
+    /// the first.
     /// </summary>
     readonly struct SweepFrame
     {
@@ -29,7 +30,7 @@ namespace Nowpose.Unity.Calibration
         /// <summary>Start of the frame in control time; null while the clock is not synchronised.</summary>
         public ControlTime? Control { get; }
 
-        /// <summary>Whether the load of the current step was shown completely.</summary>
+        /// <summary>Whether the complete load of the current step was shown.</summary>
         public bool IsShown { get; }
 
         /// <summary>Whether the sweep uses this frame: its load is shown and its control time is known.</summary>

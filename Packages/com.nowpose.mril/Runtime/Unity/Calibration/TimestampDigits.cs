@@ -12,7 +12,7 @@ namespace Nowpose.Unity.Calibration
         /// <summary>Layout of the text. Each 0 stands for a digit.</summary>
         const string Pattern = "00 000.000 s";
 
-        /// <summary>Distance between characters, as a multiple of the font height. All digits are narrower.</summary>
+        /// <summary>Distance between characters, as a multiple of the font height. It is wider than any digit.</summary>
         const float Pitch = 0.6f;
 
         static readonly string[] Digits = { "0", "1", "2", "3", "4", "5", "6", "7", "8", "9" };

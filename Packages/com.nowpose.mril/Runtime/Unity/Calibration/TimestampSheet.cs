@@ -11,7 +11,9 @@ namespace Nowpose.Unity.Calibration
     {
         const string Name = "Timestamp";
 
-        /// <summary>Height of the font and gap below the code, both as a fraction of the code's side. The gap is as wide as one cell.</summary>
+        /// <summary>
+        /// Height: height of the font. Gap: gap between code and text, as wide as one cell of the code. Both are fractions of the code's side length.
+        /// </summary>
         const float Height = 0.25f, Gap = 1f / TimestampCode.Side;
 
         readonly GameObject _object;
@@ -76,7 +78,8 @@ namespace Nowpose.Unity.Calibration
             return (int)(ticks / System.TimeSpan.TicksPerMillisecond);
         }
 
-        // Removes the objects of an earlier instance. When Unity recompiles scripts in play mode, the objects remain but the references are lost.
+        // Removes the objects of an earlier instance. When Unity recompiles scripts in play mode, the objects remain but the references to them are
+        // lost.
         static void RemoveFrom(Transform parent)
         {
             var left = parent.Find(Name);

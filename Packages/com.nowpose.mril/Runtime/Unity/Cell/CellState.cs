@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>Values that the toggles and sliders of a menu show.</summary>
+    /// <summary>Values shown by the toggles and sliders of a menu.</summary>
     readonly struct CellState
     {
         public CellState(bool isConnecting, bool isGhostShown, bool isOcclusionOn, bool isPanelShown, float opacity, float nudgeMs, bool isNudgeIdle)

@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Nowpose.Unity.Cell
 {
     /// <summary>
-    /// Follows one frame of the cell for an object that is shown at this frame. Switches to the new session when the session component
+    /// Follows one frame of the cell, for an object whose pose is the pose of this frame. Switches to the new session when the session component
     /// reconnects.
     /// </summary>
     sealed class FollowedFrame : IShownPart
@@ -61,9 +61,9 @@ namespace Nowpose.Unity.Cell
         }
 
         /// <summary>Starts to follow a frame in the session of a component.</summary>
-        /// <param name="kind">Kind of the component, for the warning if it has no session.</param>
+        /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>
         /// <param name="isGhost">Whether the object is a second view of a frame that another object shows. It is then not listed again.</param>
-        /// <param name="missing">The text of <see cref="Fault"/> while no pose is known.</param>
+        /// <param name="missing">Value of <see cref="Fault"/> while no pose is known.</param>
         /// <returns>Null if the component has no session.</returns>
         public static FollowedFrame Of(
             Component component, MrilSession assigned, string kind, string name, bool isGhost = false, string missing = "no pose received")
@@ -80,7 +80,7 @@ namespace Nowpose.Unity.Cell
             _frame = null;
         }
 
-        /// <summary>Reads the current session of the component. Call once per frame, before the other methods.</summary>
+        /// <summary>Updates the session and the frame that this object follows. Call it once per frame, before the other methods.</summary>
         /// <returns>True if the session has changed since the last call.</returns>
         public bool Update()
         {

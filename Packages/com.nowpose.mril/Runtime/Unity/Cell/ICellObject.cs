@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>State of the object's pose. If the object is not shown where it is at the display time, the state gives the reason.</summary>
         PoseState State { get; }
 
-        /// <summary>Whether the object is still at its pose from the scene, because neither a hand nor a source has placed it.</summary>
+        /// <summary>Whether the object is still at its pose from the scene, because neither the user nor a source has placed it.</summary>
         bool IsUnplaced { get; }
     }
 }

@@ -31,12 +31,14 @@ namespace Nowpose.Unity.Cell
         public int FaultCount => _faults.Count;
 
         /// <summary>
-        /// The number of parts; if some parts are not current, the number of these parts instead. The string is the same object until a fault or
-        /// the number of parts changes.
+        /// Summary of the parts, such as "3 current" or, if some parts are not current, "! 2 not current"; empty if there are no parts. It is the
+        /// same string object until a fault or the number of parts changes.
         /// </summary>
         public string Summary { get; private set; } = "";
 
-        /// <summary>Title and fault of each part that is not current; null if all are current. The same object until a fault changes.</summary>
+        /// <summary>
+        /// Title and fault of each part that is not current; null if all are current. It is the same string object until a fault changes.
+        /// </summary>
         public string Faults { get; private set; }
 
         /// <summary>Title and fault of the first part that is not current; empty if all are current.</summary>
@@ -46,7 +48,7 @@ namespace Nowpose.Unity.Cell
 
         public void Remove(IShownPart part) => _parts.Remove(part);
 
-        /// <summary>Adds an object at a frame. A gripper can grip this object when it is within reach.</summary>
+        /// <summary>Adds an object that is shown at a frame. A gripper can grip this object when it is within reach.</summary>
         public void Add(IShownPart part, string frame)
         {
             Add(part);

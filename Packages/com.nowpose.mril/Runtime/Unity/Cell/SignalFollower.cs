@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Cell
         string IShownPart.Title => _title;
 
         /// <summary>Starts to follow a signal in the session of a component.</summary>
-        /// <param name="kind">Kind of the component, for the warning if it has no session.</param>
+        /// <param name="kind">Kind of the component, for the text of the warning that is logged if it has no session.</param>
         /// <param name="changed">Called for the value at the start and then for each change, in order, when the change becomes visible.</param>
         /// <param name="restarted">Called when the times of the signal become invalid; its value remains. May be null.</param>
         /// <returns>Null if the component has no session.</returns>

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Messages about parts whose material cannot mark a pose as not current, with a remedy.</summary>
+    /// <summary>Messages about parts whose material cannot mark a pose as not current. The messages state a remedy.</summary>
     static class AppearanceMessages
     {
         public const string AssignMaterial = "assign a material to the part";

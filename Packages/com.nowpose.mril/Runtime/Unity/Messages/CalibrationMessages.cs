@@ -5,7 +5,7 @@ using Nowpose.Latency.Profile;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Texts about a calibration, for the status panel and the console.</summary>
+    /// <summary>Messages about a calibration, for the status panel and the console.</summary>
     static class CalibrationMessages
     {
         public static string Of(CalibrationMethod method)
@@ -19,7 +19,7 @@ namespace Nowpose.Unity.Messages
             }
         }
 
-        /// <summary>Returns the method and the date of a calibration.</summary>
+        /// <summary>Returns the method and the date of a calibration as one string.</summary>
         public static string OriginOf(LatencyProfile profile) =>
             Of(profile.Method) + ", " + profile.MeasuredUtc.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
 

@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Error messages in Unity's console about the settings of components, with a remedy.</summary>
+    /// <summary>Error messages for Unity's console about the settings of components. Most messages state a remedy.</summary>
     static class ComponentMessages
     {
         public static string NoAction(string component, string kind) => $"cell actions '{component}' have no {kind}; assign one";

@@ -2,7 +2,7 @@ using System;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Problems of devices with anchors, markers, display times and depth, with a remedy.</summary>
+    /// <summary>Messages about problems of devices with anchors, markers, display times and depth. Most messages state a remedy.</summary>
     static class DeviceMessages
     {
         public const string NoStoreComponent =
@@ -10,7 +10,7 @@ namespace Nowpose.Unity.Messages
 
         public const string NotStoredYet = "the device has not stored the anchor yet";
 
-        /// <param name="problem">Problem of the store; null for none.</param>
+        /// <param name="problem">Problem that the store reported; null if it reported none.</param>
         public static string NotStored(string anchor, string problem) => problem == null
             ? $"the device could not store the anchor as '{anchor}'; it is lost at the next start, so place the base again then"
             : $"the device could not store the anchor as '{anchor}': {problem}; it is lost at the next start, so place the base again then";
@@ -23,11 +23,12 @@ namespace Nowpose.Unity.Messages
         public const string AnchorRemoved = "the device has removed the anchor; lock or place the base again";
         public const string NoAnchors = "the device has no anchors; lock or place the base again";
         public const string AnchorNotCreated = "the device cannot create an anchor here; look around, so that it maps the room, and lock or place the base again";
-        public const string AnchorNeeds = "it needs a device that supports anchors";
-        public const string ImageNeeds = "it needs a library with the images, and a device that tracks images";
+        public const string AnchorNeeds = "anchors need a device that supports them";
+        public const string ImageNeeds = "tracked images need a library with the images, and a device that tracks images";
 
         public const string QrCodeNeeds =
-            "QR codes need a HoloLens 2, the capability WebCam, the user's consent to the camera, and OpenXR for Windows Mixed Reality 113.2403 or newer";
+            "QR codes need a HoloLens 2, the WebCam capability, the user's permission to use the camera, and OpenXR "
+            + "for Windows Mixed Reality 113.2403 or newer";
 
         public const string LoadAnchors = "load the stored anchors";
 
@@ -40,21 +41,23 @@ namespace Nowpose.Unity.Messages
 
         public static string ManagerOff(string manager) => $"the {manager} on the XR Origin is switched off; switch it on";
 
-        public static string NotOffered(string need) => $"the device's XR runtime is not running, or does not offer this function: {need}";
+        public static string NotOffered(string manager, string need) => $"the device's XR runtime is not running, or does not support the {manager}: {need}";
 
         public const string NoArSession = "the scene has no AR Session; add one (XR > AR Session)";
 
         public static string MarkerMode(string component, string mode, string used) =>
             $"QR markers '{component}': the marker manager's mode was {mode}, which shifts codes along the room's axes; it was changed to {used}";
 
-        public const string PlanarPaused = "planar reprojection is paused because the rig does not move; enable the rig and its session";
+        public const string PlanarPaused = "planar reprojection is paused because the rig receives no poses; enable the rig and its session";
         public const string PlanarWithoutRig = "has no rig on its object or a child; assign one";
         public const string PlanarNotSupported = "is refused: the runtime does not support PlanarManual; its own mode stays in use; remove this component";
 
         public static string CountersPaired(string component, long hertz, long stopwatchHertz, double microseconds) => FormattableString.Invariant(
             $"display time '{component}': performance counter {hertz} Hz, stopwatch {stopwatchHertz} Hz, paired within {microseconds:0.0} µs");
 
-        public const string OtherClock = "the session's clock is not the performance counter; remove the script that sets HeadsetClock, or implement IPerformanceCounterClock in it";
+        public const string OtherClock = 
+            "the session's clock does not read the performance counter; remove the script that sets HeadsetClock, "
+            + "or implement IPerformanceCounterClock in the class of that clock";
 
         public static string NoDisplayTime(string component, string reason) => $"display time '{component}': {reason}; the calibrated L_visu is used";
 

@@ -4,7 +4,7 @@ using Nowpose.Latency.Sweep;
 
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Error messages, status texts and results of a load sweep.</summary>
+    /// <summary>Error messages, status messages and results of a load sweep.</summary>
     static class LoadSweepMessages
     {
         public static string StoppedWithLog(string path) => $"load sweep stopped; its log is {path}";

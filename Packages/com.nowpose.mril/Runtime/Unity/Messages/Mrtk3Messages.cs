@@ -1,6 +1,6 @@
 namespace Nowpose.Unity.Messages
 {
-    /// <summary>Messages about missing references and functions of the components for MRTK3, with a remedy.</summary>
+    /// <summary>Messages about missing references and functions of the components for MRTK3. Each message states a remedy.</summary>
     static class Mrtk3Messages
     {
         public static string PromptWithoutPairing(string component) =>

@@ -3,7 +3,9 @@ using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Changes the look of a pose while the pose of the base is uncertain. The whole robot may then be displaced.</summary>
+    /// <summary>
+    /// Changes the look of a robot or object while the pose of the base is uncertain. The robot and all objects may then be displaced.
+    /// </summary>
     readonly struct BaseLook
     {
         readonly BaseAnchorState _state;

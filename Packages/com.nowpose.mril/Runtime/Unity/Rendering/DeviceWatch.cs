@@ -9,7 +9,10 @@ namespace Nowpose.Unity.Rendering
     /// </summary>
     sealed class DeviceWatch
     {
-        /// <summary>Interval between checks in frames, and maximum number of checks. The display starts some frames after the scene.</summary>
+        /// <summary>
+        /// FramesBetweenLooks: interval between checks, in frames. MaxLooks: maximum number of checks. The display starts some frames after the
+        /// scene.
+        /// </summary>
         const int FramesBetweenLooks = 60, MaxLooks = 10;
 
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();

@@ -28,7 +28,7 @@ namespace Nowpose.Unity.Rendering
             return FrameTimingManager.GetLatestTimings(1, _timings) > 0 ? Length(_timings[0].gpuFrameTime / 1000) : TimeSpan.Zero;
         }
 
-        // Some drivers report invalid values. A value that cannot be the duration of a frame counts as not reported.
+        // Some drivers report invalid values. A value that cannot be the duration of a frame is treated as not reported.
         static TimeSpan Length(double seconds) =>
             seconds > 0 && seconds < 10 ? new TimeSpan((long)(seconds * TimeSpan.TicksPerSecond)) : TimeSpan.Zero;
     }

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>Enables or disables occlusion: invisible parts at the pose of the real arm, which hide the virtual objects behind the arm.</summary>
+    /// <summary>Enables or disables occlusion: invisible parts at the pose of the real arm that hide the virtual objects behind the arm.</summary>
     /// <remarks>
     /// Applies only to rigs that show the displayed pose. Identifies the parts by their material, including the parts of robots built later.
     /// </remarks>
@@ -17,7 +17,7 @@ namespace Nowpose.Unity.Rendering
         public bool IsOn { get; private set; } = true;
 
         /// <summary>Starts to control the parts below a session.</summary>
-        /// <param name="material">Material of the parts; null for the arm material of each rig.</param>
+        /// <param name="material">Material of the parts; null to use the arm material of each rig.</param>
         public void Begin(MrilSession session, Material material)
         {
             _material = material;

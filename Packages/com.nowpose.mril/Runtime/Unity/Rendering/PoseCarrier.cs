@@ -40,11 +40,11 @@ namespace Nowpose.Unity.Rendering
 
         /// <summary>Finds the carrier of a part.</summary>
         /// <param name="before">Result of the last call for this part; null at the first call.</param>
-        /// <returns>Null if the part never had a carrier.</returns>
+        /// <returns>The carrier; null if the part has none. A carrier that was destroyed and not replaced is still returned.</returns>
         public static PoseCarrier Of(Transform part, PoseCarrier before)
         {
             var found = Above(part);
-            // If the carrier was destroyed and has no replacement, keep it: its parts are still visible, but no longer current.
+            // Keeps a carrier that was destroyed and not replaced, because its parts are still visible but no longer current.
             var isLeft = before != null && before.IsDestroyed && (found == null || before.IsGripper && !found.IsGripper);
             return isLeft ? before : found;
         }

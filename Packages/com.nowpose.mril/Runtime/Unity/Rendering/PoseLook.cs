@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>The look of a pose. A pose that is not current is striped, has a text, and is usually fainter than a current pose.</summary>
+    /// <summary>
+    /// The look of a pose. A pose that is not current is striped, is labelled with a text, and is usually fainter than a current pose.
+    /// </summary>
     readonly struct PoseLook
     {
         /// <summary>Look of the last pose while no more frames are computed.</summary>
@@ -72,11 +74,12 @@ namespace Nowpose.Unity.Rendering
         /// Returns the fade for a reduced opacity. A reduced opacity does not make a pose that is not current fainter than
         /// <see cref="NoSession"/>, the faintest look.
         /// </summary>
-        /// <param name="opacity">Opacity from 0 to 1 (not reduced).</param>
+        /// <param name="opacity">Opacity from 0 (maximum reduction) to 1 (not reduced).</param>
         public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, NoSession.Fade) : 1 - opacity);
 
         /// <summary>
-        /// Returns a striped look with an additional reason. Its fade is the larger of the two; its text starts with the earlier text.
+        /// Returns a striped look with an additional reason. Its fade is the larger of this look's fade and <paramref name="fade"/>. Its text and
+        /// reason start with those of this look.
         /// </summary>
         public PoseLook Also(string words, string reason, float fade) => new PoseLook(
             Words.Length > 0 ? Words + ", " + words : words, Reason.Length > 0 ? Reason + "; " + reason : reason, Mathf.Max(Fade, fade), IsDrawn);

@@ -13,8 +13,9 @@ namespace Nowpose.Unity.Rendering
         public static readonly int HatchId = Shader.PropertyToID("_Hatch");
 
         /// <summary>
-        /// Tag of a SubShader or material, and its values. <c>Ignore</c>: the material writes no colour, so no marking is necessary. <c>Alpha</c>:
-        /// the alpha of the colour is the opacity. The tag is necessary for shaders with a fixed blend factor, which cannot be read.
+        /// Tag: name of a tag of a SubShader or material. Ignored and Alpha: its values. <c>Ignore</c> means that the material writes no colour, so
+        /// no marking is necessary. <c>Alpha</c> means that the alpha of the colour is the opacity; it is necessary for shaders with a fixed blend
+        /// factor, which cannot be read.
         /// </summary>
         const string Tag = "PoseAppearance", Ignored = "Ignore", Alpha = "Alpha";
 

@@ -13,7 +13,9 @@ namespace Nowpose.Unity.Rendering
         public Material Substitute { get; private set; }
 
         /// <summary>Clears the cache, because materials may have new shaders, and sets the substitute.</summary>
-        /// <param name="substitute">New substitute or null. It is ignored if it cannot itself mark a pose as not current.</param>
+        /// <param name="substitute">
+        /// New substitute; null if there is none. It is ignored unless its shader declares <c>_Fade</c> and <c>_Hatch</c>.
+        /// </param>
         public void Begin(Material substitute)
         {
             _known.Clear();

@@ -9,7 +9,7 @@ namespace Nowpose.Unity.Rendering
         /// <summary>Fraction of the opacity that a part loses at a fade of 1, as in NowposePose.hlsl.</summary>
         const float OpacityLoss = 0.8f;
 
-        /// <summary>Minimum fade of a part that cannot show stripes, in the states that stripes mark on other parts.</summary>
+        /// <summary>Minimum fade of a part that cannot show stripes, in states in which other parts are striped.</summary>
         const float MinFadeWithoutStripes = 0.5f;
 
         readonly Renderer _renderer;
@@ -22,7 +22,7 @@ namespace Nowpose.Unity.Rendering
         float _ownFade, _ownHatch;
         bool _isOwnOff, _isTaken, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
 
-        /// <param name="block">Temporary block that all parts share.</param>
+        /// <param name="block">Property block for temporary use, shared by all parts.</param>
         public PosePart(Renderer renderer, MaterialPropertyBlock block, PoseMaterials materials)
         {
             _renderer = renderer;
@@ -32,7 +32,7 @@ namespace Nowpose.Unity.Rendering
 
         public bool IsDrawn => _isPoseDrawn && !_isHidden;
 
-        /// <summary>The rig or gripper that moves the part; null if the part never had one.</summary>
+        /// <summary>The rig or gripper that moves the part, or the one that moved it and was destroyed; null if there is none.</summary>
         public PoseCarrier Carrier { get; private set; }
 
         /// <summary>Whether one of the part's materials cannot mark a pose as not current.</summary>

@@ -32,10 +32,10 @@ namespace Nowpose.Unity.Robot
             DrawAxis((0, 0, 1), Color.blue, Z);
         }
 
-        /// <summary>Draws a printed code: its edges, and a line out of the print from its centre.</summary>
+        /// <summary>Draws a printed code: its edges, and a line from its centre that points out of the print.</summary>
         /// <param name="frame">Transform that represents the base frame in Unity's axes.</param>
         /// <param name="code">Pose of the marker frame in the base frame.</param>
-        /// <param name="metres">Length of an edge in metres.</param>
+        /// <param name="metres">Length of an edge of the code in metres.</param>
         public static void DrawCode(Transform frame, in RigidTransform code, float metres)
         {
             var pose = UnityPoses.ToWorld(code);

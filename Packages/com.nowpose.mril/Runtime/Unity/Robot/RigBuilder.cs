@@ -3,8 +3,13 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>Builds the objects of a robot from its description. They are named and nested like its links, and show its visuals.</summary>
-    /// <remarks>If none of a link's visuals can be used, because all are meshes without files, bars to the child joints represent the link.</remarks>
+    /// <summary>
+    /// Builds the objects of a robot from its description. They are named and nested in the same way as the robot's links, and show its visuals.
+    /// </summary>
+    /// <remarks>
+    /// If none of a link's visuals can be shown, because all of them are meshes whose files are missing, bars from the link to its child joints
+    /// represent it.
+    /// </remarks>
     static class RigBuilder
     {
         const string Visual = "visual";

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Robot
 {
-    /// <summary>The transforms that are named and nested like the links of a robot, and the drives that move these transforms.</summary>
+    /// <summary>The transforms of a rig, which are named and nested in the same way as the robot's links, and the drives that move them.</summary>
     sealed class RigHierarchy
     {
         // Tolerance above rounding errors. Unity's == is not used, because it tolerates rotations of a sixth of a degree.
@@ -84,7 +84,7 @@ namespace Nowpose.Unity.Robot
             return new RigHierarchy(model, links);
         }
 
-        // Rejects drawn objects other than tools: the wearer could mistake another, motionless robot below the rig for this robot.
+        // Rejects drawn objects other than tools, because the wearer could mistake another, motionless robot below the rig for this robot.
         static void RequireEmpty(RobotModel model, Transform rig, Transform at)
         {
             for (var i = 0; i < at.childCount; i++)

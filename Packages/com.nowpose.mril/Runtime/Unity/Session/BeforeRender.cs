@@ -13,7 +13,7 @@ namespace Nowpose.Unity.Session
         readonly Action _action;
         readonly UnityAction _handler;
 
-        /// <param name="context">The object that a click on a logged exception selects.</param>
+        /// <param name="context">Object that is selected by a click on a logged exception.</param>
         public BeforeRender(Object context, Action action)
         {
             _context = context;

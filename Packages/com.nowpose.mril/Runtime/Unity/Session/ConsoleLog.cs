@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Session
 {
-    /// <summary>Logs lines with the prefix of the package. The parameter context is the object that a click on the line selects.</summary>
+    /// <summary>Logs lines with the prefix of the package. A click on a line selects the object that is passed as the parameter context.</summary>
     static class ConsoleLog
     {
         /// <summary>Prefix of all lines. Concatenated with a constant, it does not allocate.</summary>

@@ -15,7 +15,7 @@ namespace Nowpose.Unity.Session
         public static string Of(string chosen)
         {
             var name = (string.IsNullOrEmpty(chosen) ? SystemInfo.deviceName ?? "" : chosen).Trim();
-            // Does not report an unsuitable name, because the name of the device is not a setting of this package.
+            // An unsuitable name is not reported as an error, because the name of the device is not a setting of this package.
             if (name.Length == 0) return "headset";
             if (name.Length <= MaxLength) return name;
             return name.Substring(0, char.IsHighSurrogate(name[MaxLength - 1]) ? MaxLength - 1 : MaxLength);

@@ -20,7 +20,7 @@ namespace Nowpose.Unity.Session
         int _beyondLimits;
         IReadOnlyList<ConditionMismatch> _mismatches = Array.Empty<ConditionMismatch>();
 
-        /// <param name="context">The object that a click on a logged line selects.</param>
+        /// <param name="context">Object that is selected by a click on a logged line.</param>
         public SessionLog(Object context) => _context = context;
 
         public void Info(string message) => ConsoleLog.Info(_context, message);
@@ -45,7 +45,7 @@ namespace Nowpose.Unity.Session
         }
 
         /// <summary>
-        /// Logs a change of state. Allocates only for implausible display times and for joints without data; the other texts are constants.
+        /// Logs a change of state. Allocates only for implausible display times and for joints without data; the other messages are constants.
         /// </summary>
         /// <param name="session">The session; null if it has ended.</param>
         /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
@@ -81,7 +81,7 @@ namespace Nowpose.Unity.Session
             _mismatches = mismatches;
         }
 
-        // While a link retries for the same reason, logs the reason only once.
+        // Logs changes of a link's state. While the link retries for the same reason, the reason is logged only once.
         void Follow(LinkStatus link, string name, ref string logged)
         {
             if (link.State == LinkState.Connecting || link.Detail == logged) return;

@@ -5,7 +5,7 @@ namespace Nowpose.Unity.Session
 {
     static class SessionSearch
     {
-        // The clock has no state, so all callers share one instance.
+        // The clock has no state, so all callers can share one instance.
         static readonly IHeadsetClock DeviceClock = new StopwatchHeadsetClock();
 
         /// <summary>Returns the assigned session, or else the session on the component's object or a parent; null if there is none.</summary>
@@ -22,7 +22,7 @@ namespace Nowpose.Unity.Session
             return session;
         }
 
-        /// <summary>Returns the headset clock of the session; a stopwatch if the session is null or destroyed.</summary>
+        /// <summary>Returns the headset clock of the session, or a stopwatch if the session is null or destroyed.</summary>
         public static IHeadsetClock ClockOrDevices(this MrilSession session) => session != null ? session.HeadsetClock : DeviceClock;
     }
 }

@@ -6,8 +6,8 @@ namespace Nowpose.Unity.Status
     readonly struct AroundHead
     {
         /// <summary>
-        /// Maximum vertical component of a viewing direction that defines the heading. Above it, the direction to the top of the head defines the
-        /// heading.
+        /// Maximum vertical component of the viewing direction for which the viewing direction determines the heading. If it is larger, the direction
+        /// to the top of the head determines the heading.
         /// </summary>
         const float Steep = 0.95f;
 
@@ -42,7 +42,7 @@ namespace Nowpose.Unity.Status
             return AzimuthOf(head * Vector3.up * -Mathf.Sign(forward.y));
         }
 
-        /// <summary>Returns the pose in the world of an upright object at this position, whose front side is turned towards the head.</summary>
+        /// <summary>Returns the world pose of an upright object at this position that faces the head.</summary>
         public Pose From(Vector3 head)
         {
             var turn = Quaternion.Euler(0, Azimuth, 0);

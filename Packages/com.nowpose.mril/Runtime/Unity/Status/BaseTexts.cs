@@ -4,8 +4,8 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Texts about the robot's base on the status panel.</summary>
-    /// <remarks>Allocates only when the base is locked again or its message changes. The texts for displacements are preallocated.</remarks>
+    /// <summary>Creates the strings that the status panel shows about the robot's base.</summary>
+    /// <remarks>Allocates only when the base is locked again or its message changes. The strings for displacements are preallocated.</remarks>
     sealed class BaseTexts
     {
         static readonly NumberTexts Millimetres = new NumberTexts("", " mm off", (1, 0, 0));
@@ -37,7 +37,7 @@ namespace Nowpose.Unity.Status
             return _note;
         }
 
-        /// <summary>Returns the instruction to the user; null if the user need not do anything.</summary>
+        /// <summary>Returns the description of a problem with the base, with an instruction to the user; null if there is no problem.</summary>
         /// <param name="anchor">The anchor of the base; null if there is none.</param>
         public string FaultOf(BaseAnchor anchor)
         {
@@ -48,7 +48,7 @@ namespace Nowpose.Unity.Status
             return _fault;
         }
 
-        // Returns whether there is something to report although the base is locked.
+        // Returns whether a locked base has something to report: a conflict, a problem or a correction.
         static bool IsWrong(BaseTracker tracker) => tracker != null && (tracker.Conflict != null || tracker.Problem != null || tracker.IsCorrected);
 
         static double Worst(BaseTracker tracker)

@@ -32,7 +32,8 @@ namespace Nowpose.Unity.Status
             }
             var place = AroundHead.Of(panel.position, head.position);
             if (!IsGliding && place.IsWithin(settings.TurnDegrees, settings.MoveMetres, goal)) return panel;
-            // Continues a glide to its end. If it stopped at the limit, the panel would start to glide again at each small movement of the head.
+            // Continues a glide to its end. If the glide stopped as soon as the panel is within the limits, each small movement of the head would
+            // start another glide.
             place = place.Towards(goal, 1 - Mathf.Exp(-seconds / settings.GlideSeconds));
             IsGliding = !place.IsWithin(SettledDegrees, SettledMetres, goal);
             return place.From(head.position);

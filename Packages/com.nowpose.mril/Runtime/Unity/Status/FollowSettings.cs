@@ -7,7 +7,7 @@ namespace Nowpose.Unity.Status
         /// <param name="degreesBelow">Angle below the horizontal at which the reader sees the panel.</param>
         /// <param name="turnDegrees">Maximum rotation of the head to either side before the panel follows.</param>
         /// <param name="moveMetres">Maximum change of the head's distance or height before the panel follows.</param>
-        /// <param name="glideSeconds">Time constant of the glide in s. In this time, the panel covers 63 % of its way.</param>
+        /// <param name="glideSeconds">Time constant of the glide in s. In this time, the panel moves through 63 % of its remaining distance.</param>
         public FollowSettings(float distance, float degreesBelow, float turnDegrees, float moveMetres, float glideSeconds)
         {
             Distance = distance;

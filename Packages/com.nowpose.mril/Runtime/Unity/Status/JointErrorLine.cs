@@ -7,7 +7,7 @@ using Nowpose.Session;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// Lists, in one line, the percentage of each joint's error that the prediction removes. Creates the text only when a number in it changes.
+    /// Lists, in one line, the percentage of each joint's error that the prediction removes. Creates a new string only when a number in it changes.
     /// </summary>
     sealed class JointErrorLine
     {
@@ -16,8 +16,8 @@ namespace Nowpose.Unity.Status
         string _text = "";
 
         /// <summary>
-        /// Returns a text like "arm_joint_1 92 ± 3 %, …", in the order from the base. A joint whose error is unknown, for example because it is at
-        /// rest, has no number. Empty for a robot without joints.
+        /// Returns a string such as "arm_joint_1 92 ± 3 %, arm_joint_2 88 ± 4 %", in order from the base. A joint whose error is unknown, for example
+        /// because it is at rest, has no number. The string is empty if the robot has no joints.
         /// </summary>
         public string Of(IReadOnlyList<JointError> joints)
         {

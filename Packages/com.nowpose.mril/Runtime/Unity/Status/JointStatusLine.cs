@@ -5,10 +5,10 @@ using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Lists the joints without current data in one line. Creates a new text only when a joint, a state or a reason changes.</summary>
+    /// <summary>Lists the joints without current data in one line. Creates a new string only when a joint, a state or a reason changes.</summary>
     /// <remarks>
-    /// The line gives the time of day at which a state began and not its age. The age would change the text continuously, and each new text
-    /// allocates.
+    /// The line contains the time of day at which a state began. With the age of the state instead, the string would change continuously, and each
+    /// new string allocates.
     /// </remarks>
     sealed class JointStatusLine
     {
@@ -62,8 +62,8 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        // A joint has an age only while the clock is known. The tolerance is needed because the gateway may calculate the start of a state again for
-        // each report.
+        // A joint has an age only while the clock is known. The tolerance is needed because the gateway may recalculate the start of a state for each
+        // report.
         static bool IsSame(in JointStatus a, in JointStatus b) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
             && a.Age.HasValue == b.Age.HasValue && !((a.Since - b.Since)?.Duration() > Tolerance);
     }

@@ -6,8 +6,8 @@ using Nowpose.Unity.Messages;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// Describes the origin of L_visu: the runtime, the settings, or a measurement with its method and date. If a condition has changed since
-    /// the measurement, names the condition.
+    /// Describes the origin of L_visu: the runtime, the settings, or a measurement with its method and date. If a condition differs from that of the
+    /// measurement, names this condition instead.
     /// </summary>
     /// <remarks>Allocates only when the profile or its mismatches have changed.</remarks>
     sealed class LatencyOrigin

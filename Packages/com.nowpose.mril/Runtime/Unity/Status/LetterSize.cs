@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Calculates the font size at which a text is legible from a distance, and the font size of a text.</summary>
+    /// <summary>Calculates the font size at which text is legible from a distance, and the font size of a TextMesh.</summary>
     static class LetterSize
     {
         /// <summary>Minimum angular height of a capital letter in degrees. Microsoft's minimum for HoloLens 2 at 2 m is 0.35° to 0.4°.</summary>
@@ -19,10 +19,10 @@ namespace Nowpose.Unity.Status
         /// <summary>Font size in points that Unity uses for the value 0.</summary>
         const int DefaultPoints = 13;
 
-        /// <summary>Returns the font size, in metres, with which capital letters are 0.5° high at a distance in metres.</summary>
+        /// <summary>Returns the font size, in metres, at which capital letters are 0.5° high when seen from a distance, in metres.</summary>
         public static float At(float distance) => 2 * distance * Mathf.Tan(MinCapitalDegrees / 2 * Mathf.Deg2Rad) / CapitalHeight;
 
-        /// <summary>Returns the font size of a text in metres, for scale 1.</summary>
+        /// <summary>Returns the font size of a TextMesh in metres, for scale 1.</summary>
         public static float Of(TextMesh text) =>
             MetresPerPoint * text.characterSize * (text.fontSize > 0 ? text.fontSize : DefaultPoints);
     }

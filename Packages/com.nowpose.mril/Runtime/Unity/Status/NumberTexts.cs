@@ -3,10 +3,10 @@ using System.Globalization;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Converts numbers to preallocated texts. The conversion does not allocate.</summary>
+    /// <summary>Converts numbers to preallocated strings, so a conversion does not allocate.</summary>
     sealed class NumberTexts
     {
-        /// <summary>Text of an unknown number.</summary>
+        /// <summary>String for an unknown number.</summary>
         public const string Unknown = "–";
 
         readonly Band[] _bands;
@@ -30,7 +30,7 @@ namespace Nowpose.Unity.Status
             for (var i = 0; i < _negative.Length; i++) _negative[i] = before + "−" + i.ToString(CultureInfo.InvariantCulture) + after;
         }
 
-        /// <summary>Returns the text for a number. Negative numbers are rounded to integers.</summary>
+        /// <summary>Returns the string for a number. Negative numbers are rounded to integers.</summary>
         public string Of(double? number)
         {
             if (!number.HasValue || double.IsNaN(number.Value)) return Unknown;
@@ -62,7 +62,7 @@ namespace Nowpose.Unity.Status
                     _texts[i] = before + (i / _perStep).ToString(format, CultureInfo.InvariantCulture) + after;
             }
 
-            /// <summary>Finds the text for a number. Returns false if the rounded number does not belong to this band.</summary>
+            /// <summary>Finds the string for a number. Returns false if the rounded number is above the range of this band.</summary>
             public bool TryFind(double number, out string text)
             {
                 var index = Math.Round(number * _perStep);

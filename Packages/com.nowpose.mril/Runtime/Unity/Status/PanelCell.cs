@@ -2,7 +2,10 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>One text of a panel. Remembers the displayed text: setting a text builds a mesh, and reading it allocates a string.</summary>
+    /// <summary>
+    /// One text object of a panel. Stores the displayed string, because setting the text of a TextMesh builds a mesh, and reading it allocates a
+    /// string.
+    /// </summary>
     struct PanelCell
     {
         readonly TextMesh _mesh;
@@ -21,8 +24,8 @@ namespace Nowpose.Unity.Status
             _shown = text;
         }
 
-        /// <summary>Moves the text vertically.</summary>
-        /// <param name="top">New upper edge, in units of the parent.</param>
+        /// <summary>Moves the text object vertically.</summary>
+        /// <param name="top">New position of its upper edge, in units of the parent.</param>
         public void MoveTo(float top)
         {
             if (_mesh == null) return;

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Creates and arranges the texts and the background of a status panel.</summary>
+    /// <summary>Creates and arranges the text objects and the background of a status panel.</summary>
     /// <remarks>
     /// The unit of length is the font size, and the origin is the position of the panel. The lower edge is fixed. The rows are above it, and the
     /// message is above the rows. The height of the background fits the shown rows.
@@ -10,19 +10,22 @@ namespace Nowpose.Unity.Status
     sealed class PanelCells
     {
         /// <summary>
-        /// Lower edge of the background relative to the panel's position. With this value, the rows and a bar of 3 units below them are together
-        /// centred at the panel's position. If this position is 6° below the horizon, the bar ends at 13.8°.
+        /// Position of the background's lower edge relative to the panel's position. With this value, the rows together with a bar that is 3 units
+        /// high and lies below them are centred at the panel's position. If this position is 6° below the horizontal, the lower end of the bar is
+        /// 13.8° below it.
         /// </summary>
         public const float LowerEdge = -7;
 
         const string Name = "Cells";
 
-        /// <summary>Distance between two rows, and distance between two lines of the message, which is the line spacing of the font.</summary>
+        /// <summary>
+        /// RowHeight: distance between two rows. LineHeight: distance between two lines of the message, which is the line spacing of the font.
+        /// </summary>
         const float RowHeight = 1.25f, LineHeight = 1.15f;
 
         const float GapBelowMessage = 0.4f;
 
-        /// <summary>Margin of the background around the texts, and distance of the background behind the texts.</summary>
+        /// <summary>Margin: margin of the background around the text objects. Behind: distance of the background behind them.</summary>
         const float Margin = 0.75f, Behind = 0.5f;
 
         /// <summary>Left edges of the columns for labels, values and notes, and the right edge of the last column.</summary>
@@ -35,9 +38,9 @@ namespace Nowpose.Unity.Status
         readonly PanelCell[] _values = new PanelCell[StatusTexts.Rows];
         readonly PanelCell[] _notes = new PanelCell[StatusTexts.Rows];
 
-        /// <param name="panel">Parent of the texts.</param>
-        /// <param name="model">Text object to copy for each text.</param>
-        /// <param name="background">Material of the background; null for a panel without background.</param>
+        /// <param name="panel">Parent of the text objects.</param>
+        /// <param name="model">Text object that is copied for each cell.</param>
+        /// <param name="background">Material of the background; null if the panel has no background.</param>
         public PanelCells(Transform panel, TextMesh model, Material background)
         {
             _model = model;
@@ -60,12 +63,13 @@ namespace Nowpose.Unity.Status
         /// <summary>Maximum width of a note.</summary>
         public static float NoteWidth => Columns[3] - Columns[2];
 
-        /// <summary>Removes the texts that an earlier instance of this class has created below a panel.</summary>
+        /// <summary>Removes the text objects that an earlier instance of this class has created below a panel.</summary>
         public static void RemoveFrom(Transform panel)
         {
             var left = panel.Find(Name);
             if (left == null) return;
-            // Destroy takes effect at the end of the frame. Deactivates and detaches the texts first, so that they neither appear nor are found.
+            // Destroy takes effect at the end of the frame. Deactivates and detaches the text objects first, so that they are neither drawn nor found
+            // by a search.
             left.gameObject.SetActive(false);
             left.SetParent(null, worldPositionStays: false);
             Object.Destroy(left.gameObject);
@@ -79,7 +83,7 @@ namespace Nowpose.Unity.Status
             if (_background != null) _background.enabled = true;
         }
 
-        /// <summary>Hides the texts and the background until the next <see cref="Show(StatusTexts)"/>.</summary>
+        /// <summary>Hides the text objects and the background until the next <see cref="Show(StatusTexts)"/>.</summary>
         public void Hide()
         {
             for (var row = StatusRow.Pose; row <= StatusRow.Message; row++) Show(row, "", "", "");
@@ -91,7 +95,7 @@ namespace Nowpose.Unity.Status
             if (_sheet != null) Object.Destroy(_sheet.gameObject);
         }
 
-        /// <summary>Sets the font size of all texts.</summary>
+        /// <summary>Sets the font size of all text objects.</summary>
         /// <param name="size">Font size, in units of the panel's transform.</param>
         public void Resize(float size) => _sheet.localScale = Vector3.one * size;
 

@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Status
 {
     /// <summary>
-    /// Distance for which the size of a text is chosen. It is never less than the distance of the viewer. It changes in steps, because letters
-    /// that change their size continuously are illegible.
+    /// Distance for which the size of a text object is chosen. It is never less than the distance of the viewer. It changes in steps, because letters
+    /// whose size changes continuously are illegible.
     /// </summary>
     struct ReadingDistance
     {
@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Status
             return true;
         }
 
-        /// <summary>Turns a text towards the viewer, and scales it to be legible from there.</summary>
+        /// <summary>Turns a text object towards the viewer, and scales it so that it is legible from the position of the viewer.</summary>
         public void Face(TextMesh text, Vector3 viewer)
         {
             var place = text.transform;
@@ -34,7 +34,7 @@ namespace Nowpose.Unity.Status
             if (Update(Vector3.Distance(place.position, viewer))) Scale(place, LetterSize.At(Metres) / LetterSize.Of(text));
         }
 
-        /// <summary>Sets the scale of an object in the world, independent of the scale of its parents.</summary>
+        /// <summary>Sets the world scale of an object, independent of the scale of its parents.</summary>
         public static void Scale(Transform place, float size)
         {
             var above = place.parent != null ? Mathf.Abs(place.parent.lossyScale.x) : 1;

@@ -9,16 +9,20 @@ using Nowpose.Unity.Messages;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Determines the texts of the status panel: a value and a note for each row. "!" marks a problem, "–" an unknown value.</summary>
+    /// <summary>
+    /// Determines the strings that the status panel shows: a value and a note for each row. "!" marks a problem, "–" an unknown value.
+    /// </summary>
     /// <remarks>
-    /// Most texts are preallocated. <see cref="Update"/> allocates only when the message, the latency profile or the state of a joint changes,
-    /// and, while the errors of the joints are shown, when one of their numbers changes.
+    /// Most strings are preallocated. <see cref="Update"/> allocates only when the message, the latency profile or the state of a joint changes, and,
+    /// while the errors of the joints are shown, when one of their numbers changes.
     /// </remarks>
     sealed class StatusTexts
     {
         public const int Rows = (int)StatusRow.Message + 1;
 
-        /// <summary>Maximum number of lines of the message. A longer message is shortened here, but complete in the log.</summary>
+        /// <summary>
+        /// Maximum number of lines of the message. A longer message is truncated on the panel; the log contains the complete message.
+        /// </summary>
         public const int MaxMessageLines = 8;
 
         const string Unknown = NumberTexts.Unknown;
@@ -64,7 +68,7 @@ namespace Nowpose.Unity.Status
             Update(null, null, null, null);
         }
 
-        /// <summary>Whether the message shows the error reduction of each joint while there is nothing else to show.</summary>
+        /// <summary>Whether the message shows the error reduction of each joint while there is no other message.</summary>
         public bool ShowsJointErrors { get; set; }
 
         public static string LabelOf(StatusRow row) => Labels[(int)row];
@@ -77,7 +81,7 @@ namespace Nowpose.Unity.Status
         public bool IsShown(StatusRow row) =>
             !string.IsNullOrEmpty(_values[(int)row]) || !string.IsNullOrEmpty(_notes[(int)row]);
 
-        /// <summary>Updates all texts.</summary>
+        /// <summary>Updates all strings.</summary>
         /// <param name="statistics">Statistics of the session; null if no session exists.</param>
         /// <param name="settings">Settings of the session; null if they are unknown.</param>
         /// <param name="robot">Name of the robot; null if it is unknown.</param>
@@ -102,7 +106,7 @@ namespace Nowpose.Unity.Status
             parts?.Update();
             Set(StatusRow.Objects, parts?.Summary ?? "", NoteOf(parts));
             var isPairing = pairing != null;
-            // Problems of the pairing come first, because the connections and the base depend on the pairing.
+            // Problems with the pairing have priority, because the connections and the base depend on the pairing.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
             var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
@@ -150,7 +154,7 @@ namespace Nowpose.Unity.Status
             return _robotNote ?? "";
         }
 
-        // Shortens the fault, which contains a name of any length.
+        // Shortens the fault, because it contains a name that may have any length.
         string NoteOf(ShownParts parts)
         {
             var fault = parts?.FirstFault ?? "";
@@ -159,10 +163,10 @@ namespace Nowpose.Unity.Status
             return _partNote ?? "";
         }
 
-        // While the robot itself is not current, its row already reports the cause, so faults of objects are not shown.
+        // Faults of objects are shown only while the robot's pose is current. Otherwise, the row of the pose already reports the cause.
         static string FaultOf(ShownParts parts, SessionStatistics statistics) => statistics?.Pose == PoseState.Current ? parts?.Faults : null;
 
-        // Reads the address only if the settings are new, because reading allocates.
+        // Reads the address only if the settings have changed, because reading allocates.
         void Follow(SessionSettings settings)
         {
             if (settings == _settings) return;
@@ -245,7 +249,7 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        // Describes the worse of the two connections (clock and samples).
+        // Describes the connection that is in the worse state: the sync connection or the sample connection.
         static string ConnectionOf(SessionStatistics statistics)
         {
             var (sync, samples) = (statistics.SyncLink.State, statistics.SampleLink.State);

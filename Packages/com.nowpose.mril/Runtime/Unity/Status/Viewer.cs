@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Finds the head of the viewer, and turns texts towards it.</summary>
+    /// <summary>Finds the head of the viewer, and computes the rotation of text that faces it.</summary>
     static class Viewer
     {
         /// <summary>Transform of the main camera, which is the wearer's head; null if the scene has no main camera.</summary>
@@ -15,7 +15,9 @@ namespace Nowpose.Unity.Status
             }
         }
 
-        /// <summary>Returns the upright rotation with which a text faces the viewer. The z axis of a text points away from its reader.</summary>
+        /// <summary>
+        /// Returns the upright rotation with which a TextMesh faces the viewer. The z axis of a TextMesh points away from its reader.
+        /// </summary>
         public static Quaternion Facing(Vector3 text, Vector3 viewer)
         {
             var away = text - viewer;

@@ -2,14 +2,14 @@ using System.Text;
 
 namespace Nowpose.Unity.Status
 {
-    /// <summary>Wraps a text into lines, because a TextMesh does not wrap. Splits a word only if it is wider than a line.</summary>
+    /// <summary>Wraps a string into lines, because a TextMesh does not wrap its text. Splits a word only if it is wider than a line.</summary>
     static class WrappedText
     {
         const char Ellipsis = '…';
 
-        /// <summary>Inserts line breaks into a text.</summary>
+        /// <summary>Inserts line breaks into a string.</summary>
         /// <param name="width">Maximum width of a line as a multiple of the font size, at least 2.</param>
-        /// <param name="lines">Maximum number of lines. A longer text is cut and ends with "…".</param>
+        /// <param name="lines">Maximum number of lines. A longer string is truncated and ends with "…".</param>
         public static string Of(string line, float width, int lines = int.MaxValue)
         {
             var wrapped = new StringBuilder(line.Length + 8);

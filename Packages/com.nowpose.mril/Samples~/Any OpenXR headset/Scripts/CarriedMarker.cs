@@ -51,7 +51,7 @@ namespace Nowpose.Samples
         {
             var hand = _position.ReadValue<Vector3>();
             var turned = _rotation.ReadValue<Quaternion>();
-            // The rotation of an untracked controller is a quaternion of zeros.
+            // While the controller is not tracked, its rotation is a quaternion of zeros.
             if (Quaternion.Dot(turned, turned) < 0.5f) return;
             if (_trackingOrigin != null)
             {

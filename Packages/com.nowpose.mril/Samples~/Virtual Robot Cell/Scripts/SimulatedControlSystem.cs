@@ -12,8 +12,8 @@ namespace Nowpose.Samples
     /// Simulates a control system in the scene: a robot that takes workpieces from a conveyor, its clock, and the network to the headset.
     /// </summary>
     /// <remarks>
-    /// Takes the place of a gateway: supplies a session that is not connected with samples, clock exchanges and the robot's description. All
-    /// settings except the seed can be changed while the scene plays.
+    /// Replaces a gateway: supplies a session that is not connected with samples, sync exchanges and the robot's description. All settings except the
+    /// seed can be changed while the scene plays.
     /// </remarks>
     [AddComponentMenu("Nowpose/Samples/Simulated Control System")]
     [DefaultExecutionOrder(MrilSession.ExecutionOrder - 1)]

@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core
             return pairing;
         }
 
-        // Returns the stopwatch reading that belongs to a count, in units of 100 ns. Decimal arithmetic keeps 28 digits.
+        // Returns the stopwatch reading that corresponds to a count, in units of 100 ns. Decimal arithmetic keeps 28 digits.
         static long Expected(long count, long frequency, decimal lag) =>
             decimal.ToInt64(decimal.Floor(((decimal)count / frequency - lag) * StopwatchHz));
 
@@ -66,7 +66,8 @@ namespace Nowpose.Tests.Core
         [Test]
         public void TryMeasure_InterruptedReadings_UsesTheShortestBracket()
         {
-            // Each bracket has three readings. One bracket in eight has no pause; the others have pauses of 1 to 16 ms.
+            // A bracket consists of three readings: counter, stopwatch, counter. One bracket in eight has no pause; the others have pauses of 1 to 16
+            // ms.
             var device = new PlayedCounters(24_000_000, 90 * Day, 17) { PauseAfter = i => i / 3 % 8 == 5 ? 0 : 0.001 * (1 + i % 16) };
 
             var pairing = Measure(device);

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Nowpose.Tests.Core
 {
-    /// <summary>Sets a culture with a decimal comma until it is disposed.</summary>
+    /// <summary>Sets a culture with a decimal comma; disposing the object restores the previous culture.</summary>
     sealed class DecimalComma : IDisposable
     {
         readonly CultureInfo _before = CultureInfo.CurrentCulture;

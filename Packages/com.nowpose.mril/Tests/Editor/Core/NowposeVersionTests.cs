@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core
             Assert.That(NowposeVersion.Fits($"{Numbers[0]}.{int.Parse(Numbers[1]) + 1}.0{end}"), Is.False);
         }
 
-        // Programs before 0.2.0 report no version, and another rosbridge server may report any text.
+        // Programs before version 0.2.0 report no version, and other rosbridge servers may report any string.
         [TestCase(null)]
         [TestCase("")]
         [TestCase("9")]

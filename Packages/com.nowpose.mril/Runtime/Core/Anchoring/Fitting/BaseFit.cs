@@ -19,7 +19,7 @@ namespace Nowpose.Anchoring.Fitting
         const double MinTiltError = 0.1 * Math.PI / 180, MaxTiltError = 2 * Math.PI / 180;
 
         /// <param name="markers">One marker or more.</param>
-        /// <param name="without">Index of a marker to omit; −1 for none.</param>
+        /// <param name="without">Index of a marker to omit; −1 to use all markers.</param>
         /// <returns>Base frame in the room frame.</returns>
         public static RigidTransform Of(IReadOnlyList<MarkerEstimate> markers, int without = -1)
         {

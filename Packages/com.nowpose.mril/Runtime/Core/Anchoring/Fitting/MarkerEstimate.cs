@@ -11,7 +11,7 @@ namespace Nowpose.Anchoring.Fitting
         /// </summary>
         const double PlacedMetres = 0.00025;
 
-        /// <summary>Standard error of a mounted print's angle about an axis, rad; used if other markers provide no estimate.</summary>
+        /// <summary>Standard error of the angle of a mounted print about an axis, rad. It is used if the other markers provide no estimate.</summary>
         public const double PlacedRadians = 0.5 * System.Math.PI / 180;
 
         /// <param name="inBase">Configured pose in the base frame.</param>

@@ -11,8 +11,8 @@ namespace Nowpose.Anchoring.Fitting
     readonly struct PoseMean
     {
         /// <summary>
-        /// Outlier threshold as a multiple of the median distance. For normally distributed noise in three directions, it is 3.8 standard
-        /// deviations of one direction; 0.2 % of the poses exceed it.
+        /// Outlier threshold as a multiple of the median distance. For normally distributed noise in three directions, it corresponds to 3.8 standard
+        /// deviations in one direction; 0.2 % of the poses exceed it.
         /// </summary>
         const double Reach = 2.5;
 
@@ -51,15 +51,15 @@ namespace Nowpose.Anchoring.Fitting
         /// <summary>Root mean square of the angles to the mean, rad.</summary>
         public double SpreadRadians { get; }
 
-        /// <summary>Estimated error of the mean's position, root mean square, m, if the errors of the poses are independent.</summary>
+        /// <summary>Estimated root-mean-square error of the mean's position, m. Assumes that the errors of the poses are independent.</summary>
         public double ErrorMetres => SpreadMetres / Math.Sqrt(Inliers);
 
         /// <summary>Estimated error of the mean's rotation, rad.</summary>
         public double ErrorRadians => SpreadRadians / Math.Sqrt(Inliers);
 
         /// <summary>Whether the means of the older and the newer half of the poses agree. The mean of a moving marker is meaningless.</summary>
-        /// <param name="metres">Difference that is always allowed, even with little scatter.</param>
-        /// <param name="radians">Angle difference that is always allowed.</param>
+        /// <param name="metres">Position difference that is always allowed, even if the scatter is small, m.</param>
+        /// <param name="radians">Angle difference that is always allowed, rad.</param>
         public bool IsSteady(double metres, double radians) =>
             _shiftMetres <= Math.Max(metres, 2 * MaxStandardErrors * ErrorMetres)
             && _shiftRadians <= Math.Max(radians, 2 * MaxStandardErrors * ErrorRadians);
@@ -107,7 +107,7 @@ namespace Nowpose.Anchoring.Fitting
                 metres += distance * distance;
                 radians += angle * angle;
             }
-            // The mean was computed from the same poses, which costs one degree of freedom per direction.
+            // The mean was computed from the same poses, so the scatter has one degree of freedom less in each direction.
             var free = Math.Max(inliers - 1, 1);
             var (shiftMetres, shiftRadians) = Shift(window, count, weights, mean, inliers);
             return new PoseMean(

@@ -5,7 +5,7 @@ using Nowpose.Messages;
 namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Describes a tracker's state in one line.</summary>
-    /// <remarks>Creates a new text only when the content changes, and at most once a second if only numbers change.</remarks>
+    /// <remarks>Creates a new string only when the content changes. If only numbers change, creates at most one string per second.</remarks>
     sealed class BaseStatusText
     {
         static readonly TimeSpan Refresh = TimeSpan.FromSeconds(1);
@@ -170,7 +170,7 @@ namespace Nowpose.Anchoring.Tracking
             Placed, BeingPlaced, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost,
         }
 
-        /// <summary>Content of the text; equal contents have equal texts.</summary>
+        /// <summary>Content of the text. Equal contents produce equal texts.</summary>
         readonly struct Subject
         {
             public readonly Kind Kind;

@@ -4,21 +4,22 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Recent deviation of a marker from its expected pose: a median, so that single wrong poses have no effect.</summary>
+    /// <summary>Median of the recent deviations of a marker from its expected pose. Single wrong poses therefore have no effect.</summary>
     sealed class DeviationWatch
     {
         const int Capacity = 32, MinPoses = 5, Numbers = 6;
 
         /// <summary>
-        /// For a normal distribution: standard deviation (sd) divided by median absolute deviation, and sd of a median divided by sd of a mean.
+        /// Ratios for a normal distribution. SdPerMedian: standard deviation (sd) divided by median absolute deviation. MedianPerMean: sd of a median
+        /// divided by sd of a mean.
         /// </summary>
         const double SdPerMedian = 1.4826, MedianPerMean = 1.2533;
 
-        /// <summary>Minimum excess over the limit, in sd of the median, so that the state does not alternate for a marker at the limit.</summary>
+        /// <summary>Minimum excess over the limit, in sd of the median. It prevents the state of a marker at the limit from alternating.</summary>
         const double MinStandardErrors = 3;
 
         /// <summary>
-        /// Maximum age of the poses that are used; and the maximum age of the poses that are added if there are too few recent ones.
+        /// Recent: maximum age of the poses that are used. Oldest: maximum age of the poses that are added if there are too few recent ones.
         /// </summary>
         static readonly TimeSpan Recent = TimeSpan.FromMilliseconds(600), Oldest = TimeSpan.FromSeconds(5);
 

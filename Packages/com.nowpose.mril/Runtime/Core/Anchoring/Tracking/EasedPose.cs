@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring.Tracking
 {
-    /// <summary>Smooths the jumps of a pose: the difference between the smoothed pose and the pose decreases exponentially.</summary>
+    /// <summary>Smooths the jumps of a pose: the difference between the smoothed pose and the actual pose decreases exponentially.</summary>
     sealed class EasedPose
     {
         /// <summary>Number of time constants in the configured duration, after which 2 % of the difference remains.</summary>
@@ -12,7 +12,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Differences below these values are not visible.</summary>
         const double NearMetres = 1e-6, NearRadians = 1e-6;
 
-        /// <summary>Maximum time step, so that the motion continues after a pause from where it was interrupted.</summary>
+        /// <summary>Maximum time step. After a pause, the motion continues from where it was interrupted.</summary>
         static readonly TimeSpan MaxFrameTime = TimeSpan.FromMilliseconds(50);
 
         readonly TimeSpan _ease;
@@ -23,7 +23,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>The smoothed pose; null before the first pose.</summary>
         public RigidTransform? Pose { get; private set; }
 
-        /// <summary>Sets the pose without smoothing; null starts again with the next pose.</summary>
+        /// <summary>Sets the pose without smoothing. After null, the next pose is applied without smoothing.</summary>
         public void Jump(in RigidTransform? pose) => Pose = pose;
 
         public void Follow(in RigidTransform target, HeadsetTime now)
@@ -35,7 +35,7 @@ namespace Nowpose.Anchoring.Tracking
             else Pose = PoseNumbers.Between(pose, target, PartOf(passed));
         }
 
-        /// <summary>Advances the time without a pose to follow.</summary>
+        /// <summary>Advances the time while there is no pose to follow.</summary>
         public void Rest(HeadsetTime now) => _last = now;
 
         double PartOf(TimeSpan passed)

@@ -3,12 +3,13 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>The position of the base that the device holds.</summary>
-    /// <remarks>The position is searched for at the start, held after a lock, and updated when the device corrects its map.</remarks>
+    /// <remarks>
+    /// Searches for a stored position at the start, holds the position after a lock, and updates it when the device corrects its map.
+    /// </remarks>
     sealed class HeldPlace
     {
         /// <summary>
-        /// Distance from the application's origin below which a pose is invalid, unless it is closer to the previous pose than the second
-        /// distance.
+        /// A pose closer to the application's origin than OriginMetres is invalid, unless it is closer to the previous pose than JumpMetres.
         /// </summary>
         const double OriginMetres = 0.001, JumpMetres = 0.1;
 

@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring.Tracking
 {
     /// <summary>Determines the base from all markers with a sufficiently accurate estimate.</summary>
-    /// <remarks>Attempts are made at intervals while markers are in view that are not yet part of a lock.</remarks>
+    /// <remarks>Repeats the attempt at intervals while markers are in view that are not yet part of the lock.</remarks>
     sealed class LockAttempt
     {
         /// <summary>Minimum interval between attempts.</summary>
@@ -38,7 +38,9 @@ namespace Nowpose.Anchoring.Tracking
             Conflict = null;
         }
 
-        /// <param name="locked">Locked base; the markers that are part of the lock are then used, too. Null before the base is locked.</param>
+        /// <param name="locked">
+        /// Locked base; null before the base is locked. If it is given, the markers that are part of the lock are also used.
+        /// </param>
         /// <returns>Whether the attempt succeeded. In this case, the markers used become parts of the lock.</returns>
         public bool Make(HeadsetTime now, IReadOnlyList<TrackedMarker> markers, in RigidTransform? locked)
         {
@@ -55,7 +57,7 @@ namespace Nowpose.Anchoring.Tracking
             return true;
         }
 
-        /// <summary>Returns the scatter of the markers' poses as root mean square over the markers used.</summary>
+        /// <summary>Returns the scatter of the markers' poses: the root mean square over the markers used.</summary>
         public (double Metres, double Radians) Spread()
         {
             double metres = 0, radians = 0;
@@ -113,7 +115,8 @@ namespace Nowpose.Anchoring.Tracking
             var isClear = agreement.Wrong >= 0;
             var wrong = _estimated[isClear ? agreement.Wrong : 0];
             Conflict = new MarkerConflict(wrong.Marker, isClear ? null : _estimated[1].Marker, agreement.Metres, agreement.Radians);
-            // Parts of the lock are at the end of the list. If two markers contradict each other, the part is kept and the other marker is excluded.
+            // The markers of the lock are at the end of the list. If two markers contradict each other, the marker of the lock is kept and the other
+            // marker is excluded.
             if (isClear || _estimated[_estimated.Count - 1].IsPart) wrong.Exclude();
             if (!isClear) return false;
             _estimates.RemoveAt(agreement.Wrong);

@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring.Tracking
     readonly struct MapCorrection
     {
         /// <param name="locked">Base at the lock, in the room frame.</param>
-        /// <param name="now">Base as the device reports it now.</param>
+        /// <param name="now">Pose of the base that the device reports now, in the room frame.</param>
         public MapCorrection(in RigidTransform locked, in RigidTransform now)
         {
             Metres = locked.DistanceTo(now);

@@ -19,7 +19,8 @@ namespace Nowpose.Anchoring.Tracking
         const double Shared = 0.5;
 
         /// <summary>
-        /// Factors by which the tolerances are multiplied. The configured pose of a print is less accurate than the measurement of a later movement.
+        /// Factors by which the tolerances are multiplied, because the configured pose of a print is less accurate than the measurement of a later
+        /// movement.
         /// </summary>
         public const double MetresFactor = 2, AngleFactor = 4;
 
@@ -37,7 +38,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Index of the marker that the other markers contradict; −1 if there is none or if it cannot be determined.</summary>
         public int Wrong { get; }
 
-        /// <summary>Pose of the base fitted to all markers; without the wrong marker if there is one.</summary>
+        /// <summary>Pose of the base fitted to all markers, except the wrong marker if there is one.</summary>
         public RigidTransform Fitted { get; }
 
         /// <summary>Deviation of the wrong marker, or of the markers from each other if the wrong marker is unknown, in metres.</summary>

@@ -28,7 +28,9 @@ namespace Nowpose.Anchoring.Tracking
 
         /// <summary>Replaces the markers. Markers that are also in the new list keep their sightings.</summary>
         /// <returns>Whether all parts of a lock are still in the list.</returns>
-        /// <exception cref="InputException">Two markers have the same payload, or there are too many; nothing is changed then.</exception>
+        /// <exception cref="InputException">
+        /// Two markers have the same payload, or there are too many. In this case, the set does not change.
+        /// </exception>
         public bool Replace(IReadOnlyList<BaseMarker> markers, AnchoringSettings settings)
         {
             SettingRange.RequireCount(markers.Count, 0, MaxCount, SettingNames.MarkersOfBase);
@@ -56,7 +58,7 @@ namespace Nowpose.Anchoring.Tracking
             foreach (var marker in _markers) marker.RemoveSightings();
         }
 
-        /// <param name="payload">Null for the base itself.</param>
+        /// <param name="payload">Payload of the marker; null if the pose of the base itself is requested.</param>
         /// <returns>The pose of the marker with this payload in the base frame; null if there is none.</returns>
         public RigidTransform? PoseInBase(string payload)
         {
@@ -66,7 +68,7 @@ namespace Nowpose.Anchoring.Tracking
             return null;
         }
 
-        /// <param name="watched">Pose of the base with which the sighting is compared; null for no comparison.</param>
+        /// <param name="watched">Pose of the base against which the sighting is checked; null to skip the check.</param>
         /// <returns>Whether the sighting was accepted.</returns>
         public bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? watched)
         {

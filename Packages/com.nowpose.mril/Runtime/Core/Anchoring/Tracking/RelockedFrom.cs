@@ -20,7 +20,7 @@ namespace Nowpose.Anchoring.Tracking
 
         public BaseAnchorState State { get; }
 
-        /// <summary>Whether the base had been placed by hand.</summary>
+        /// <summary>Whether the base was placed by hand before the search.</summary>
         public bool IsHeldByHand { get; }
 
         /// <summary>Returns whether no marker has been in view for <see cref="SearchTimeout"/>.</summary>

@@ -9,10 +9,14 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Maximum relative error of the size; errors of lenses and prints are smaller.</summary>
         const double MaxSizeDeviation = 0.1;
 
-        /// <summary>Minimum distance of a valid pose from the origin: no marker is closer to the head's position at the start.</summary>
+        /// <summary>
+        /// Minimum distance of a valid pose from the origin, which is the position of the head at the start. No marker is that close to the head.
+        /// </summary>
         const double OriginMetres = 0.001;
 
-        /// <summary>Maximum time by which a sighting may be in the future: the clocks of engine and headset are read one after the other.</summary>
+        /// <summary>
+        /// Maximum time by which a sighting may be in the future, because the clocks of the engine and of the headset are read one after the other.
+        /// </summary>
         public static readonly TimeSpan Ahead = TimeSpan.FromMilliseconds(50);
 
         /// <param name="head">Viewer's head in the room frame, x forward; null when unknown.</param>

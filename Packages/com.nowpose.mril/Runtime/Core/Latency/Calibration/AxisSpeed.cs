@@ -8,7 +8,10 @@ namespace Nowpose.Latency.Calibration
     {
         const int Window = 30;
 
-        /// <summary>Maximum difference between the speeds of the two halves of the window: relative, or in mm/s, whichever is larger.</summary>
+        /// <summary>
+        /// Maximum difference between the speeds of the two halves of the window. MaxDifference is relative, MaxDifferenceMmPerS is in mm/s; the
+        /// larger of the two limits applies.
+        /// </summary>
         const double MaxDifference = 0.1, MaxDifferenceMmPerS = 3;
 
         readonly double[] _seconds = new double[Window], _mm = new double[Window];

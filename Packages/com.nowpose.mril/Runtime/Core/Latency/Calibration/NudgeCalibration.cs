@@ -3,7 +3,9 @@ using Nowpose.Messages;
 
 namespace Nowpose.Latency.Calibration
 {
-    /// <summary>Calibrates L_visu by eye, from the shifts at which the ghost agrees with the robot at constant speed, forward and backward.</summary>
+    /// <summary>
+    /// Calibrates L_visu by eye, from the shifts at which the ghost agrees with the robot in forward and backward motion at constant speed.
+    /// </summary>
     /// <remarks>
     /// With e = true L_visu − L_visu in use, and a base that is misplaced by d, the shift is v·e + d forward and −v·e + d
     /// backward. Half the difference divided by the speed v is e, and half the sum is d. Not thread-safe.

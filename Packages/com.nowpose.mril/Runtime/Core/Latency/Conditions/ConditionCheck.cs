@@ -41,7 +41,7 @@ namespace Nowpose.Latency.Conditions
             Update();
         }
 
-        /// <param name="profile">The profile in use; null for none.</param>
+        /// <param name="profile">The profile in use; null if no profile is in use.</param>
         public IReadOnlyList<ConditionMismatch> MismatchesOf(LatencyProfile profile)
         {
             if (profile != _profile) Compare(profile);

@@ -10,7 +10,7 @@ namespace Nowpose.Latency.Conditions
     /// <remarks>Immutable.</remarks>
     sealed class DisplayConditions : IEquatable<DisplayConditions>
     {
-        /// <summary>Maximum length of a text, characters.</summary>
+        /// <summary>Maximum length of a string, in characters.</summary>
         public const int MaxTextLength = 128;
 
         internal const double MaxDisplayHz = 1000;
@@ -23,7 +23,9 @@ namespace Nowpose.Latency.Conditions
 
         readonly string[] _values = new string[DisplayConditionNames.Count];
 
-        /// <param name="device">Model of the headset. Each text is one line of up to 128 characters; null or empty if unknown.</param>
+        /// <param name="device">
+        /// Model of the headset. It and the other strings are one line of up to 128 characters; null or empty if unknown.
+        /// </param>
         /// <param name="displayHz">Refresh rate, up to 1000 Hz; null, 0 or NaN when not known.</param>
         /// <param name="graphicsApi">Value of <c>SystemInfo.graphicsDeviceType</c>, such as Direct3D11.</param>
         /// <param name="graphicsJobs">Value of <c>SystemInfo.renderingThreadingMode</c>: MultiThreaded without Graphics Jobs.</param>
@@ -31,7 +33,7 @@ namespace Nowpose.Latency.Conditions
         /// <param name="rewritesBeforeRender">Whether the pose is computed a second time right before rendering.</param>
         /// <param name="latencyOptimization">OpenXR's Latency Optimization setting: PrioritizeRendering or PrioritizeInputPolling.</param>
         /// <param name="reprojection">Correction for head motion; <see cref="ReprojectionMode.Unknown"/> when not known.</param>
-        /// <exception cref="InputException">A text is too long or has several lines, or the rate is out of range.</exception>
+        /// <exception cref="InputException">A string is too long or has several lines, or the rate is out of range.</exception>
         public DisplayConditions(
             string device = null, double? displayHz = null, string graphicsApi = null, string graphicsJobs = null, string renderPipeline = null,
             bool? rewritesBeforeRender = null, string latencyOptimization = null, ReprojectionMode reprojection = ReprojectionMode.Unknown)
@@ -75,14 +77,14 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Correction for head motion; <see cref="ReprojectionMode.Unknown"/> when not known.</summary>
         public ReprojectionMode Reprojection { get; }
 
-        /// <summary>The condition as text, without a unit; null when it is not known.</summary>
+        /// <summary>Value of a condition as a string, without a unit; null when it is not known.</summary>
         public string this[DisplayCondition condition] => _values[(int)condition];
 
         /// <summary>
         /// Returns the conditions that are known in both instances and differ. This instance holds the conditions of a calibration.
         /// </summary>
         /// <param name="actual">Conditions of the device that uses the calibration.</param>
-        /// <returns>In the order of <see cref="DisplayCondition"/>; empty when nothing differs.</returns>
+        /// <returns>The mismatches in the order of <see cref="DisplayCondition"/>; empty when nothing differs.</returns>
         public IReadOnlyList<ConditionMismatch> MismatchesWith(DisplayConditions actual)
         {
             var found = new List<ConditionMismatch>();
@@ -91,7 +93,7 @@ namespace Nowpose.Latency.Conditions
             return found;
         }
 
-        /// <summary>Returns these conditions, with unknown values taken from <paramref name="other"/>.</summary>
+        /// <summary>Returns these conditions, in which unknown values are replaced with those of <paramref name="other"/>.</summary>
         public DisplayConditions Or(DisplayConditions other) => new DisplayConditions(
             Device ?? other.Device, DisplayHz ?? other.DisplayHz, GraphicsApi ?? other.GraphicsApi, GraphicsJobs ?? other.GraphicsJobs,
             RenderPipeline ?? other.RenderPipeline, RewritesBeforeRender ?? other.RewritesBeforeRender,
@@ -103,9 +105,9 @@ namespace Nowpose.Latency.Conditions
 
         public override int GetHashCode() => (Device, GraphicsApi, RenderPipeline, Reprojection).GetHashCode();
 
-        /// <summary>Parses each condition from its text.</summary>
-        /// <param name="valueOf">Returns the text of a condition in the format of the indexer; null or empty if unknown.</param>
-        /// <exception cref="InputException">A text is invalid; the message begins with the name of its field.</exception>
+        /// <summary>Parses the value of each condition.</summary>
+        /// <param name="valueOf">Returns the value of a condition as a string in the format of the indexer; null or empty if unknown.</param>
+        /// <exception cref="InputException">A string is invalid; the message begins with the name of its field.</exception>
         internal static DisplayConditions Parse(Func<DisplayCondition, string> valueOf) => new DisplayConditions(
             valueOf(DisplayCondition.Device), RateOf(valueOf(DisplayCondition.DisplayRate)), valueOf(DisplayCondition.GraphicsApi),
             valueOf(DisplayCondition.GraphicsJobs), valueOf(DisplayCondition.RenderPipeline), SwitchOf(valueOf(DisplayCondition.RewriteBeforeRender)),

@@ -19,14 +19,16 @@ namespace Nowpose.Latency.DisplayTime
 
         static readonly TimeSpan Lasting = TimeSpan.FromSeconds(1);
 
-        /// <summary>Maximum interval between frames. A longer interval restarts the duration, because the difference within it is unknown.</summary>
+        /// <summary>
+        /// Maximum interval between frames. A longer interval restarts the measured duration, because the difference within it is unknown.
+        /// </summary>
         static readonly TimeSpan Gap = TimeSpan.FromMilliseconds(250);
 
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
         HeadsetTime? _since, _newest;
 
         /// <summary>Whether the median difference has exceeded 5 ms for a second and has not since been below 4 ms for a second.</summary>
-        /// <remarks>An interval of more than 0.25 s between frames restarts the duration.</remarks>
+        /// <remarks>An interval of more than 0.25 s between frames restarts the measurement of this second.</remarks>
         public bool IsInconsistent { get; private set; }
 
         /// <summary>

@@ -63,7 +63,7 @@ namespace Nowpose.Latency.DisplayTime
         /// <summary>Returns the display time of a frame.</summary>
         /// <param name="isComparable">
         /// False when a comparison with the calibration is not meaningful: the render time shows that L_visu differs from the calibrated
-        /// value, or the frame is computed a second time.
+        /// value, or the frame will be computed again before it is rendered.
         /// </param>
         public HeadsetTime LightOf(HeadsetTime frameStart, bool isComparable)
         {

@@ -5,14 +5,14 @@ namespace Nowpose.Latency.Load
 {
     /// <summary>Decides which steps of a long task fit into a frame, based on the duration of earlier steps of the same kind.</summary>
     /// <remarks>
-    /// The steps of one frame fit into its share of time. The first step of a frame always runs, so that the task progresses even if a step
-    /// is longer than the share, or if its kind has no measured duration yet. Allocates nothing; not thread-safe.
+    /// In each frame, steps run while they fit into the task's share of time. The first step of a frame always runs, so that the task progresses even
+    /// if a step is longer than the share, or if its kind has no measured duration yet. Allocates nothing; not thread-safe.
     /// </remarks>
     sealed class FrameShare
     {
         /// <summary>
-        /// Divisor: a shorter step lowers the expected duration by the difference divided by this value, because the next step may be long
-        /// again.
+        /// A step that is shorter than expected lowers the expected duration by the difference divided by this value, because the next step may be
+        /// long again.
         /// </summary>
         const int DecreaseDivisor = 8;
 

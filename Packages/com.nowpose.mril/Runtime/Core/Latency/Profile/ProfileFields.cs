@@ -15,7 +15,7 @@ namespace Nowpose.Latency.Profile
 
         const int MaxShownLength = 40;
 
-        /// <summary>Represents a value that is neither text nor a number.</summary>
+        /// <summary>Represents a value that is neither a string nor a number.</summary>
         static readonly object Other = new object();
 
         readonly string _name;

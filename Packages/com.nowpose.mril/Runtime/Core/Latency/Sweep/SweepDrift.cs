@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Nowpose.Latency.Sweep
 {
-    /// <summary>Drift of a sweep: increase of the render time with time instead of load, accumulated from the rates at constant load, ms.</summary>
+    /// <summary>
+    /// Drift of a sweep: increase of the render time that is caused by elapsed time and not by the load, in ms. Accumulated from the rates at
+    /// constant load.
+    /// </summary>
     sealed class SweepDrift
     {
         readonly Dictionary<SweepVisit, double> _sums = new Dictionary<SweepVisit, double>();

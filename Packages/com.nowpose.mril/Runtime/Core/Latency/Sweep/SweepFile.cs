@@ -9,7 +9,7 @@ using Nowpose.Messages;
 namespace Nowpose.Latency.Sweep
 {
     /// <summary>Writes a sweep's log while it runs, load by load on another thread, so that no frame waits for the disk.</summary>
-    /// <remarks>Single-threaded unless a member states otherwise. After a crash, the file has all loads before the current load.</remarks>
+    /// <remarks>Single-threaded unless a member states otherwise. After a crash, the file contains all loads before the current load.</remarks>
     sealed class SweepFile
     {
         readonly int _rowsPerLoad;
@@ -32,7 +32,7 @@ namespace Nowpose.Latency.Sweep
 
         public string Path { get; }
 
-        /// <summary>Error that stopped the writing, in one line; null without an error. Can be read on any thread.</summary>
+        /// <summary>Error that stopped the writing, in one line; null if none has occurred. Can be read on any thread.</summary>
         public string Problem => _problem;
 
         /// <summary>
@@ -53,7 +53,10 @@ namespace Nowpose.Latency.Sweep
         }
 
         /// <summary>Queues the remaining rows and the evaluation of the sweep and returns at once.</summary>
-        /// <returns>Task that completes with the file. Its result is null when the file could not be written; see <see cref="Problem"/>.</returns>
+        /// <returns>
+        /// Task that completes when the file is written and the sweep is evaluated. Its result is null if the file could not be written; see
+        /// <see cref="Problem"/>.
+        /// </returns>
         public Task<LoadSensitivity> CloseAsync()
         {
             EndLoad();

@@ -32,7 +32,7 @@ namespace Nowpose.Latency.Sweep
             NeededMs = Math.Max(MinRise * Math.Abs(LowMs), MinStandardErrors * Math.Sqrt(variance));
         }
 
-        /// <summary>Mean render time at the lowest third of the loads, ms.</summary>
+        /// <summary>Mean render time at the lowest third of the loads minus the drift, ms.</summary>
         public double LowMs { get; }
 
         public double HighMs { get; }
@@ -48,9 +48,9 @@ namespace Nowpose.Latency.Sweep
         public double NeededMs { get; }
 
         /// <summary>
-        /// Splits visits into passes of one direction. A change with time instead of load appears as a rise in only one direction. If the
-        /// sweep has only one direction, the drift at constant load is subtracted. If the visits contain no such pass, all of them together
-        /// form one pass. The result is empty for fewer than three different loads.
+        /// Splits visits into passes of one direction. A change that is caused by elapsed time and not by the load appears as a rise in only one
+        /// direction. If the sweep has only one direction, the drift at constant load is subtracted. If the visits contain no such pass, all of them
+        /// together form one pass. The result is empty for fewer than three different loads.
         /// </summary>
         public static List<SweepPass> Of(IReadOnlyList<SweepVisit> visits)
         {

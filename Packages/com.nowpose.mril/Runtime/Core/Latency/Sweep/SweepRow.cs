@@ -7,7 +7,7 @@ namespace Nowpose.Latency.Sweep
     {
         /// <param name="frameStart">Control time of the frame's start, which the timestamp code of the frame shows.</param>
         /// <param name="vertices">Number of vertices of the load that were drawn, 0 to <see cref="SweepPlan.MaxVertices"/>.</param>
-        /// <param name="renderMs">Δt_render that became known in this frame, see <see cref="MeasuredRenderTime"/>; null for none.</param>
+        /// <param name="renderMs">Δt_render that became known in this frame, see <see cref="MeasuredRenderTime"/>; null if none became known.</param>
         /// <param name="source">Source of the render time; may also be set without a render time.</param>
         /// <param name="device">Device name as in a latency profile; empty when unknown.</param>
         /// <param name="displayHz">Display rate; NaN when unknown.</param>

@@ -24,7 +24,7 @@ namespace Nowpose.Latency.Sweep
         /// Whether the frame showed the complete load and the control time of the frame is known. The time of a load starts with the first
         /// such frame and restarts after any other frame.
         /// </param>
-        /// <returns>Whether the load changes from now on or the sweep is done.</returns>
+        /// <returns>Whether this frame completed the load, so that the next load begins or the sweep is done.</returns>
         public bool Advance(HeadsetTime start, bool isReady)
         {
             if (IsDone) return false;

@@ -60,7 +60,7 @@ namespace Nowpose.Prediction.Candidates
                 ? record.Candidate / record.Mixture : double.PositiveInfinity;
         }
 
-        /// <summary>Scores a forecast by the sample at its time.</summary>
+        /// <summary>Scores a forecast against the sample at the forecast time.</summary>
         /// <param name="error">Error of the candidate.</param>
         /// <param name="mixture">
         /// Error of the mixture, limited by the outlier threshold: a single outlier of the mixture must not favour the candidate.

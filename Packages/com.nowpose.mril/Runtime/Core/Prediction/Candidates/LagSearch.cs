@@ -9,23 +9,27 @@ namespace Nowpose.Prediction.Candidates
     /// <remarks>
     /// For every lag k it sums the squared differences x(n) − x(n−k) with exponential forgetting, one addition per lag and
     /// compared grid point. The last half second therefore counts most, which distinguishes one dwell from another. The positions of
-    /// an endless joint are unwrapped, so a cycle that ends one or more turns away from its start is not recognised. Allocates nothing after
+    /// a continuous joint are unwrapped, so a cycle that ends one or more turns away from its start is not recognised. Allocates nothing after
     /// construction.
     /// </remarks>
     sealed class LagSearch
     {
         public const int Kept = 3;
 
-        /// <summary>Time constant of the forgetting factor of the sums, in s.</summary>
+        /// <summary>Time constant of the exponential forgetting in the sums, in s.</summary>
         const double Forgetting = 0.25;
 
         /// <summary>Maximum lag, in s: cycles of up to two minutes.</summary>
         const double MaxLag = 120;
 
-        /// <summary>Maximum distance from the origin; larger ones count as this one, so that squares do not overflow.</summary>
+        /// <summary>
+        /// Maximum distance of a position from the origin. Larger distances are limited to this value, so that squares do not overflow.
+        /// </summary>
         const double MaxDistance = 1e15;
 
-        /// <summary>Is added to each cost at each comparison, because arithmetic with numbers near the smallest one is many times slower.</summary>
+        /// <summary>
+        /// Added to each cost at each comparison, so that costs do not become subnormal: arithmetic with subnormal numbers is many times slower.
+        /// </summary>
         const float MinCost = 1e-30f;
 
         readonly MotionHistory _history;
@@ -35,21 +39,22 @@ namespace Nowpose.Prediction.Candidates
         readonly float[] _costs;
         readonly float[] _lagCosts = new float[Kept];
 
-        // The history relative to its first position. Grid points one lag step apart are in the same row, a ring with the newest first, because many
-        // joints together exceed the processor's cache: a pass reads neighbours, a fourth to a tenth of the memory that it would read in the history.
+        // Positions of the history relative to its first position. Grid points that are one lag step apart are adjacent in one row, which is a ring
+        // buffer with the newest point first. A pass over the lags therefore reads adjacent elements: a fourth to a tenth of the memory that it would
+        // read in the history. The histories of many joints together exceed the processor's cache.
         readonly float[] _rows = new float[MotionHistory.Capacity];
         int _rowLength;
         double _origin;
         long _taken;
 
-        // Grid steps between two compared lags and between two compared points, and the forgetting factor.
+        // _step: grid steps between successive lags. _stride: grid steps between successive compared points. The forgetting factor is per comparison.
         int _step, _stride;
         double _forgettingFactor;
 
         public LagSearch(MotionHistory history, SearchDensity density)
         {
             (_history, _density) = (history, density);
-            // A step of whole grid steps is at least half of the density's step, so there are at most twice as many lags.
+            // Rounded down to whole grid steps, the lag step is still more than half of LagStep, so there are at most twice as many lags.
             var maxLags = (int)(2 * MaxLag / density.LagStep) + 1;
             _costs = new float[maxLags + 1];
         }
@@ -59,7 +64,7 @@ namespace Nowpose.Prediction.Candidates
 
         public int Count { get; private set; }
 
-        /// <summary>Discards all costs, after the history has been cleared.</summary>
+        /// <summary>Discards all costs and adopts the grid step of the history. Call it after the history has been restarted.</summary>
         public void Start()
         {
             Array.Clear(_costs, 0, _costs.Length);
@@ -90,7 +95,7 @@ namespace Nowpose.Prediction.Candidates
 
         int PlaceOf(long point) => (int)(point % _step) * _rowLength + _rowLength - 1 - (int)(point / _step % _rowLength);
 
-        // Adds the squared differences of a position at all lags to their costs, and finds the best local minima.
+        // Adds the squared difference between a position and the position one lag earlier to the cost of each lag, and finds the best local minima.
         void Compare(long newest, float position, int minLag)
         {
             Count = 0;
@@ -99,7 +104,7 @@ namespace Nowpose.Prediction.Candidates
             var (rows, costs, forgettingFactor, step, worst) = (_rows, _costs, (float)_forgettingFactor, _step, Worst);
             var place = PlaceOf(newest - minLag);
             var end = ((int)((newest - minLag) % step) + 1) * _rowLength;
-            // The costs of the two previous lags are in local variables, because the runtime checks each access of an array.
+            // The costs of the two previous lags are in local variables, because the runtime checks the bounds at each array access.
             var (before, last) = (costs[0], costs[0]);
             for (var i = 1; i <= lags; i++)
             {

@@ -27,7 +27,9 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Number of samples around a grid point: two on either side determine a cubic.</summary>
         const int Neighbours = 4;
 
-        /// <summary>Threshold of a spike: displacement there and back, relative to the maximum displacement in one direction.</summary>
+        /// <summary>
+        /// Minimum height of a spike: the smaller of the displacements to the sample and back, relative to the maximum displacement in one direction.
+        /// </summary>
         const double SpikeRatio = 1.3;
 
         /// <summary>Distance from a grid point, in steps, within which a sample counts as lying on it.</summary>
@@ -45,7 +47,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Grid points since the start; the newest <see cref="Capacity"/> of them are kept.</summary>
         public long Count { get; private set; }
 
-        /// <summary>The grid points, for loops over many of them.</summary>
+        /// <summary>Ring buffer of the positions at the grid points, for loops over many of them.</summary>
         public double[] Points { get; } = new double[Capacity];
 
         /// <summary>Position at one of the newest <see cref="Capacity"/> grid points.</summary>

@@ -1,9 +1,9 @@
 namespace Nowpose.Prediction.Candidates
 {
-    /// <summary>How often <see cref="TemplateForecaster"/> searches for a repeated motion, and at how many lags.</summary>
+    /// <summary>Intervals at which <see cref="TemplateForecaster"/> searches for a repeated motion, and step between the compared lags.</summary>
     /// <remarks>
-    /// The search takes more than half of the time of a sample. For 1 332 simulated motions of objects, the sparse search increased the
-    /// errors of positions by 2.0 % and those of rotations by 0.4 % (geometric means). The ablation study has a row for joints.
+    /// The search takes more than half of the computing time per sample. For 1 332 simulated motions of objects, the sparse search increased the
+    /// errors of positions by 2.0 % and those of rotations by 0.4 % (geometric means). The ablation study lists the effect on joints.
     /// </remarks>
     sealed class SearchDensity
     {

@@ -17,7 +17,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Duration of the newest motion that is compared with the history, in s.</summary>
         const double Window = 0.4;
 
-        /// <summary>Number of intervals whose mean determines the grid step.</summary>
+        /// <summary>Minimum number of intervals before the history starts. The mean interval then determines the grid step.</summary>
         const int MinSamples = 8;
 
         /// <summary>Minimum grid step, in s.</summary>

@@ -40,9 +40,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of change points since the start.</summary>
         public int Count { get; private set; }
 
-        /// <summary>
-        /// Adds a sample, given by the speeds in the last two intervals, in the samples' unit per second, and by these intervals, in s.
-        /// </summary>
+        /// <summary>Adds a sample. The speeds in the last two intervals are in the samples' unit per second; the intervals are in s.</summary>
         /// <param name="samples">Number of samples, including the newest.</param>
         /// <param name="speed">Displacement ÷ interval before the newest sample; 0 if there is none.</param>
         /// <param name="speedBefore">Speed in the previous interval.</param>

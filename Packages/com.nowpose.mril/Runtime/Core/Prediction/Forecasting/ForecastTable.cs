@@ -7,7 +7,9 @@ namespace Nowpose.Prediction.Forecasting
     {
         public const int Points = 11;
 
-        /// <summary>Interval of the points, in s: with 25 ms, the errors on recordings are 0.03 % smaller, and filling a table takes twice as long.</summary>
+        /// <summary>
+        /// Interval of the points, in s: with 25 ms, the errors on recordings are 0.03 % smaller, and filling a table takes twice as long.
+        /// </summary>
         public const double Step = 0.05;
 
         /// <summary>Time of the last point, in s.</summary>
@@ -29,7 +31,7 @@ namespace Nowpose.Prediction.Forecasting
                 var i = start + cell;
                 var displacement = table[i] - wanted;
                 wanted = table[i];
-                // The mean speed applies half an interval ago, and a cell's speed applies at the middle of the cell.
+                // The mean speed is the speed at the middle of the last interval, and the speed in a cell is the speed at the middle of the cell.
                 var change = limits.Acceleration * (interval / 2 + (cell - 0.5) * Step);
                 var slowest = Math.Max(-max, speed - change);
                 var fastest = Math.Min(max, speed + change);

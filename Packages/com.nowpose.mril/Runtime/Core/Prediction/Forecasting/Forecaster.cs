@@ -9,10 +9,10 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         public abstract int Samples { get; }
 
-        /// <summary>Maximum time of a forecast, in s; infinite without a limit.</summary>
+        /// <summary>Maximum time of a forecast after the newest sample, in s; infinite if there is no maximum.</summary>
         public virtual double Span => double.PositiveInfinity;
 
-        /// <summary>Solves for the newest samples.</summary>
+        /// <summary>Fits the forecaster to the newest samples.</summary>
         /// <returns>Whether the forecaster can forecast from these samples.</returns>
         public abstract bool Solve(MotionState motion);
 

@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Weight of a new value in the running means, which follow a change of rate within ten samples.</summary>
         const double MeanWeight = 0.1;
 
-        /// <summary>Maximum sampling interval, in s. Only this part of a longer pause enters the mean interval and the tracker of the noise.</summary>
+        /// <summary>Maximum sampling interval, in s. Only this part of a longer pause enters the mean interval and the noise tracker.</summary>
         public const double MaxInterval = 0.3;
 
         /// <summary>Maximum interval that enters the mean, as a multiple of the mean, so that a single gap hardly changes it.</summary>
@@ -57,21 +57,22 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of newest samples that belong to one motion: they have no gap, and follow the newest change point.</summary>
         public int SamplesOfOneMotion => Math.Min(ConnectedSamples, ChangePoints.SamplesSince);
 
-        /// <summary>Interval before the newest sample, in s; 0 before two samples.</summary>
+        /// <summary>Interval before the newest sample, in s; 0 until there are two samples.</summary>
         public double Interval { get; private set; }
 
-        /// <summary>Mean speed over <see cref="Interval"/>, per second; 0 before two samples.</summary>
+        /// <summary>Mean speed over <see cref="Interval"/>, per second; 0 until there are two samples.</summary>
         public double Speed { get; private set; }
 
-        /// <summary>Running mean of <see cref="Interval"/>, s; 0 before two samples.</summary>
+        /// <summary>Running mean of <see cref="Interval"/>, s; 0 until there are two samples.</summary>
         public double MeanInterval { get; private set; }
 
         /// <summary>Time at which the joint last started, stopped or reversed, in s.</summary>
         public double Start { get; private set; }
 
         /// <summary>
-        /// Maximum speed of two consecutive intervals in the same direction, per second; 0 before there are two such intervals. One interval is not
-        /// enough, because a joint that is repositioned, or whose angle wraps from π to −π, can have any speed in a single interval.
+        /// Maximum speed that was reached in both of two consecutive intervals in the same direction, per second; 0 before there are two such
+        /// intervals. One interval is not enough, because a joint that is repositioned, or whose angle wraps from π to −π, can have any speed in a
+        /// single interval.
         /// </summary>
         public double MaxSpeed { get; private set; }
 

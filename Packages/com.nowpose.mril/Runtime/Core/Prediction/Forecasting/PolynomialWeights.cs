@@ -10,12 +10,16 @@ namespace Nowpose.Prediction.Forecasting
     /// </remarks>
     sealed class PolynomialWeights : PositionWeights
     {
-        /// <summary>Minimum ratio of two successive squared norms, relative to the first: times that coincide determine no polynomial.</summary>
+        /// <summary>
+        /// Minimum ratio of the squared norms of a polynomial and the previous one, divided by the squared norm of the polynomial of degree 1. A
+        /// smaller ratio means that times coincide and determine no polynomial.
+        /// </summary>
         const double MinNormRatio = 1e-14;
 
         readonly int _degree;
 
-        // For each degree: the values of the polynomial at the sample times, divided by its squared norm after a solve; and the squared norm.
+        // _values: for each degree, the values of the polynomial at the sample times; a solve finally divides them by the squared norm. _norms: for
+        // each degree, the squared norm.
         readonly double[][] _values;
         readonly double[] _norms;
 

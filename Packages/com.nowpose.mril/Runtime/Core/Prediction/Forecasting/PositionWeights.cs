@@ -10,7 +10,9 @@ namespace Nowpose.Prediction.Forecasting
     /// <remarks>Allocates nothing after construction. Not thread-safe.</remarks>
     abstract class PositionWeights
     {
-        /// <summary>Maximum difference of times that count as equal, in s: more than their rounding errors, and too short for a visible motion.</summary>
+        /// <summary>
+        /// Maximum difference of times that count as equal, in s: more than their rounding errors, and too short for a visible motion.
+        /// </summary>
         const double SameSeconds = 1e-9;
 
         readonly double[] _table;
@@ -28,7 +30,9 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Number of newest samples that the forecast uses.</summary>
         public int Samples => Times.Length;
 
-        /// <summary>The weights at the points of a <see cref="ForecastTable"/>: those of the newest sample and of the others, point by point.</summary>
+        /// <summary>
+        /// The weights at the points of a <see cref="ForecastTable"/>: those of the newest sample and of the others, point by point.
+        /// </summary>
         public double[] Table
         {
             get
@@ -67,7 +71,7 @@ namespace Nowpose.Prediction.Forecasting
             return true;
         }
 
-        /// <summary>Computes what depends only on the times.</summary>
+        /// <summary>Computes the part of the weights that depends only on the times.</summary>
         /// <returns>Whether the times determine the weights.</returns>
         protected abstract bool Solve();
     }

@@ -5,9 +5,9 @@ namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Detects rest with and without noise. At rest, the mixture has separate weights, and candidates have separate errors.</summary>
     /// <remarks>
-    /// There are three questions, each with one answer:
-    /// 1. Does the joint stand still (<see cref="StillSamples"/>)? Two samples differ by at most a thousandth of the recent maximum. This is
-    /// true for sources without noise only, but known after one sample; candidates, which predict the start of a motion, use it.
+    /// The detector answers three questions:
+    /// 1. Does the joint stand still (<see cref="StillSamples"/>)? Two samples differ by at most a thousandth of the recent maximum. This works only
+    /// for sources without noise, but needs only one sample; candidates, which predict the start of a motion, use it.
     /// 2. Is it at rest (<see cref="IsAtRest"/>)? Rest begins when the range of the newest four samples is within a small multiple of the
     /// noise, and ends at a larger distance from the position where it began. The mixture uses it.
     /// 3. Are the samples at rest only noise (<see cref="IsOnlyNoise"/>), or does the joint move slowly? Then the mixture holds the position.

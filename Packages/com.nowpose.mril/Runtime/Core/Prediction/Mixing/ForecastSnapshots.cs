@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Mixing
         public Snapshot Append() => _snapshots.Append();
 
         /// <summary>Finds the last snapshot before a time and the first one after it, and drops all older snapshots.</summary>
-        /// <param name="time">In s.</param>
+        /// <param name="time">Time to find, in s.</param>
         /// <param name="older">The newest snapshot at or before that time.</param>
         /// <param name="younger">The next snapshot; null if there is none.</param>
         /// <returns>False if all snapshots are younger.</returns>
@@ -46,7 +46,8 @@ namespace Nowpose.Prediction.Mixing
         {
             readonly int _forecasts;
 
-            // Point by point, so that the four points that a comparison needs are together in memory. Without hold, whose table is zero.
+            // Stored point by point, so that the four points that a comparison needs are adjacent in memory. Hold is not stored, because its table is
+            // zero.
             readonly float[] _values;
 
             // One bit per forecast.
@@ -63,7 +64,7 @@ namespace Nowpose.Prediction.Mixing
             /// <summary>Number of change points before the forecast. The weights do not learn from a forecast across a change point.</summary>
             public int ChangePoints { get; set; }
 
-            /// <summary>Whether the joint was at rest, including noise.</summary>
+            /// <summary>Whether the joint was at rest (<see cref="RestDetector.IsAtRest"/>); its samples may have scattered.</summary>
             public bool WasAtRest { get; set; }
 
             /// <summary>Whether the joint stood still (<see cref="RestDetector.StillSamples"/>).</summary>

@@ -26,7 +26,10 @@ namespace Nowpose.Prediction.Mixing
 
         const int First = Line + 1;
 
-        /// <summary>Factor of the speed after a change point that did not increase it; without it, the errors on recordings are 0.4 % larger.</summary>
+        /// <summary>
+        /// Factor by which the line reduces the speed directly after a change point that did not increase it. Without the factor, the errors on
+        /// recordings are 0.4 % larger.
+        /// </summary>
         const double SpeedRatioAfterStop = 0.5;
 
         readonly MixedForecaster[] _mixed;
@@ -47,10 +50,10 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Number of forecasts, including hold and line.</summary>
         public int Count => First + _mixed.Length;
 
-        /// <summary>Weights without evidence, one per forecast.</summary>
+        /// <summary>Prior weights, which apply without evidence: one per forecast.</summary>
         public double[] Prior { get; }
 
-        /// <summary>Returns the weights without evidence for a sample with or without velocity and acceleration.</summary>
+        /// <summary>Returns the prior weights for a sample; they differ if the sample contains velocity and acceleration.</summary>
         public double[] PriorFor(in JointSample newest) => double.IsNaN(newest.Velocity + newest.Acceleration) ? Prior : _priorWhenReported;
 
         public void Reset()
@@ -58,7 +61,7 @@ namespace Nowpose.Prediction.Mixing
             foreach (var one in _mixed) one.Forecaster.Reset();
         }
 
-        /// <summary>Returns memory for a number of tables, whose contents are valid until the next joint's sample.</summary>
+        /// <summary>Returns an array for a number of tables. Its contents are valid until the next joint's sample.</summary>
         public double[] TablesFor(int forecasts)
         {
             var length = forecasts * ForecastTable.Points;

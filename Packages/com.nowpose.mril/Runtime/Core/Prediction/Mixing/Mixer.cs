@@ -184,7 +184,7 @@ namespace Nowpose.Prediction.Mixing
             }
         }
 
-        // The weights learn from the errors of all forecasters, except across a change point, for which no forecaster is responsible.
+        // Updates the weights with the errors of all forecasters. Errors across a change point are not used, because no forecaster can predict it.
         void Learn(MotionState motion, ForecastSnapshots.Snapshot snapshot, double forgettingFactor)
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;

@@ -25,13 +25,13 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Number of samples whose evidence has the same weight as the prior.</summary>
         const double PriorSamples = 5;
 
-        /// <summary>Threshold below which weights and evidence count as zero, and its square, for squares.</summary>
+        /// <summary>Positive: threshold below which weights and evidence count as zero. Tiny: its square, the threshold for squares.</summary>
         const double Positive = 1e-9, Tiny = 1e-18;
 
         readonly int _count;
         readonly double _regularisation;
 
-        // The matrix G, and in the last row the product Gw. It is updated with each change, so that it need not be computed for each solve.
+        // The matrix G, and in the last row the product Gw. Gw is updated with each change, so that a solve need not compute it.
         readonly double[] _products;
         readonly int _weighted;
 

@@ -13,14 +13,14 @@ namespace Nowpose.Prediction.Mixing
     sealed class WeightSelector
     {
         /// <summary>
-        /// Regularisation towards the prior, and of the weights of rest or motion towards the common ones (<see cref="MixtureWeights"/>): half
-        /// or twice the values change the errors on recordings by less than half a percent.
+        /// Strength of the regularisation (<see cref="MixtureWeights"/>): of the common weights towards the prior, and of the weights at rest or in
+        /// motion towards the common weights. With half or twice these values, the errors on recordings change by less than half a percent.
         /// </summary>
         const double Regularisation = 0.2, ClassRegularisation = 0.5;
 
         /// <summary>
-        /// Maximum error that is scored, relative to the RMS error of hold, so that one wrong sample does not outweigh seconds of correct
-        /// ones: with five, the error on one recording was 6 % larger. Errors that stay larger raise the RMS error within seconds.
+        /// Maximum error that is scored, relative to the RMS error of hold, so that one wrong sample does not outweigh seconds of correct ones: with
+        /// a threshold of five, the error on one recording was 6 % larger. Errors that stay larger raise the RMS error within seconds.
         /// </summary>
         const double OutlierThreshold = 8;
 
@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>The weights of the next forecast, one per forecaster.</summary>
         public double[] Values { get; private set; }
 
-        /// <summary>Maximum error that is scored, in the samples' unit; infinite without evidence.</summary>
+        /// <summary>Maximum error that is scored, in the samples' unit; infinite until there is enough evidence.</summary>
         public double Threshold => _limitsErrors && _overall.Evidence >= MinEvidence
             ? OutlierThreshold * Math.Sqrt(_overall.MeanSquare(MixedForecasters.Hold)) : double.PositiveInfinity;
 

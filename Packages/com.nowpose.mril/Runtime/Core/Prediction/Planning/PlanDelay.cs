@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Prediction.Planning
 {
-    /// <summary>Estimates the delay and the offset with which a joint follows its plan. Detects when it does not follow.</summary>
+    /// <summary>Estimates the delay and the offset with which a joint follows its plan. Detects a joint that does not follow its plan.</summary>
     /// <remarks>
-    /// Position of the joint = plan(t − delay) + offset. A Kalman filter estimates both together, because each sample shows only their combined
-    /// effect, and the effect of the delay only in motion. The initial standard deviation of the delay is 0.1 s; the first moves determine it.
+    /// Position of the joint = plan(t − delay) + offset. A Kalman filter estimates both values together, because each sample shows only
+    /// their combined effect. The delay has an effect only while the plan moves. Its initial standard deviation is 0.1 s; the first moves reduce it.
     /// </remarks>
     sealed class PlanDelay
     {
@@ -21,7 +21,10 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         const double NoiseRatio = 0.005, MinNoise = 1e-4;
 
-        /// <summary>Drift per second of the delay, in s, and of the offset, relative to the standard deviation of an unknown offset.</summary>
+        /// <summary>
+        /// Standard deviation of the change within one second: of the delay, in s, and of the offset, relative to the standard deviation of an
+        /// unknown offset.
+        /// </summary>
         const double DelayDrift = 0.005, OffsetDrift = 0.2;
 
         /// <summary>Maximum residual, in standard deviations, of a joint that follows the plan.</summary>

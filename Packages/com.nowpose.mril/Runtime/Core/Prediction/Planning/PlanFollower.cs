@@ -12,7 +12,9 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Number of consistent samples in motion after which a plan that was not followed is used again.</summary>
         const int AgreementsToReturn = 5;
 
-        /// <summary>Maximum time, in s, for which a plan that ends at rest is still used after its end, until later samples arrive.</summary>
+        /// <summary>
+        /// Settling time after the end of a plan, in s. A plan that ends at rest is used until a sample from after this time arrives.
+        /// </summary>
         const double Settling = 0.1;
 
         readonly PlanDelay _delay = new PlanDelay();
@@ -59,8 +61,10 @@ namespace Nowpose.Prediction.Planning
         }
 
         /// <summary>Returns whether the plan determines the joint's position at a time.</summary>
-        /// <param name="newest">Time of the newest sample. The plan is not used after samples from after its end have arrived.</param>
-        /// <returns>False without a plan at that time, or if the joint does not follow the plan.</returns>
+        /// <param name="newest">
+        /// Time of the newest sample. A plan that ends at rest is used after its end until a sample from more than 0.1 s after the end arrives.
+        /// </param>
+        /// <returns>False if there is no plan at that time, or if the joint does not follow the plan.</returns>
         public bool IsFollowedAt(double time, double newest)
         {
             var (plan, at) = (PlanAt(time), time - _delay.Delay);
@@ -89,7 +93,7 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         public double At(double time) => PlanAt(time).At(time - _delay.Delay, out _) + _delay.Offset;
 
-        /// <summary>Constant distance of the joint from its plan, in rad or m.</summary>
+        /// <summary>Estimated offset of the joint from its plan, in rad or m.</summary>
         public double Offset => _delay.Offset;
 
         public bool HasPlan => !_current.IsNone;
@@ -106,9 +110,9 @@ namespace Nowpose.Prediction.Planning
 
         /// <param name="start">Stamp of the plan, in s.</param>
         /// <param name="from">
-        /// The joint's position at the start, in the path's turn. A plan whose first set-point is later starts from this position.
+        /// The joint's position at the start, in the same turn as the path. A plan whose first set-point is later starts from this position.
         /// </param>
-        /// <param name="turns">Whole turns of an endless joint that are added to the path's positions, rad.</param>
+        /// <param name="turns">Whole turns of a continuous joint that are added to the path's positions, rad.</param>
         /// <param name="since">See <see cref="Since"/>.</param>
         public ActivePlan(PlannedPath path, double start, double from, double turns, double since) =>
             (_path, Start, _from, _turns, Since) = (path, start, from, turns, since);

@@ -19,8 +19,8 @@ namespace Nowpose.Prediction.Samples
         public const int MaxLate = 5;
 
         /// <summary>
-        /// Number that is sufficient if the neighbouring samples show that the joint was elsewhere, or if the samples are late by more than
-        /// <see cref="MaxDelay"/>. A single one may be a repeated message.
+        /// Number of consecutive late samples that is sufficient if the neighbouring samples show that the joint was elsewhere, or if the samples are
+        /// late by more than <see cref="MaxDelay"/>. A single one may be a repeated message.
         /// </summary>
         const int MinLate = 2;
 

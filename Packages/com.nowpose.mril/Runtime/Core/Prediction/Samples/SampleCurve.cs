@@ -52,7 +52,8 @@ namespace Nowpose.Prediction.Samples
             return slope;
         }
 
-        // Slope at a sample of the parabola through this sample and its neighbours; at an end, of the parabola through the last three samples.
+        // Slope, at a sample, of the parabola through the sample and its two neighbours. The first and the last sample use the three samples at their
+        // end.
         double Parabola(int age)
         {
             var middle = Math.Min(Math.Max(age, 1), _count - 2);

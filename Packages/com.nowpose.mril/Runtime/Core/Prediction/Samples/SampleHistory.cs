@@ -8,7 +8,7 @@ namespace Nowpose.Prediction.Samples
     {
         readonly int _capacity;
 
-        // A ring: the sample of an age is at (_newest + age) & _mask.
+        // Ring buffer: the sample with a given age is at (_newest + age) & _mask.
         readonly JointSample[] _ring;
         readonly int _mask;
         int _newest;
@@ -54,7 +54,7 @@ namespace Nowpose.Prediction.Samples
             return count;
         }
 
-        /// <summary>Returns whether no sample precedes the sample of this age, or only with more than the maximum gap.</summary>
+        /// <summary>Returns whether the sample of this age has no predecessor, or follows its predecessor after more than the maximum gap.</summary>
         public bool HasGap(int age, double maximumGap) =>
             age + 1 >= Count || At(age).Order - At(age + 1).Order > maximumGap;
 

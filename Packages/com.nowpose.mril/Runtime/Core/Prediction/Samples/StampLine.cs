@@ -5,8 +5,8 @@ namespace Nowpose.Prediction.Samples
     /// <summary>Regression line through the stamps of a periodic source: t_k against the sample number, with a forgetting factor.</summary>
     /// <remarks>
     /// A controller samples periodically, but stamps with a varying delay, so the line is more accurate than a
-    /// single stamp. Sample numbers are derived from the stamps, so lost samples do no harm. Stores the sums of a weighted regression about the
-    /// newest stamp instead of the stamps, so the cost per sample does not depend on their number.
+    /// single stamp. Sample numbers are derived from the stamps, so lost samples do not affect the line. Stores the sums of a weighted regression
+    /// about the newest stamp instead of the stamps, so the cost per sample does not depend on their number.
     /// </remarks>
     sealed class StampLine
     {
@@ -19,7 +19,7 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Minimum number of stamps from which the interval is estimated.</summary>
         const int MinStamps = 8;
 
-        /// <summary>Maximum pause in intervals. A longer one discards the line, because the source may have restarted.</summary>
+        /// <summary>Maximum pause in intervals. After a longer pause, the line is discarded, because the source may have restarted.</summary>
         const double MaxPause = 40;
 
         /// <summary>Maximum number of samples lost between the first stamps.</summary>
@@ -40,7 +40,9 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Unit of controllers' cycles, in s.</summary>
         const double CycleUnit = 1e-3;
 
-        /// <summary>Number of standard errors within which the interval is rounded to a whole cycle.</summary>
+        /// <summary>
+        /// Maximum distance of the interval from a multiple of the cycle unit, in standard errors, at which it is rounded to this multiple.
+        /// </summary>
         const double MaxStandardErrors = 2;
 
         readonly double[] _first = new double[MinStamps];

@@ -15,7 +15,7 @@ namespace Nowpose.Protocol.Cell
 
         /// <param name="rootOfLink">
         /// Returns the root link of the robot to which a link belongs; null for a frame that is not a link. The function is needed to detect
-        /// cycles through a robot. The links of a robot do not count for the depth.
+        /// cycles through a robot. The links of a robot do not count towards the depth.
         /// </param>
         public FrameParents(Func<string, string> rootOfLink = null) => _rootOfLink = rootOfLink ?? (_ => null);
 

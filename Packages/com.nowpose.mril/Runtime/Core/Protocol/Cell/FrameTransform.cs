@@ -63,7 +63,7 @@ namespace Nowpose.Protocol.Cell
         public FrameTransform At(ControlTime stamp) => new FrameTransform(stamp, Parent, Child, X, Y, Z, Qx, Qy, Qz, Qw);
 
         /// <summary>Divides a quaternion by its norm, if the norm is within <see cref="NormTolerance"/> of 1.</summary>
-        /// <returns>False for another norm; the quaternion is unchanged.</returns>
+        /// <returns>False if the norm deviates by more; the quaternion is then unchanged.</returns>
         public static bool TryNormalise(ref double qx, ref double qy, ref double qz, ref double qw)
         {
             var norm = Math.Sqrt(qx * qx + qy * qy + qz * qz + qw * qw);

@@ -3,7 +3,8 @@ using System;
 namespace Nowpose.Protocol.Cell
 {
     /// <summary>
-    /// nowpose_msgs/Signals: states of actuators and sensors from one control time on. May contain a subset of the cell's signals, each once.
+    /// nowpose_msgs/Signals: states of actuators and sensors that are valid from one control time on. May contain a subset of the cell's signals,
+    /// each once.
     /// </summary>
     /// <remarks>A message from a <see cref="RosbridgeReader"/> is reused after <see cref="Release"/>.</remarks>
     sealed class SignalsMessage
@@ -18,7 +19,7 @@ namespace Nowpose.Protocol.Cell
             Count = values.Length;
         }
 
-        /// <summary>Constructs an empty message that returns to a pool.</summary>
+        /// <summary>Constructs an empty message that <see cref="Release"/> returns to a pool.</summary>
         public SignalsMessage(CellMessagePool<SignalsMessage> pool)
             : this(default(ControlTime)) => _pool = pool;
 

@@ -15,7 +15,7 @@ namespace Nowpose.Protocol.Cell
             Count = transforms.Length;
         }
 
-        /// <summary>Constructs an empty message that returns to a pool.</summary>
+        /// <summary>Constructs an empty message that <see cref="Release"/> returns to a pool.</summary>
         public TransformsMessage(CellMessagePool<TransformsMessage> pool)
             : this() => _pool = pool;
 

@@ -79,7 +79,9 @@ namespace Nowpose.Session.Cell
             return _moment.Range == Latency.RangeState.Outside ? PoseState.OutsideRange : PoseState.Current;
         }
 
-        /// <summary>Queues a message for the next frame with a known control time. Thread-safe.</summary>
+        /// <summary>
+        /// Queues a message for the next display frame. Messages of tracked frames wait for a display frame with a known control time. Thread-safe.
+        /// </summary>
         public void Add(TransformsMessage message, bool isStationary, HeadsetTime arrival)
         {
             if (!(isStationary ? _stationary : _tracked).Add(message, arrival, out var oldest)) return;

@@ -1,6 +1,6 @@
 namespace Nowpose.Session.Hindcast
 {
-    /// <summary>Errors of one quantity over the newest seconds and over the whole run.</summary>
+    /// <summary>Errors of one quantity over the last ten seconds and over the whole run.</summary>
     sealed class ErrorRecord
     {
         readonly ErrorWindow _window = new ErrorWindow();

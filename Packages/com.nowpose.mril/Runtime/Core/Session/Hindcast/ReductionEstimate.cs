@@ -42,7 +42,9 @@ namespace Nowpose.Session.Hindcast
         /// <summary>
         /// Returns the 97.5 % quantile of Student's distribution. MathNet's function would search for it iteratively on the frame's thread.
         /// </summary>
-        /// <remarks>Uses the series in 1/ν of Abramowitz &amp; Stegun 26.7.5 up to 1/ν⁴: 0.12 % too small at ν = 3, less above.</remarks>
+        /// <remarks>
+        /// Uses the series in 1/ν of Abramowitz &amp; Stegun 26.7.5 up to 1/ν⁴: 0.12 % too small at ν = 3, and more accurate for larger ν.
+        /// </remarks>
         /// <param name="freedom">Degrees of freedom ν, 3 or more.</param>
         internal static double Student95(int freedom)
         {

@@ -54,9 +54,8 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Returns the position at a time within the span.</summary>
         /// <param name="uncertainty">
         /// Half the difference between two parabolas through the span: one includes the sample before it, the other the sample after it.
-        /// This value is about the error of the cubic where the motion has a kink, and more than its error where the motion is smooth. If
-        /// only one of these two samples is known, half the difference is replaced by the difference between the parabola and the straight
-        /// line.
+        /// This value is approximately the error of the cubic where the motion has a kink, and larger than its error where the motion is smooth. If
+        /// only one of these two samples is known, half the difference is replaced by the difference between the parabola and the straight line.
         /// </param>
         public double At(ControlTime time, out double uncertainty)
         {

@@ -7,7 +7,9 @@ namespace Nowpose.Session.Hindcast
     {
         TruthSample _first, _second, _third;
 
-        /// <summary>End of the last complete interval; null before the first sample.</summary>
+        /// <summary>
+        /// Start of the interval that is completed next, which is the end of the last complete interval; null before the first sample.
+        /// </summary>
         public ControlTime? CompleteUntil => _second.IsKnown ? _second.At : _third.IsKnown ? _third.At : (ControlTime?)null;
 
         /// <summary>Adds a sample. A sample that is not newer than the last sample is ignored, because its interval is already complete.</summary>

@@ -5,14 +5,14 @@ using Nowpose.Motion;
 
 namespace Nowpose.Simulation.Work
 {
-    /// <summary>A belt that moves workpieces from the place where they are put down to the place where they are taken.</summary>
+    /// <summary>Conveyor belt that moves workpieces from the place where a robot puts them down to the place where a robot picks them up.</summary>
     /// <remarks>
     /// The belt moves by one station per cycle of the robot, from rest to rest. On a ring around the world's origin, angle, radius and height
     /// change linearly along the belt, and workpieces turn with it. On a straight belt, position and rotation change linearly.
     /// </remarks>
     sealed class Belt
     {
-        /// <summary>Limits of the belt in m/s, m/s² and m/s³: a small indexing conveyor.</summary>
+        /// <summary>Limits of the belt's velocity (m/s), acceleration (m/s²) and jerk (m/s³), as for a small indexing conveyor.</summary>
         const double Velocity = 0.15, Acceleration = 0.6, Jerk = 6;
 
         readonly RigidTransform _from;
@@ -22,8 +22,8 @@ namespace Nowpose.Simulation.Work
         readonly int _stations;
         readonly SevenPhaseProfile _step;
 
-        /// <param name="from">Pose of a workpiece that was put down.</param>
-        /// <param name="to">Pose of a workpiece that is taken.</param>
+        /// <param name="from">Pose at which a workpiece is put down.</param>
+        /// <param name="to">Pose at which a workpiece is picked up.</param>
         /// <param name="stations">Number of steps from one pose to the other.</param>
         /// <param name="maxSeconds">Maximum duration of a step, s; the belt becomes faster if necessary.</param>
         /// <param name="isRing">

@@ -14,7 +14,10 @@ namespace Nowpose.Simulation.Work
     /// <remarks>All robots are of the same kind and move at the same time. The world frame is the first robot's base frame.</remarks>
     sealed class CellWork
     {
-        /// <summary>Stationary frame of the conveyor: on the axis of the first robot, at the height where workpieces are taken.</summary>
+        /// <summary>
+        /// Name of the conveyor's stationary frame. Its origin is on the z axis of the first robot's base frame, at the height of the belt's surface
+        /// where workpieces are picked up.
+        /// </summary>
         public const string Conveyor = "conveyor";
 
         /// <summary>Name of the signal that is 1 while the belt moves.</summary>
@@ -29,13 +32,16 @@ namespace Nowpose.Simulation.Work
         /// <summary>Number of belt steps between two robots, and number of workpieces per robot.</summary>
         const int Steps = 3;
 
-        /// <summary>Distance between two robots, as a multiple of the distance at which they grip.</summary>
+        /// <summary>Distance between the bases of two robots, as a multiple of the distance from a base to its grip position.</summary>
         const double RobotDistance = 3.2;
 
-        /// <summary>Fraction of the time between putting down and taking in which the belt waits, so that the gripper can leave.</summary>
+        /// <summary>
+        /// Time for which the belt waits after a workpiece was put down, so that the gripper can move away, as a fraction of the time from release to
+        /// the next grip.
+        /// </summary>
         const double WaitShare = 0.25;
 
-        /// <summary>Maximum duration of a belt step, as a fraction of the time between putting down and taking.</summary>
+        /// <summary>Maximum duration of a belt step, as a fraction of the time from release to the next grip.</summary>
         const double StepShare = 0.65;
 
         readonly IGrippingMotion _motion;
@@ -115,8 +121,8 @@ namespace Nowpose.Simulation.Work
             }
         }
 
-        // Each workpiece comes to a robot in every third cycle, and then to the next robot. Before its first cycle, it is where earlier cycles
-        // would have brought it.
+        // Returns the robot that has the workpiece or last had it. A workpiece moves on to the next robot after three cycles. Before its first cycle,
+        // it is at the place to which earlier cycles would have moved it.
         int RobotOf(int workpiece, double seconds, out double sinceTaken)
         {
             var period = Names.Count * _motion.CycleSeconds;

@@ -46,7 +46,9 @@ namespace Nowpose.Simulation.Work
             return new TransformsMessage(transforms);
         }
 
-        /// <summary>Returns the changes of signals since the last call; all values on the first call.</summary>
+        /// <summary>
+        /// Returns one message for each control cycle since the last call in which signals changed; the first call returns the values of all signals.
+        /// </summary>
         /// <inheritdoc cref="FramesAt"/>
         public IEnumerable<SignalsMessage> ChangesUntil(ControlTime stamp, double seconds)
         {

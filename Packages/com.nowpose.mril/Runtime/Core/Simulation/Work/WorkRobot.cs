@@ -11,9 +11,9 @@ namespace Nowpose.Simulation.Work
         readonly IGrippingMotion _motion;
         readonly RobotModel _robot;
 
-        /// <param name="index">Index among the robots.</param>
+        /// <param name="index">Index of the robot in the cell, from 0.</param>
         /// <param name="count">Number of robots. A single robot has no namespace and stands at the origin; a second robot faces the first.</param>
-        /// <param name="distance">Distance between two robots, as a multiple of the distance at which they grip.</param>
+        /// <param name="distance">Distance between the bases of two robots, as a multiple of the distance from a base to its grip position.</param>
         public WorkRobot(RobotModel robot, IGrippingMotion motion, int index, int count, double distance)
         {
             _robot = robot;
@@ -58,7 +58,7 @@ namespace Nowpose.Simulation.Work
         /// <summary>Pose of a gripped workpiece in the link of the tool.</summary>
         public RigidTransform InTool { get; }
 
-        /// <summary>World pose of a workpiece when it is taken.</summary>
+        /// <summary>World pose of a workpiece when it is picked up.</summary>
         public RigidTransform Taken { get; }
 
         /// <summary>World pose of a workpiece when it is put down.</summary>

@@ -39,7 +39,7 @@ namespace Nowpose.Sync.Envelope
 
         public void Clear() => Count = 0;
 
-        // A division would take longer than the rest of most loops over the history.
+        // Avoids the modulo operator, because its division would take longer than the rest of most loops over the history.
         int Place(int age) => age <= _newest ? _newest - age : _newest - age + _ring.Length;
     }
 }

@@ -3,38 +3,44 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// The default estimator. The offset lies between the lower bounds from requests and the upper bounds from replies, and the
-    /// bounds of the packets with the shortest delays lie close to it. The estimate is halfway between two curves along these
-    /// bounds. It needs no outlier rejection, and its accuracy increases with the number of exchanges.
+    /// The default estimator. The offset lies between the lower bounds from requests and the upper bounds from replies. The bounds from packets with
+    /// short delays are close to the offset. The estimate is halfway between two curves along these bounds. It needs no outlier rejection, and its
+    /// accuracy increases with the number of exchanges.
     /// </summary>
     /// <remarks>
-    /// An offset of Eq. (5) in the paper averages a request with its reply and is wrong if either of them is late. This estimator uses
-    /// requests and replies separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
+    /// An offset according to Eq. (5) of the paper is the mean of a request's and a reply's bound, and is wrong if either packet is late. This
+    /// estimator uses requests and replies separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
     /// </remarks>
     sealed class EnvelopeClockEstimator : IClockEstimator
     {
         /// <summary>
-        /// Maximum number of exchanges and their maximum age, s: three minutes at five per second. Older exchanges add no accuracy.
+        /// History: maximum number of exchanges that are used, which is three minutes at five exchanges per second. HistorySeconds: their maximum
+        /// age, s. Older exchanges do not improve the accuracy.
         /// </summary>
         const int History = 900;
         const double HistorySeconds = 180;
 
         /// <summary>
-        /// Number of exchanges in the newest block, and maximum number in a block; each block has one exchange more than the next newer block.
-        /// Short blocks follow the current skew in a quiet network; long blocks contain a packet with a short delay in a busy network.
+        /// NewestBlock: number of exchanges in the newest block. Each block has one exchange more than the next newer block, up to MaxBlock. In a
+        /// quiet network, the short blocks show the current skew; in a busy network, the long blocks contain at least one packet with a short delay.
         /// </summary>
         const int NewestBlock = 6, MaxBlock = 30;
 
-        /// <summary>Minimum ratio of the number of exchanges to the block length. A late block is recognised only among several blocks.</summary>
+        /// <summary>
+        /// Minimum ratio of the number of exchanges to the block length. A block whose packets are all late can be recognised only by comparison with
+        /// several other blocks.
+        /// </summary>
         const int MinBlocks = 10;
 
         /// <summary>
-        /// Maximum hidden scatter, as a multiple of the mean excess over the minimum round-trip time, and minimum number of exchanges for
-        /// which it applies.
+        /// ScatterShare: maximum hidden scatter of the bounds, as a multiple of the mean excess of the round-trip times over their minimum.
+        /// MinForScatter: minimum number of exchanges from which on this limit applies.
         /// </summary>
         const int ScatterShare = 2, MinForScatter = 5;
 
-        /// <summary>Initial standard deviation of the skew, dimensionless, and its increase per second after a restart, 1/s.</summary>
+        /// <summary>
+        /// SkewPrior: initial standard deviation of the skew, dimensionless. SkewWander: increase of this standard deviation after a restart, 1/s.
+        /// </summary>
         const double SkewPrior = 50e-6, SkewWander = 0.05e-6;
 
         /// <summary>
@@ -44,8 +50,8 @@ namespace Nowpose.Sync.Envelope
         const double SkewAge = 20;
 
         /// <summary>
-        /// Time constant with which the steady (long-term) skew follows the estimate, s. When a path changes, the curve bends from the old
-        /// bounds to the new bounds. Its slope then indicates neither the skew of the clocks nor the accuracy of the skew.
+        /// Time constant with which the steady (long-term) skew follows the estimate, s. When the delays of a path change, the curve bends from the
+        /// earlier bounds to the new bounds. Its slope then shows neither the skew of the clocks nor the accuracy of the skew.
         /// </summary>
         const double SkewTimeConstant = 60;
 
@@ -95,7 +101,8 @@ namespace Nowpose.Sync.Envelope
             if (Line.Exchanges > 0)
             {
                 var resolution = ClockTicks.Seconds(exchange.Resolution);
-                // When a path has changed, the newest bounds tilt and bend the curve, which would hide or exaggerate the change.
+                // Measures relative to the steady curve: after a change of the path, the newest bounds tilt and bend the current curve, which would
+                // hide or exaggerate the change.
                 var steady = new OffsetCurve(_steadySkew, _steadyBend);
                 _up.Measure(steady);
                 _down.Measure(steady);
@@ -147,7 +154,7 @@ namespace Nowpose.Sync.Envelope
                 min = Math.Min(min, roundTrip);
                 sum += roundTrip;
             }
-            // If the scatter of the round trips is small, the hidden error is small, however long the round trips are.
+            // If the round-trip times scatter little, the bounds hide only a small error, even if the round-trip times are long.
             var scatter = ScatterShare * (sum / _history.Count - min);
             return new TimeSpan(Math.Max(0, _history.Count < MinForScatter ? min : Math.Min(min, scatter)));
         }
@@ -182,8 +189,8 @@ namespace Nowpose.Sync.Envelope
             var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewTimeConstant, running / 2)));
             _steadySkew += (skew - _steadySkew) * share;
             _steadyBend += (_curve.Bend - _steadyBend) * share;
-            // Slope error if the offset is wrong by half of the unsampled part at one end and by minus half at the other. A third of this
-            // error is taken as the standard error.
+            // Error of the slope if the offset is wrong by half of the unsampled part at one end of the history and by the opposite amount at the
+            // other end. A third of this error is used as the standard error.
             var hidden = unsampled / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(
                 (ClockLine.MaxSkew + Math.Abs(skew)) / 3,

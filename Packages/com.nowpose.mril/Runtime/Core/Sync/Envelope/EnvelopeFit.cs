@@ -3,14 +3,14 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Fits one curve with one height for each side of the corridor. The offset is halfway between the two heights. A prior determines
-    /// slope and bend if the data do not.
+    /// Fits one curve to both sides of the corridor, with a separate height for each side. The offset is halfway between the two heights. A prior
+    /// determines slope and bend if the data do not determine them.
     /// </summary>
     sealed class EnvelopeFit
     {
         /// <summary>
-        /// Standard deviation of the bend, 1/s: a skew that changes by 1 ppm in 100 s. Quartz clocks in a room change less. This value
-        /// lets the fit follow changes in a quiet network that would be noise in a busy network.
+        /// Standard deviation of the bend, 1/s: a skew that changes by 1 ppm in 100 s. The skew of quartz clocks in a room changes more slowly. With
+        /// this value, the fit follows changes in a quiet network that could not be distinguished from noise in a busy network.
         /// </summary>
         const double BendPrior = 5e-9;
 
@@ -44,7 +44,9 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Standard error of <see cref="Offset"/>, s.</summary>
         public double OffsetError { get; private set; }
 
-        /// <summary>Standard error of the slope, dimensionless. Uses only the data, and includes the shift that the prior causes.</summary>
+        /// <summary>
+        /// Standard error of the slope, dimensionless. It is computed from the data without the prior, and includes the shift that the prior causes.
+        /// </summary>
         public double SlopeError { get; private set; }
 
         /// <param name="scatter">Maximum difference between bounds that are equally accurate, plus the control clock's resolution, s.</param>
@@ -52,7 +54,10 @@ namespace Nowpose.Sync.Envelope
         /// <param name="start">Initial curve of the iteration.</param>
         /// <param name="slopePrior">Expected slope, dimensionless.</param>
         /// <param name="slopePriorError">Standard deviation of the expected slope, dimensionless.</param>
-        /// <param name="step">Time of a possible step of the heights relative to the reference time, s, and its standard deviation, s; 0 for none.</param>
+        /// <param name="step">
+        /// Possible step of the heights. X: its time relative to the reference time, s. Deviation: standard deviation of its size, s; 0 if there is
+        /// no step.
+        /// </param>
         public void Solve(
             double scatter, double unsampled, OffsetCurve start, double slopePrior, double slopePriorError, (double X, double Deviation) step)
         {
@@ -74,7 +79,8 @@ namespace Nowpose.Sync.Envelope
             EstimateErrors(slopePrior, slopeWeight, bendWeight);
         }
 
-        // The heights before and after the step may both be wrong by half of its variance. The difference of the two means is one more measurement.
+        // Adds half of the step's variance to the variance of the height before the step, and half to that of the height after it. The difference of
+        // the two means is an additional measurement of the curve.
         Height Gather(EnvelopeSide side, double stepX, double groupVariance)
         {
             // The newest block comes first.

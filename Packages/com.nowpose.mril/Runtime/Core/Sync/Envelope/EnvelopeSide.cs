@@ -13,15 +13,15 @@ namespace Nowpose.Sync.Envelope
     /// </remarks>
     sealed class EnvelopeSide
     {
-        /// <summary>Quantile of the blocks from which e is measured, and quantile of e that gives the scale s.</summary>
+        /// <summary>QuartileShare: quantile of the blocks from which e is measured. ScaleShare: quantile of e that gives the scale s.</summary>
         const double QuartileShare = 0.75, ScaleShare = 0.4;
 
         /// <summary>Minimum scale, s: without it, a few equal time stamps would outweigh all other bounds.</summary>
         const double MinScale = 3e-6;
 
         /// <summary>
-        /// Contribution to the scale if the exchanges miss a part of a coarse clock's step, as a fraction of that part. Half of this value is
-        /// too small.
+        /// Contribution to the scale if no exchange falls into a part of a coarse clock's step, as a fraction of that part. Half of this value is too
+        /// small.
         /// </summary>
         const double UnsampledShare = 0.1;
 

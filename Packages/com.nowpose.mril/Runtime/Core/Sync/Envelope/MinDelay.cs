@@ -7,37 +7,39 @@ namespace Nowpose.Sync.Envelope
     /// the bounds of that direction comparable across the change.
     /// </summary>
     /// <remarks>
-    /// A longer minimum delay makes all bounds of its direction late. Uncorrected, these bounds would move the offset by half the change
-    /// and, while they replace the older bounds, would look like a change of the skew. The clock rates do not change, so the excess over
-    /// the earlier minimum delay is added to each bound, and the offset and the skew are unchanged. A delay that is shorter than all
-    /// earlier delays replaces the reference, and the offset moves by half the difference. In both cases the error is half the difference
-    /// of the changes of the two directions. Until a change is recognised, the fit may follow it by 1.2 times this amount. A change too
-    /// small to separate from a wrong skew moves the offset by half of its size, and widens the error if the other direction shows that the
-    /// path has changed. Allocates nothing after construction.
+    /// A longer minimum delay makes all bounds of its direction late. Uncorrected, these bounds would move the offset by half the change and, while
+    /// they replace the older bounds, would look like a change of the skew. The clock rates do not change, so the excess over the earlier minimum
+    /// delay is added to each bound, and the offset and the skew are unchanged. A delay that is shorter than all earlier delays replaces the
+    /// reference, and the offset moves by half the difference. In both cases the error is half the difference of the changes of the two directions.
+    /// Until a change is recognised, the fit may follow it by 1.2 times this amount. If a change is too small to be distinguished from a wrong skew,
+    /// the offset moves by half of the change. The error is then widened if the other direction shows that the path has changed. Allocates nothing
+    /// after construction.
     /// </remarks>
     sealed class MinDelay
     {
         /// <summary>Minimum change, s. The fit absorbs smaller changes, with a negligible error of half the change.</summary>
         const double MinChange = 0.2e-3;
 
-        /// <summary>Maximum number of exchanges before the change that define the earlier level: 40 s at five per second.</summary>
+        /// <summary>
+        /// Maximum number of exchanges before the change from which the earlier minimum delay is determined: 40 s at five exchanges per second.
+        /// </summary>
         const int MaxEarlier = 200;
 
         const int MinEarlier = 60;
 
         /// <summary>
-        /// Minimum duration of a window, and of a window whose delays scatter more than before. A queue in a busy network also makes all
-        /// packets late, but by unequal amounts and for less than the second duration.
+        /// MinDuration: minimum duration of a window. MinDurationScattered: minimum duration of a window whose delays scatter more than before. A
+        /// queue in a busy network also makes all packets late, but by unequal amounts and for less than MinDurationScattered.
         /// </summary>
         static readonly TimeSpan MinDuration = TimeSpan.FromSeconds(6), MinDurationScattered = TimeSpan.FromSeconds(30);
 
-        /// <summary>Minimum duration of a window after a change of the other direction, when exchanges are frequent.</summary>
+        /// <summary>Minimum duration of a window after a change of the other direction. It has an effect only while exchanges are frequent.</summary>
         static readonly TimeSpan MinDurationExpected = TimeSpan.FromSeconds(3);
 
         /// <summary>
-        /// Maximum relative increase of the median lateness of a window over the median lateness of the earlier exchanges, times the square
-        /// root of the window's length. A larger increase means that the delays scatter more. About two standard errors of the median of
-        /// exponential delays.
+        /// Maximum relative increase of the median lateness of a window over the median lateness of the earlier exchanges, times the square root of
+        /// the window's length. A larger increase means that the delays scatter more. The value corresponds to about two standard errors of the
+        /// median of exponential delays.
         /// </summary>
         const double MaxScatterGrowth = 3;
 
@@ -54,8 +56,8 @@ namespace Nowpose.Sync.Envelope
         public const int MaxCount = MaxWindow + MaxEarlier;
 
         /// <summary>
-        /// Divisor of a window's length, which gives the length of the window's oldest part. This part is not used for the size of a
-        /// change, because it may precede the change.
+        /// Divisor that gives the length of a window's oldest part. This part is not used to determine the size of a change, because it may precede
+        /// the change.
         /// </summary>
         const int BoundaryShare = 6;
 
@@ -65,12 +67,12 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Significance after a change of the other direction, which makes a change of this direction likely.</summary>
         const double ExpectedSignificance = 7;
 
-        /// <summary>Significance for a part of a change that may be hidden; such a part only widens the error.</summary>
+        /// <summary>Significance of a change that may be hidden by a wrong skew. Such a change only widens the error.</summary>
         const double HiddenSignificance = 3;
 
         /// <summary>
-        /// Number of exchanges that are searched for a shorter delay, and number of exchanges that must show it. A clock step is detected
-        /// within <see cref="StepWindow"/> exchanges, see <see cref="OffsetShiftWatch"/>.
+        /// ShorterWindow: number of exchanges that are searched for a shorter delay. ShorterCount: minimum number of exchanges that show it.
+        /// StepWindow: number of exchanges within which a clock step is detected, see <see cref="OffsetShiftWatch"/>.
         /// </summary>
         const int ShorterWindow = 32, ShorterCount = 3, StepWindow = 16;
 
@@ -78,8 +80,8 @@ namespace Nowpose.Sync.Envelope
         const double LatenessShare = 15;
 
         /// <summary>
-        /// Shift of the bounds that is attributed to a wrong skew, in standard errors of the skew. The value is smaller for a longer delay,
-        /// because the round-trip times also show it.
+        /// Shift of the bounds that is attributed to a wrong skew, in standard errors of the skew, for a longer and for a shorter delay. The value
+        /// for a longer delay is smaller, because the round-trip times also show a longer delay.
         /// </summary>
         const double SkewErrorsLonger = 1, SkewErrorsShorter = 1.5;
 
@@ -113,7 +115,7 @@ namespace Nowpose.Sync.Envelope
         public double Tightest(int from, int to)
         {
             var max = double.NegativeInfinity;
-            // A comparison takes a fraction of the time of Math.Max, and the processor predicts it.
+            // A comparison takes a fraction of the time of Math.Max; the processor predicts the branch.
             for (var i = from; i < to; i++)
                 if (_tightness[i] > max) max = _tightness[i];
             return max;
@@ -156,7 +158,7 @@ namespace Nowpose.Sync.Envelope
             return FindShorter(_count, skewError, resolution) ? _sinceShorter : 0;
         }
 
-        // Returns the lateness of the tightest bound of a window; negative if it is tighter than the earlier bounds.
+        // Returns the lateness of a window's tightest bound relative to the tightest earlier bound; negative if it is tighter.
         double Lateness(int window, int earlier) => Tightest(window, earlier) - Tightest(0, window);
 
         (HeadsetTime At, long Bound) BoundOf(in OffsetBounds bounds) =>
@@ -167,7 +169,7 @@ namespace Nowpose.Sync.Envelope
         {
             var violation = Math.Min(_excess, _tightness[0] - Tightest(1, count));
             if (violation <= 0) return;
-            // A remaining excess below half the minimum change is only the lateness of single exchanges.
+            // A remaining excess below half the minimum change is not a change of the path but the lateness of single exchanges, so it is removed.
             if (_excess - violation < MinChange / 2) violation = _excess;
             // A small violation means that the excess was overestimated; a large violation means that the path changed again with this exchange.
             var isEstimate = violation < 3 * _excessError;
@@ -179,7 +181,7 @@ namespace Nowpose.Sync.Envelope
 
         bool FindLonger(MinDelay other, int count, double skewError, double resolution)
         {
-            // After a change of the path in one direction, a change in both directions is likely, by unequal amounts.
+            // After a change of the path in one direction, a change in the other direction is likely, too, by a different amount.
             var isExpected = (other._excess > 0 && other._sinceChange <= MaxWindow) || other._sinceShorter > 0;
             var minDuration = isExpected ? MinDurationExpected : MinDuration;
             var minChange = isExpected ? MinChange / 2 : MinChange;
@@ -217,8 +219,8 @@ namespace Nowpose.Sync.Envelope
             return false;
         }
 
-        // Called if the other direction has changed. This direction may have changed, too, but by less than the effect of a wrong skew. The offset
-        // then moves by half of that change.
+        // Widens the error after a change of the other direction. This direction may have changed, too, by less than the effect of a wrong skew. The
+        // offset then moves by half of that change.
         void AddHiddenError(int window, int earlier)
         {
             var late = Math.Abs(Lateness(window, earlier));
@@ -227,7 +229,8 @@ namespace Nowpose.Sync.Envelope
             _sinceHidden = 0;
         }
 
-        // Enlarges the change if a tighter bound shows a shorter minimum delay, which is uncertain after few exchanges.
+        // Enlarges the detected change if a tighter bound shows that the minimum delay is even shorter. After few exchanges, the minimum delay is
+        // uncertain.
         void RefineReference(int count)
         {
             if (++_sinceShorter > Math.Min(count, MaxEarlier)) _sinceShorter = 0;
@@ -243,7 +246,7 @@ namespace Nowpose.Sync.Envelope
         bool FindShorter(int count, double skewError, double resolution)
         {
             var earlier = Math.Min(count, ShorterWindow + MaxEarlier);
-            // Excludes the recent bounds, because several small increases in a row would hide the change.
+            // Excludes the recent bounds: if several of them became tighter in small steps, a comparison with them would hide the change.
             var reference = Tightest(ShorterWindow, earlier);
             var shorter = _tightness[0] - reference;
             int times = 0, first = 0;
@@ -256,7 +259,7 @@ namespace Nowpose.Sync.Envelope
             if (times == 0 && shorter <= LatenessShare * Quantile(ShorterWindow, earlier, reference, 0.5) / (earlier - ShorterWindow)) return false;
             _shorter[(_looks - 1) % ShorterWindow] = shorter;
             Shift(0, 1, -shorter);
-            // With fewer or more recent exchanges, the change may still be a clock step.
+            // The change may still be a clock step until enough exchanges show it and the first of them is old enough.
             if (times + 1 < ShorterCount || first < StepWindow - 1) return false;
             for (var age = 0; age <= first; age++) Shift(age, age + 1, Withheld(age));
             _sinceShorter = first + 1;
@@ -270,7 +273,7 @@ namespace Nowpose.Sync.Envelope
             return true;
         }
 
-        // Returns the amount by which a bound was relaxed.
+        // Returns the amount in s by which a bound was relaxed.
         double Withheld(int age) => _shorter[(_looks - 1 - age) % ShorterWindow];
 
         TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;

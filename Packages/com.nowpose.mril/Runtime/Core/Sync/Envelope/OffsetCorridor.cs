@@ -32,10 +32,10 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Mean lateness of the packets relative to the packet with the shortest delay; the larger value of the two directions.</summary>
         public double Lateness => Math.Max(Lower - _sumBelow / Count, _sumAbove / Count - Upper);
 
-        /// <summary>Maximum lateness of a group's best request relative to the best of all requests.</summary>
+        /// <summary>Maximum over all groups: lateness of the least late request of a group, relative to the least late of all requests.</summary>
         public double RowBelow => Lower - _slackestBelow;
 
-        /// <summary>Maximum lateness of a group's best reply relative to the best of all replies.</summary>
+        /// <summary>Maximum over all groups: lateness of the least late reply of a group, relative to the least late of all replies.</summary>
         public double RowAbove => _slackestAbove - Upper;
 
         public void Clear()

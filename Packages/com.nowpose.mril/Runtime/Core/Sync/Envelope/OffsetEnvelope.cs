@@ -12,7 +12,7 @@ namespace Nowpose.Sync.Envelope
     sealed class OffsetEnvelope
     {
         /// <summary>
-        /// Maximum number of exchanges, a minute at the usual pace. Older bounds are wide, and after a change of the path they must
+        /// Maximum number of exchanges: a minute at the usual pace. Older bounds are wide, and after a change of the path, the earlier bounds must
         /// expire.
         /// </summary>
         const int Window = 300;
@@ -22,7 +22,9 @@ namespace Nowpose.Sync.Envelope
         readonly BoundsHistory _history = new BoundsHistory(Window, Oldest);
         readonly double _skewUncertainty;
 
-        /// <param name="skewUncertainty">Error of an estimated skew beyond its standard errors, dimensionless: clock rates vary.</param>
+        /// <param name="skewUncertainty">
+        /// Error of an estimated skew in addition to its standard errors, dimensionless, because clock rates vary.
+        /// </param>
         public OffsetEnvelope(double skewUncertainty) => _skewUncertainty = skewUncertainty;
 
         public void Add(in SyncExchange exchange) => _history.Add(new OffsetBounds(exchange));
@@ -31,7 +33,7 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>Returns whether an exchange is consistent with recent exchanges within a margin; false after a clock step.</summary>
         /// <param name="includeServerError">
-        /// Whether each exchange counts as uncertain by the error bound that the server stated in it. The result is then also true after a
+        /// Whether the bounds of each exchange are widened by the error bound that the server stated in it. The result is then also true after a
         /// correction of the server's clock within these bounds.
         /// </param>
         public bool Allows(in SyncExchange exchange, in ClockLine line, TimeSpan margin, bool includeServerError = false)
@@ -76,12 +78,12 @@ namespace Nowpose.Sync.Envelope
         {
             var skewError = line.Exchanges == 0 ? ClockLine.MaxSkew : 3 * line.SkewError + _skewUncertainty;
             if (included == ServerError.AsStated) skewError += SkewErrorOfServer();
-            // Half of the range of long, so that adding a margin to an end without a bound does not overflow.
+            // Uses half of the range of long, so that adding a margin to an end without a bound does not overflow.
             long lower = long.MinValue / 2, upper = long.MaxValue / 2, maxServerError = 0;
             for (var i = 0; i < _history.Count; i++)
             {
                 ref readonly var bounds = ref _history[i];
-                // The newest exchange comes first.
+                // The newest exchange is the first in the history, so this is the maximum over this exchange and all later exchanges.
                 maxServerError = Math.Max(maxServerError, bounds.ServerErrorBound);
                 var margin = bounds.HalfResolution
                     + (included == ServerError.AsStatedSince ? maxServerError : included == ServerError.AsStated ? bounds.ServerErrorBound : 0);
@@ -91,7 +93,7 @@ namespace Nowpose.Sync.Envelope
             return (lower, upper);
         }
 
-        /// <summary>Error of the server's own clock by which the bounds are widened.</summary>
+        /// <summary>Selects the error of the server's own clock by which the bounds are widened.</summary>
         enum ServerError
         {
             Ignored,
@@ -100,12 +102,13 @@ namespace Nowpose.Sync.Envelope
             AsStated,
 
             /// <summary>
-            /// The maximum error bound in the same exchange or later: if the server states a larger error now, its error may have been as large before.
+            /// The maximum error bound in the same exchange or later. If the server states a larger error bound later, its error may already have
+            /// been as large at the time of the exchange.
             /// </summary>
             AsStatedSince,
         }
 
-        // The server's clock may have been wrong by its error bound at the oldest exchange, and by the opposite at the newest.
+        // The server's clock may have been wrong by its error bound at the oldest exchange, and by the opposite amount at the newest exchange.
         double SkewErrorOfServer()
         {
             if (_history.Count < 2) return 0;

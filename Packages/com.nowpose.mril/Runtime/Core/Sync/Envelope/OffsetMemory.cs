@@ -9,15 +9,19 @@ namespace Nowpose.Sync.Envelope
     /// </summary>
     sealed class OffsetMemory
     {
-        /// <summary>Interval between stored estimates, and age of the estimate with which the current estimate is compared, s.</summary>
+        /// <summary>
+        /// Interval: interval between stored estimates, s. Age: age of the stored estimate with which the current estimate is compared, s.
+        /// </summary>
         const double Interval = 10, Age = 30;
 
         const int Capacity = (int)(Age / Interval) + 1;
 
-        /// <summary>Minimum time since the first exchange for storing an estimate, s. The skew of an earlier estimate is too uncertain.</summary>
+        /// <summary>Minimum time from the first exchange to the first stored estimate, s. Before this time, the skew is too uncertain.</summary>
         const double MinRunning = 60;
 
-        /// <summary>Minimum movement in standard errors. A smaller value would increase the error even if the path does not change.</summary>
+        /// <summary>
+        /// Minimum movement in standard errors of the offset. With a smaller value, the error would increase even if the path does not change.
+        /// </summary>
         const double MinStandardErrors = 2;
 
         /// <summary>Change of the skew within the comparison interval that is not counted as a movement, dimensionless.</summary>
@@ -37,8 +41,8 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>
-        /// Reports that a change of the path was recognised and corrected. It explains the recent movement of the estimate; the comparison with
-        /// the oldest estimate still shows any remaining movement.
+        /// Reports that a change of the path was recognised and corrected. This change explains the recent movement of the estimate. Only the oldest
+        /// stored estimate is kept; the comparison with it shows any remaining movement.
         /// </summary>
         public void Explain()
         {

@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Range of the skew that follows from two exchanges with short round trips, one among the oldest and one among the newest: the offset
-    /// was between the bounds of each exchange.
+    /// Range of the skew that two exchanges with short round-trip times prove, one of the oldest and one of the newest exchanges: at each of the two
+    /// times, the offset was between the bounds of the exchange.
     /// </summary>
     readonly struct ProvenSkew
     {
@@ -23,7 +23,7 @@ namespace Nowpose.Sync.Envelope
             var part = (history.Count + 3) / 4;
             var late = Quickest(history, 0, part);
             var early = Quickest(history, history.Count - part, history.Count);
-            // Each bound applies at its own time.
+            // The lower bound applies when the request was sent, the upper bound when the reply arrived.
             var shortest = ClockTicks.Seconds(late.Sent - early.Received);
             var longest = ClockTicks.Seconds(late.Received - early.Sent);
             if (!(shortest > 0)) return new ProvenSkew(double.NegativeInfinity, double.PositiveInfinity);

@@ -7,11 +7,11 @@ namespace Nowpose.Sync.Envelope
     /// the scatter of the delays. Allocates nothing after construction.
     /// </summary>
     /// <remarks>
-    /// The tightest bounds of the newest exchanges are compared with the tightest bounds of all earlier exchanges, for every time at which
-    /// the path may have changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little
-    /// effect. The fit allows for a step of the delays at the most probable time, which reduces the effect of the change on offset and skew. The
-    /// offset follows a longer path in proportion to the weight of the exchanges since the change. A path that has become shorter shows that
-    /// the offset was wrong by half of the change.
+    /// The tightest bounds of the newest exchanges are compared with the tightest bounds of all earlier exchanges, for every time at which the path
+    /// may have changed. The sum of both directions is the change of the minimum round-trip time, on which a wrong skew has little effect. The fit
+    /// allows for a step of the delays at the most probable time, which reduces the effect of the change on offset and skew. The offset follows a
+    /// longer path in proportion to the weight of the exchanges since the change. If the path has become shorter, the offset was wrong by half of the
+    /// change.
     /// </remarks>
     sealed class UnrecognisedChange
     {
@@ -22,22 +22,24 @@ namespace Nowpose.Sync.Envelope
         const int MinEarlier = 2;
 
         /// <summary>
-        /// Lateness that is attributed to scatter, relative to the mean: 1.4 standard deviations above the mean for exponential delays.
+        /// Lateness that is attributed to scatter, as a multiple of the mean lateness. For exponential delays, it is 1.4 standard deviations above
+        /// the mean.
         /// </summary>
         const double UsualFactor = 2;
 
         /// <summary>
-        /// Minimum lateness of a longer path, relative to the mean, and minimum number of blocks that show it, for an error that is kept after
-        /// the last exchange before the change has left the history. With exponential delays, scatter alone exceeds this limit with a
-        /// probability of 5·10⁻⁴ in each window.
+        /// Conditions for an error that is remembered after the last exchange before the change has left the history. RememberedFactor: minimum
+        /// lateness of a longer path, as a multiple of the mean lateness. MinRemembered: minimum number of blocks that show it. With exponential
+        /// delays, scatter alone exceeds this limit with a probability of 5·10⁻⁴ in each window.
         /// </summary>
         const double RememberedFactor = 5;
         const int MinRemembered = 10;
 
         /// <summary>
-        /// Minimum lateness of a longer path, relative to the mean, and minimum number of blocks that show it, for a probable change. The errors
-        /// are the same with factors from 3 to 6; with 8, changes of 0.5 ms move the offset further. A queue also makes packets late, but for
-        /// less than 30 s at five exchanges per second. If fewer blocks sufficed, the largest error under load would grow from 0.24 to 1.6 ms.
+        /// Conditions for a probable change. ProbableFactor: minimum lateness of a longer path, as a multiple of the mean lateness. MinProbable:
+        /// minimum number of blocks that show it. The errors are the same with factors from 3 to 6; with 8, changes of 0.5 ms move the offset
+        /// further. A queue also makes packets late, but for less than 30 s at five exchanges per second. With a smaller number of blocks, the
+        /// largest error under load would increase from 0.24 to 1.6 ms.
         /// </summary>
         const double ProbableFactor = 4.5;
         const int MinProbable = 5;
@@ -76,7 +78,7 @@ namespace Nowpose.Sync.Envelope
             if (_rememberedAt >= SentAt(since + Block)) _remembered = 0;
         }
 
-        /// <summary>Gets the maximum error over all possible times of a change, s.</summary>
+        /// <summary>Returns the maximum error over all possible times of a change, s.</summary>
         /// <param name="up">Delays of the requests, measured up to the newest exchange.</param>
         /// <param name="down">Delays of the replies, measured up to the newest exchange.</param>
         public double Error(MinDelay up, MinDelay down)
@@ -132,9 +134,8 @@ namespace Nowpose.Sync.Envelope
             if (blocks > 0) _usual += earlier - sum / blocks;
         }
 
-        // Returns the fraction of a change by which the offset has moved, if exactly the given number of newest exchanges is after the
-        // change. If the newest fraction f of one side's points is shifted by a step, a line fitted to both sides moves at its end by f/2 +
-        // 3f(1 − f)/2 of the step.
+        // Returns the movement of the offset as a fraction of a change, if the change happened before the given number of newest exchanges. If the
+        // newest fraction f of one side's points is shifted by a step, a line fitted to both sides moves at its end by f/2 + 3f(1 − f)/2 of the step.
         double Followed(int newest)
         {
             var since = ClockTicks.Seconds(SentAt(newest) - _history[0].Received);

@@ -3,14 +3,14 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Longest part of a coarse control clock's step that contains no recent exchange. Exchanges in the same part of the step agree to within
-    /// microseconds, but have a common error of up to half of this part.
+    /// Computes the longest part of a coarse control clock's step into which no recent exchange falls. If all exchanges fall into the same part of
+    /// the step, they agree to within microseconds but have a common error, which is up to half of the part without exchanges.
     /// </summary>
     sealed class UnsampledPart
     {
         /// <summary>
-        /// Number of recent exchanges. Spread at random, they leave a gap of a twelfth of a step. They span a few seconds, in which the skew does
-        /// not move them to another part of the step.
+        /// Number of recent exchanges that are used. If they are spread at random over the step, the longest gap is about a twelfth of the step. They
+        /// span a few seconds, a time in which the skew does not move them to another part of the step.
         /// </summary>
         const int Recent = 60;
 
@@ -22,7 +22,7 @@ namespace Nowpose.Sync.Envelope
             var step = resolution.Ticks;
             if (step <= 0) return TimeSpan.Zero;
             var count = Math.Min(Recent, history.Count);
-            // Uses headset time, because the start of a step is unknown and has no effect on the result.
+            // Uses headset times, because the result does not depend on the start of a step, which is unknown.
             for (var i = 0; i < count; i++) _parts[i] = (history[i].Sent.SinceEpoch.Ticks % step + step) % step;
             Array.Sort(_parts, 0, count);
             var longest = _parts[0] + step - _parts[count - 1];

@@ -49,8 +49,9 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(good / (double)Seeds, Is.GreaterThan(minShare));
         }
 
-        // A systematic error, such as a rotated print, does not average out with time, so three markers help most. Noise averages out with one
-        // marker, too. Without systematic errors, the gain is at most 2, because the angles of three markers are as useful as their positions.
+        // Three markers improve the accuracy most if the errors are systematic, such as a rotated print, because these do not average out with time.
+        // Noise averages out even with one marker. Without systematic errors, the gain is at most 2, because the angles of three markers are as
+        // useful as their positions.
         [TestCase(0.5, 3, TestName = "Lock_ThreePrintsRotatedByHalfADegree_FlangeErrorIsAThirdOfTheErrorWithOneMarker")]
         [TestCase(0.25, 3, TestName = "Lock_ThreePrintsRotatedByAQuarterDegree_FlangeErrorIsAThirdOfTheErrorWithOneMarker")]
         [TestCase(0.1, 2.2, TestName = "Lock_ThreePrintsRotatedByATenthOfADegree_FlangeErrorIsBelowTheErrorWithOneMarker")]

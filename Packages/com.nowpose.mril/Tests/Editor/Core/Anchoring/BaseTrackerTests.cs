@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Anchoring
             cell.Noisy();
             cell.OutlierShare = 0;
             var reported = cell.Now;
-            // The sighting changes only twice a second, as on devices that read codes.
+            // The sighting changes only twice per second, as on devices that read codes.
             cell.Change = sighting =>
             {
                 if (sighting.LastSeen - reported >= Lengths.Seconds(0.5)) reported = sighting.LastSeen;

@@ -7,7 +7,9 @@ using Nowpose.Messages;
 
 namespace Nowpose.Tests.Core.Anchoring
 {
-    /// <summary>Tests a lock that a spatial anchor holds: it is handed over, corrected, lost, and restored in another run.</summary>
+    /// <summary>
+    /// Tests a base whose lock is held by a spatial anchor: hand-over to the anchor, correction, loss, and restoration in another run.
+    /// </summary>
     public class HeldBaseTests
     {
         FakeAnchors _anchors;
@@ -194,7 +196,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Tracker.Use("cell", Array.Empty<BaseMarker>());
             _cell.IsInView = _ => false;
             _cell.Run(0.1);
-            Assert.That(Tracker.Words, Is.EqualTo("as in an earlier run: lock it to confirm it"));
+            Assert.That(Tracker.Words, Is.EqualTo("restored from an earlier run: lock it to confirm it"));
 
             Tracker.Relock();
             _cell.Run(0.1);

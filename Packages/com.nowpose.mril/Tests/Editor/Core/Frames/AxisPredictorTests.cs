@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Frames
             return axis;
         }
 
-        // Rests for a number of samples, then moves.
+        // Returns the position at sample k of an axis that rests for the first samples and then moves.
         static double Motion(int k, int rest) => k < rest ? 0.7 : 0.7 + 0.02 * (k - rest + 1) * (k - rest + 1);
 
         [TestCase(true)]
@@ -53,7 +53,9 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That((axis.At(3), axis.Hold), Is.EqualTo((0.7, 0.7)));
         }
 
-        /// <summary>Each displacement of a slow motion is within rounding, but the sum of the displacements is not.</summary>
+        /// <summary>
+        /// The displacement between two samples of a slow motion is within the rounding tolerance, but the sum of the displacements is not.
+        /// </summary>
         [Test]
         public void At_SlowMotion_IsPredicted()
         {
@@ -74,7 +76,10 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(axis.Hold, Is.EqualTo(0.8));
         }
 
-        /// <summary>A rest of at most the number of kept samples is predicted as if no sample had been skipped.</summary>
+        /// <summary>
+        /// After a rest that lasts at most as many samples as the predictor keeps, the prediction is the same as if the predictor had received all
+        /// samples.
+        /// </summary>
         [Test]
         public void At_AfterARest_EqualsAPredictorWithAllSamples(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h9", "gp", "adaptive")] string predictor, [Values(1, 2, 5, 8)] int rest)
@@ -91,7 +96,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         /// <summary>
-        /// A longer rest has more samples than the predictor keeps. The additional samples are outside the window of these polynomials.
+        /// The rest lasts for more samples than the predictor keeps. The additional samples are outside the window of these polynomials.
         /// </summary>
         [TestCase("linear")]
         [TestCase("quadratic")]
@@ -141,7 +146,7 @@ namespace Nowpose.Tests.Core.Frames
             AxisPredictor inOrder = AtRest(10, "quadratic"), late = AtRest(10, "quadratic");
             for (var k = 10; k < 13; k++) Add(inOrder, k, k == 11 ? 0.7 : Motion(k, 10));
 
-            // Sample 11 has the value at rest, and overtakes the change before it.
+            // Sample 11 has the value of the rest, and arrives before sample 10, which has another value.
             Assert.That(Add(late, 11, 0.7), Is.EqualTo(DropReason.None));
             Assert.That(Add(late, 10, Motion(10, 10)), Is.EqualTo(DropReason.None));
             Assert.That(late.Hold, Is.EqualTo(0.7), "the newest sample");

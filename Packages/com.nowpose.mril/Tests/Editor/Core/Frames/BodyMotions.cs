@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Frames
     {
         public static readonly Vector3D Velocity = new Vector3D(0.3, -0.2, 0.1);
 
-        /// <summary>Turns at a constant rate about a fixed axis, and moves on a line.</summary>
+        /// <summary>An object that rotates at a constant rate about a fixed axis while it moves along a line.</summary>
         /// <param name="rate">Angular velocity about the body's axes, rad/s.</param>
         public static Func<double, PoseSample> Constant(Vector3D rate)
         {
@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Frames
             return t => new PoseSample(t, new Vector3D(1, 2, 3) + Velocity * t, start * UnitQuaternion.Exp(rate * t));
         }
 
-        /// <summary>A hand-held object: sums of sines up to 1 Hz in every component.</summary>
+        /// <summary>A hand-held object. Each component is a sum of sines up to 1 Hz.</summary>
         public static PoseSample HandHeld(double t)
         {
             double Wave(double a, double b, double c) => Math.Sin(a * t) + 0.5 * Math.Sin(b * t + 1) + 0.2 * Math.Sin(c * t + 2);
@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Frames
                 t, new Vector3D(0.5 * Math.Cos(angle), 0.5 * Math.Sin(angle), 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, angle)));
         }
 
-        /// <summary>A conveyor: rests for 1.5 s, moves at 0.3 m/s for 2.5 s with ramps of 0.1 s, and so on.</summary>
+        /// <summary>An object on a conveyor that repeatedly rests for 1.5 s and then moves for 2.5 s, at 0.3 m/s with ramps of 0.1 s.</summary>
         public static PoseSample Conveyor(double t)
         {
             const double rest = 1.5, move = 2.5, ramp = 0.1, speed = 0.3;
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Frames
             return new PoseSample(t, new Vector3D(x, 0.2, 0.9), UnitQuaternion.Exp(new Vector3D(0, 0, 0.4)));
         }
 
-        /// <summary>An object on a turntable whose rate jumps to zero or back within one sample, every 3.3 s.</summary>
+        /// <summary>An object on a turntable whose angular velocity jumps, within one sample, to zero or back, every 3.3 s.</summary>
         public static PoseSample JumpingRate(double t)
         {
             const double period = 6.6;
@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core.Frames
         public static PoseSample Rest(double t) =>
             new PoseSample(t, new Vector3D(0.1, 0.2, 0.3), UnitQuaternion.Exp(new Vector3D(0.2, 0.3, 1.2)));
 
-        /// <summary>Adds the noise of a tracker: 1 mm and 0.1° in each component, with every third sign of the quaternion reversed.</summary>
+        /// <summary>Adds the noise of a tracker, 1 mm and 0.1° in each component, and reverses the sign of every third quaternion.</summary>
         public static Func<double, PoseSample> WithNoise(Func<double, PoseSample> motion, int seed) => t =>
         {
             var sample = motion(t);

@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(worst, Is.LessThan(1e-3), "rad; a full turn is 6.28 rad");
         }
 
-        // Rounding differs with the sign, and the mixture amplifies the difference.
+        // Rounding depends on the sign of the quaternion, and the mixture amplifies the difference.
         [TestCase("linear", 1e-13)]
         [TestCase("adaptive", 1e-4)]
         public void Add_ReversedSigns_GiveTheSamePrediction(string name, double tolerance)

@@ -10,10 +10,10 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Frames
 {
-    /// <summary>Compares chains of moving frames, links and stationary frames with another library.</summary>
+    /// <summary>Compares poses in chains of moving frames, links and stationary frames with poses computed by another library.</summary>
     /// <remarks>
-    /// Orocos KDL computed the numbers of <c>frame_reference_poses.json</c>; <c>Tests/Package/make-frame-reference.py</c> wrote them and describes the
-    /// cell. Tracked frames move at constant rates, which <c>linear</c> predicts exactly.
+    /// Orocos KDL computed the numbers of <c>frame_reference_poses.json</c>; <c>Tests/Package/make-frame-reference.py</c> wrote them and describes
+    /// the cell. Tracked frames move at constant rates, which <c>linear</c> predicts exactly.
     /// </remarks>
     public class FrameReferenceTests
     {

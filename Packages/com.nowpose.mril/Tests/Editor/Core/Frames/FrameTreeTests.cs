@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Frames
             var tree = NewTree();
             var poses = Enumerable.Range(0, ProtocolLimits.FrameDepth)
                 .Select(i => Pose(0, i == 0 ? "world" : "f" + (i - 1), "f" + i, Next(), Next(), Next(), Turned(Next(), Next(), Next()))).ToArray();
-            // Children are added first; their parents become known later.
+            // Children are added before their parents.
             foreach (var pose in poses.Reverse()) Assert.That(tree.Add(pose, isStationary: true), Is.EqualTo(DropReason.None));
 
             tree.Evaluate(At(0));

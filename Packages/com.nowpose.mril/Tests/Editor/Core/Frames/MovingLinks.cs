@@ -29,7 +29,10 @@ namespace Nowpose.Tests.Core.Frames
 
         public ReadOnlySpan<RigidTransform> HeldPoses => _held;
 
-        /// <summary>Returns the pose of a link at a time, and its origin; null for the poses of <see cref="Poses"/> as measured.</summary>
+        /// <summary>
+        /// Function that returns the pose of a link at a time, and its origin; null to return the poses of <see cref="Poses"/> with the origin
+        /// Measured.
+        /// </summary>
         public Func<int, ControlTime, (RigidTransform Pose, PoseOrigin Origin)> Past { get; set; }
 
         public RigidTransform PoseAt(int link, ControlTime at, out PoseOrigin origin)

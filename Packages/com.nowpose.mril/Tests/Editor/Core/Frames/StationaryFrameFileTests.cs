@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Frames
             }
         }
 
-        [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "a rotation must be a quaternion with the norm 1 within 0.001")]
+        [TestCase("\"w\": 1.0", "\"w\": 1.1", 25, "a rotation is not a unit quaternion; its norm must be 1 ± 0.001; normalise it")]
         [TestCase("\"x\": 0.5", "\"x\": NaN", 14, "a number must be finite")]
         [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "a frame is its own parent; correct its header.frame_id")]
         [TestCase("\"child_frame_id\": \"box\",", "", 25, "a field is missing; add it")]

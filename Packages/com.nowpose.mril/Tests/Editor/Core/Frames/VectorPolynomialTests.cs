@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Frames
         // Returns stamps at uneven intervals.
         static double StampOf(int k) => 100 + 0.05 * k + 0.004 * Math.Sin(7 * k);
 
-        /// <summary>Compares with the joint predictors, which solve the same polynomials for each component.</summary>
+        /// <summary>Compares the result with the joint predictors, which fit the same polynomial to each component.</summary>
         [Test]
         public void At_UnevenSamples_IsThePolynomialOfEachComponent(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h4", "linear-h9")] string name,

@@ -34,12 +34,12 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase(Upper + 0.021, true)]
         [TestCase(-Upper - 0.019, false)]
         [TestCase(-Upper - 0.021, true)]
-        public void Found_AngleBeyondALimit_ContainsTheJointAboveTheTolerance(double position, bool isFound) =>
+        public void Found_RevoluteJointBeyondALimit_ContainsTheJointAboveTheTolerance(double position, bool isFound) =>
             Assert.That(Fed(Shoulder, position, position, position).Found, Has.Count.EqualTo(isFound ? 1 : 0));
 
         [TestCase(UpperMetres + 0.0019, false)]
         [TestCase(UpperMetres + 0.0021, true)]
-        public void Found_LengthBeyondALimit_ContainsTheJointAboveTheTolerance(double position, bool isFound) =>
+        public void Found_PrismaticJointBeyondALimit_ContainsTheJointAboveTheTolerance(double position, bool isFound) =>
             Assert.That(Fed(Grip, position, position, position).Found, Has.Count.EqualTo(isFound ? 1 : 0));
 
         [Test]

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Kinematics
 {
-    /// <summary>Checks that invalid URDF text is refused with a message of one line that states the place and the error.</summary>
+    /// <summary>Checks that an invalid URDF is rejected with an error message of one line that states the place and the error.</summary>
     public class UrdfReaderBadInputTests
     {
         const string Links = "<link name='a'/><link name='b'/><link name='c'/>\n";

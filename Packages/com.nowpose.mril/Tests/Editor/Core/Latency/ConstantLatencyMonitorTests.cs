@@ -23,7 +23,7 @@ namespace Nowpose.Tests.Core.Latency
             for (var i = 0; i < frames; i++) monitor.Add(TimeSpan.FromTicks((long)(renderMs * TimeSpan.TicksPerMillisecond)), source);
         }
 
-        // Returns the changes of state per minute of the monitor and, for comparison, of a rule that judges each frame alone.
+        // Returns the number of state changes per minute for the monitor and, for comparison, for a rule that judges each frame alone.
         static (double Monitor, double SingleFrame) FlipsPerMinute(double renderMs, int seed, double minutes)
         {
             var monitor = Monitor();
@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Latency
             return (flips / minutes, singleFlips / minutes);
         }
 
-        // Returns the number of frames until the state is outside, at most 60, for 1000 seeds in ascending order.
+        // Returns the numbers of frames until the state is outside, at most 60, for 1000 seeds. The numbers are in ascending order.
         static int[] FramesToLeave(double renderMs) => Enumerable.Range(1, 1000).Select(seed =>
         {
             var monitor = Monitor();

@@ -11,7 +11,7 @@ namespace Nowpose.Tests.Core.Latency
 
         static TimeSpan Ms(double ms) => TimeSpan.FromTicks((long)(ms * TimeSpan.TicksPerMillisecond));
 
-        // Runs steps of each kind in turn. Returns the working time of each frame in ms and its number of steps.
+        // Executes steps of each kind in turn. Returns, for each frame, the working time in ms and the number of steps.
         static (double Ms, int Steps)[] Work(FrameShare share, Func<int, double> msOf, int kinds, int frames)
         {
             var done = new (double, int)[frames];

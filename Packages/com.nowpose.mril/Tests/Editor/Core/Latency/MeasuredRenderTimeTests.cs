@@ -6,7 +6,7 @@ namespace Nowpose.Tests.Core.Latency
 {
     public class MeasuredRenderTimeTests
     {
-        // The sweep log of the headset must accept the same values. A value that only one of the two accepts would be lost.
+        // MeasuredRenderTime and SweepRow must accept the same values. A value that only one of them accepts would be lost.
         [TestCase(0.001, true)]
         [TestCase(1000, true)]
         [TestCase(0, false)]

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Latency
             var all = new List<double>();
             for (var i = 0; i < 500; i++)
             {
-                // With few distinct values, a value often leaves the window while an equal value stays in it.
+                // There are few distinct values, so a value often leaves the window while an equal value stays in it.
                 var length = random.Next(-5, 20);
                 all.Add(length);
                 rolling.Add(new TimeSpan(length * 1000));

@@ -5,7 +5,7 @@ using static Nowpose.Tests.Core.Pairing.SimulatedPairing;
 
 namespace Nowpose.Tests.Core.Pairing
 {
-    /// <summary>Tests the pairing from the sighting of the two codes to the token.</summary>
+    /// <summary>Tests the pairing from the sighting of the two codes until the headset has received its token.</summary>
     public class PairingFlowTests
     {
         SimulatedPairing _pairing;

@@ -13,8 +13,8 @@ namespace Nowpose.Tests.Core.Prediction
 
         static readonly PredictionLimits Limits = new PredictionLimits();
 
-        // Returns a joint that moves at 1 rad/s, with and without blending. The time of its newest sample is `newest`. The blended joint
-        // has shown two frames, the second one for the time 100 ms after this sample.
+        // Returns a joint that moves at 1 rad/s, with and without blending. The time of its newest sample is `newest`. Two frames of the blended
+        // joint have been displayed, the second of them for the time 100 ms after this sample.
         static (DisplayedJoint Blended, JointPredictor Bare) Moving(double newest, PredictionLimits limits = null, string predictor = "linear")
         {
             var bare = Predictors.Create(predictor, limits ?? Limits);

@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Prediction
 
             var (before, after) = (Fed("gp", Quiet, 400), Fed("gp", Quiet, 1300));
 
-            // After 45 s: the variance decays by a factor of e every 3 s, towards the errors of the new motion.
+            // The motion changed 45 s ago. The variance decays by a factor of e every 3 s, towards the errors of the new motion.
             Assert.That(after.DeviationAt(65.1) / before.DeviationAt(20.1), Is.InRange(0.005, 0.02));
         }
 

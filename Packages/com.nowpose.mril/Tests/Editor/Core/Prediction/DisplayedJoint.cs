@@ -34,7 +34,10 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         /// <summary>Shows frames at a fixed interval. Samples arrive 100 ms after their time.</summary>
-        /// <param name="sampleOf">Called once for each sample number; the numbers start at 0 and continue from call to call.</param>
+        /// <param name="sampleOf">
+        /// Returns the sample with a number. It is called once for each number; the numbers start at 0 and continue over several calls of this
+        /// method.
+        /// </param>
         /// <param name="frame">Frame interval, s.</param>
         public List<(double At, JointPrediction Shown)> Play(Func<int, JointSample> sampleOf, double from, double to, double frame = 1 / 60.0)
         {

@@ -198,7 +198,8 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(predictor.At(2).Position, Is.EqualTo(5));
         }
 
-        // One of two predictors gets additional requests for random times after each sample, in both orders. Both must show the same.
+        // After each sample, one of two predictors is also asked for positions at random times, in two orders. Both predictors must show the same
+        // positions.
         [TestCaseSource(nameof(Names))]
         public void At_AnyTimesInAnyOrder_DoesNotChangeTheState(string name)
         {

@@ -8,7 +8,7 @@ namespace Nowpose.Tests.Core.Prediction
     /// <summary>Contains the example forecaster of prediction.md and a test that the adaptive predictor learns to use it.</summary>
     public class PredictionManualExamples
     {
-        // A line whose speed fades: for drives that have just been switched off.
+        // Forecasts a line whose speed decays, for drives that have just been switched off.
         sealed class CoastingForecaster : Forecaster
         {
             const double TimeConstant = 0.2;

@@ -226,7 +226,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         static JointPredictor Fed(int samples, Func<double, double> motion) => Fed(Mixed(), samples, motion);
 
-        // Three frames at 60 Hz are displayed before each sample is added; the first one shows the time 100 ms after the previous sample.
+        // Three frames at 60 Hz are displayed before each sample is added; the first of them shows the time 100 ms after the previous sample.
         static JointPredictor Fed(JointPredictor predictor, int samples, Func<double, double> motion)
         {
             for (var k = 0; k < samples; k++) predictor.Add(new JointSample(k * Interval, motion(k * Interval)), (k - 1) * Interval + 0.1 + 2 / 60.0);

@@ -49,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction
             double Truth(double t) => Planned(t - lag) + offset;
             Play(joint, 4, 4.9, Truth);
             joint.Follow(Move, 5);
-            // The delay is estimated during the first move. The second move, back, is corrected from its start.
+            // The delay is estimated during the first move. The second move, which leads back, is corrected from its start on.
             Play(joint, 4.9, 7, Truth);
             joint.Follow(new PlannedPath(new[] { 0.0, 1 }, new[] { 1.0, 0 }, new[] { 0.0, 0 }), 7.1);
             double Back(double t) => 1 - Planned(t - 2.1 - lag) + offset;

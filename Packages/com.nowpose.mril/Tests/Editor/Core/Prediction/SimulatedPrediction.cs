@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Prediction
         public double Latency { get; set; } = 0.1;
         public double StampError { get; set; }
 
-        /// <summary>RMS error divided by the RMS error of hold; the mean of several random sampling and frame phases.</summary>
+        /// <summary>Returns the RMS error divided by the RMS error of hold, as the mean of runs with random phases of sampling and frames.</summary>
         public double Ratio(string predictor, int seed)
         {
             const int phases = 16;

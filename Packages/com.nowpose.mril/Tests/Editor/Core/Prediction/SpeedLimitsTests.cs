@@ -25,8 +25,8 @@ namespace Nowpose.Tests.Core.Prediction
         {
             var limited = Fed(With(acceleration: 0.2));
             var newest = limited.NewestTime;
-            // The mean speed in the last sampling interval was 0.975 rad/s; this is the speed 25 ms before the newest sample. The speed
-            // computed below is that 287.5 ms after the newest sample.
+            // The mean speed in the last sampling interval was 0.975 rad/s, which is the speed 25 ms before the newest sample. The speed that is
+            // computed here is the speed 287.5 ms after the newest sample.
             var speedThen = (limited.At(newest + 0.3).Position - limited.At(newest + 0.275).Position) / 0.025;
 
             Assert.That(speedThen, Is.LessThan(0.975 + 0.2 * (0.025 + 0.2875) + 1e-9));

@@ -12,14 +12,14 @@ namespace Nowpose.Tests.Core.Prediction
         static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
 
         /// <summary>Creates the paper's polynomial predictor of a degree. It uses <paramref name="history"/> samples besides the newest.</summary>
-        /// <param name="limits">Null for no limits.</param>
+        /// <param name="limits">Limits of the joint; null if it has none.</param>
         public static JointPredictor Polynomial(int degree, int history, PredictionLimits limits = null) =>
             Predictors.Create(Degrees[degree] + "-h" + history, limits ?? PredictionLimits.Unlimited);
 
         /// <summary>
         /// Creates a predictor with one forecaster and the given parts of the pipeline. It holds the newest sample if the forecaster cannot forecast.
         /// </summary>
-        /// <param name="limits">Null for no limits.</param>
+        /// <param name="limits">Limits of the joint; null if it has none.</param>
         public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
             new JointPredictor(forecaster, 24, parts, limits ?? PredictionLimits.Unlimited, 0);
 

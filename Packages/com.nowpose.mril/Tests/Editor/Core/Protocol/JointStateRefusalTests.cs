@@ -5,7 +5,7 @@ using static Nowpose.Tests.Core.Protocol.RosbridgeTexts;
 
 namespace Nowpose.Tests.Core.Protocol
 {
-    /// <summary>Checks the limits of joint states and the reasons for which they are refused.</summary>
+    /// <summary>Checks the limits of joint state messages and the reasons for which such messages are rejected.</summary>
     public class JointStateRefusalTests
     {
         [TestCase("NaN")]

@@ -5,7 +5,7 @@ using static Nowpose.Tests.Core.Protocol.RosbridgeTexts;
 
 namespace Nowpose.Tests.Core.Protocol
 {
-    /// <summary>Checks the trajectories that the reader accepts and refuses.</summary>
+    /// <summary>Checks which trajectory messages the reader accepts and which it rejects.</summary>
     public class JointTrajectoryReaderTests
     {
         static string TrajectoryPoint(double seconds, string more = "") => FormattableString.Invariant(

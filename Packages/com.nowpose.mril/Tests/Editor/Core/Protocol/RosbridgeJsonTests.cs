@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Protocol
             else Refuse(text, DropReason.TooLarge);
         }
 
-        // Returns a message of exactly this size in bytes. The fill text is in an unused field or in the data.
+        // Returns a message of exactly this size in bytes. The characters that fill it are in an unused field or in the data.
         static string Sized(string character, int bytes, string topic, string field)
         {
             string Make(string fill) => field == "data"

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Protocol
 {
-    /// <summary>Creates texts of rosbridge messages and checks how the reader reads them.</summary>
+    /// <summary>Creates rosbridge messages as strings and checks how the reader reads them.</summary>
     static class RosbridgeTexts
     {
         public const string Stamp = "\"header\":{\"stamp\":{\"sec\":12,\"nanosec\":345678900},\"frame_id\":\"\"}";

@@ -3,8 +3,8 @@ using System.IO;
 namespace Nowpose.Tests.Core.Recording
 {
     /// <summary>
-    /// Simulates a file on a disk with a limited number of free bytes. A write that does not fit fails; after a failed write, closing the
-    /// file fails too.
+    /// Simulates a file on a disk with a limited number of free bytes. A write that does not fit fails. After a failed write, closing the file also
+    /// fails.
     /// </summary>
     sealed class FullDisk : MemoryStream
     {

@@ -9,7 +9,7 @@ using Nowpose.Tests.Core.Session;
 
 namespace Nowpose.Tests.Core.Recording
 {
-    /// <summary>Creates a session to record, and exchanges for it.</summary>
+    /// <summary>Creates a session that can be recorded, and sync exchanges for it.</summary>
     static class RecordableSession
     {
         public static readonly HeadsetTime Start = HeadsetTime.FromSeconds(100);

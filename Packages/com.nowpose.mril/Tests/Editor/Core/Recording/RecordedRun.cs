@@ -29,7 +29,10 @@ namespace Nowpose.Tests.Core.Recording
 
         public List<JObject> Of(string kind) => Lines.Where(l => (string)l["kind"] == kind).ToList();
 
-        /// <summary>Waits until the ring buffer is written. Without this, a session in virtual time fills it faster than a disk writes.</summary>
+        /// <summary>
+        /// Waits until the ring buffer is written. Without this wait, a session in virtual time would fill the buffer faster than a disk can write
+        /// it.
+        /// </summary>
         public void Flush()
         {
             if (!Recorder.FlushAsync().Wait(Timeout)) throw new TimeoutException("the recording has not written its lines within a minute");
@@ -46,7 +49,7 @@ namespace Nowpose.Tests.Core.Recording
 
         public JObject Last => Lines[Lines.Count - 1];
 
-        // Integers stay integers; other numbers become the nearest double.
+        // Reads integers as integers, and other numbers as the nearest double.
         static JObject Read(string line)
         {
             using (var reader = new JsonTextReader(new StringReader(line)) { DateParseHandling = DateParseHandling.None })

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Session
             return simulated;
         }
 
-        // Returns the RMS error of the shoulder joint over 20 s, in rad. The reference is the true position when the light appears.
+        // Returns the RMS error of the shoulder joint over 20 s, in rad, relative to its true position at the true display time.
         static double ErrorOf(IDisplayTimeSource source)
         {
             var simulated = Running(source);

@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Session
     /// <summary>Compares the error that a session estimates from its samples with the true error in the virtual cell.</summary>
     public class HindcastAccuracyTests
     {
-        /// <summary>Predictor that does not learn at run time. All parts of a run are therefore equivalent.</summary>
+        /// <summary>Predictor that does not learn at run time, so the accuracy is the same in all parts of a run.</summary>
         const string Steady = "quadratic";
 
         static double Rms(IEnumerable<double> values) => Math.Sqrt(values.Average(v => v * v));
@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Session
             var (_, shorter, _) = Scored("wifi", 7, 23, predictor: Steady);
             var (_, longer, _) = Scored("wifi", 7, 183, predictor: Steady);
 
-            // A run nine times as long has about a third of the uncertainty; the limit leaves room for chance.
+            // The uncertainty of a run that is nine times as long is about a third. The limit is larger, because the uncertainty varies by chance.
             Assert.That(longer.ReductionUncertainty.Value, Is.LessThan(0.6 * shorter.ReductionUncertainty.Value), "seed 7");
             Assert.That(longer.ReductionUncertainty.Value, Is.GreaterThan(0));
         }

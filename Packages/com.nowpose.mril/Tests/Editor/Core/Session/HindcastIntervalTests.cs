@@ -124,7 +124,8 @@ namespace Nowpose.Tests.Core.Session
             AssertWithheld(Statistics(simulated), ErrorWithheldReason.BeyondMeasured);
         }
 
-        // Without render times of the calibrated source, late frames are not detected, even if another source reports short times.
+        // Without render times of the source for which the range was calibrated, late frames are not detected, even if another source reports short
+        // times.
         [TestCase(RenderTimeSourceKind.CameraCpu, ErrorWithheldReason.OtherSource)]
         [TestCase(RenderTimeSourceKind.None, ErrorWithheldReason.NoRenderTime)]
         public void Statistics_LimitNoLongerMonitored_HaveTheReasonInsteadOfAnError(RenderTimeSourceKind source, object reason)

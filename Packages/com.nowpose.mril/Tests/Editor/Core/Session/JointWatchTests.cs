@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Core.Session
             var simulated = Running(isEachJointApart);
 
             simulated.SilentJoint = "elbow";
-            // Samples from before the joint fell silent still arrive, up to 105 ms plus the delay of the WiFi after they were taken.
+            // Samples that were taken before the joint stopped sending still arrive, up to 105 ms plus the delay of the WiFi after they were taken.
             var states = StatesOf(simulated, 0.3 + 0.15);
             var after = StatesOf(simulated, 3);
             var statistics = StatisticsOf(simulated);

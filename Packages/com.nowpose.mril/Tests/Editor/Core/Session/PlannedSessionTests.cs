@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_PlanOfAnotherMotion_IsIgnored()
+        public void Tick_PlanDoesNotMatchTheMotion_IsIgnored()
         {
             var bare = Run(null, 3);
             var run = new VirtualCellRun(VirtualCellRun.Settings(), 3);

@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>Tests which received samples a session uses and how it counts the others.</summary>
+    /// <summary>Tests which received samples a session uses, and how it counts the dropped samples.</summary>
     public class ReceivedSamplesTests
     {
         const int Seed = 7;

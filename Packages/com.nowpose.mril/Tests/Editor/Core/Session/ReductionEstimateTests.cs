@@ -5,7 +5,7 @@ namespace Nowpose.Tests.Core.Session
 {
     public class ReductionEstimateTests
     {
-        /// <summary>Reference values from published tables of Student's distribution.</summary>
+        /// <summary>The reference values are from published tables of Student's t-distribution.</summary>
         [TestCase(3, 3.182446)]
         [TestCase(4, 2.776445)]
         [TestCase(5, 2.570582)]

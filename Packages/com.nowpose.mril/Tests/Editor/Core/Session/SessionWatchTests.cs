@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Session
 {
     public class SessionWatchTests
     {
-        // Each letter is a frame of 1/60 s; a capital letter stands for 40 frames.
+        // Each lower-case letter stands for one frame of 1/60 s, each capital letter for 40 frames.
         static string Run(string frames, Func<int, char, SessionChange> changed)
         {
             var letters = frames.SelectMany(c => Enumerable.Repeat(char.ToLowerInvariant(c), char.IsUpper(c) ? 40 : 1));

@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Session
         public static (double Shoulder, double Elbow) TruthAt(double seconds) =>
             (Math.Sin(seconds * 1.3), 0.8 * Math.Sin(seconds * 0.9 + 1));
 
-        /// <summary>Continues the run. <paramref name="seen"/> receives each frame and the time in s at which its light appears.</summary>
+        /// <summary>Continues the run. <paramref name="seen"/> receives each frame and its display time in s.</summary>
         public void Run(double seconds, Action<DisplayFrame, double> seen = null)
         {
             for (var end = Now + seconds; Now < end; Now += 0.0005)

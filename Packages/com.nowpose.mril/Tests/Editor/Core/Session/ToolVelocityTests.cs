@@ -36,7 +36,8 @@ namespace Nowpose.Tests.Core.Session
             for (var frame = 0; frame < 10; frame++)
             {
                 Follow(frame / 60.0);
-                // The second computation is for a display time only 0.1 ms later. Its very different pose must not count as motion.
+                // The frame is computed a second time, for a display time that is only 0.1 ms later. The very different pose of this computation must
+                // not count as motion.
                 _velocity.Follow(ControlTime.FromSeconds(1000 + frame / 60.0 + 1e-4), RigidTransform.FromXyzRpy(0, 0, 9, 0, 0, 0));
             }
 

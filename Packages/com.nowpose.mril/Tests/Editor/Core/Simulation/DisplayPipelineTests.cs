@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Simulation
         [TestCase(17)]
         [TestCase(20)]
         [TestCase(50)]
-        public void Next_RenderTimeLongerThanARefresh_StartsAFrameEachRenderTime(double renderMs)
+        public void Next_RenderTimeLongerThanARefreshInterval_StartsFramesOneRenderTimeApart(double renderMs)
         {
             var display = new DisplayPipeline(1, Steady);
             // The queue fills slowly when the render time is only a little longer than a refresh.
@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Simulation
             }
         }
 
-        // A frame is done two render times after its start. Then it waits for a refresh, and all lengths of this wait are equally likely.
+        // A frame is done two render times after its start. Then it waits for a refresh; the duration of this wait is uniformly distributed.
         [TestCase(17.3)]
         [TestCase(21.1)]
         public void Next_RenderTimeLongerThanARefresh_LatencyIsUniformOverARefresh(double renderMs)

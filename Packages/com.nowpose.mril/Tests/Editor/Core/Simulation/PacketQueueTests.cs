@@ -59,7 +59,8 @@ namespace Nowpose.Tests.Core.Simulation
             var arrivals = received.Select(r => (r.Arrival - Start).TotalSeconds).ToList();
 
             Assert.That(arrivals.Where(s => s >= 8 && s < 9.5), Is.Empty);
-            // Packets are sent every 2 ms. After the stall, the packets of 1.5 s arrive at once, together with the packets in flight.
+            // Packets are sent every 2 ms. At the end of the stall, all packets that were sent within 1.5 s arrive at the same time, together with
+            // the packets that were in transit before.
             Assert.That(arrivals.Count(s => s == 9.5), Is.InRange(740, 760));
         }
 

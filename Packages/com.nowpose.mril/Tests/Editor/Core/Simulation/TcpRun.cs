@@ -71,11 +71,11 @@ namespace Nowpose.Tests.Core.Simulation
         /// <summary>Share of current frames, from the first current frame on.</summary>
         public double CurrentShare => Since(FirstCurrent).Average(frame => frame.IsCurrent ? 1 : 0);
 
-        /// <summary>1 − RMS error of the tool ÷ RMS error of hold, over all frames from the first current one on, including held frames.</summary>
+        /// <summary>1 − RMS error of the tool ÷ RMS error of hold, over all frames from the first current frame on, including held frames.</summary>
         public double Reduction => 1 - Math.Sqrt(
             Since(FirstCurrent).Sum(frame => frame.Error * frame.Error) / Since(FirstCurrent).Sum(frame => frame.HoldError * frame.HoldError));
 
-        /// <summary>Share of the current frames in which the clock error exceeded its estimated error (±).</summary>
+        /// <summary>Share of the current frames in which the error of the clock exceeded the stated estimated error (±).</summary>
         public double ClockErrorBeyondStated => Frames.Where(frame => frame.IsCurrent).Average(frame => Math.Abs(frame.ClockErrorMs) > frame.StatedMs ? 1 : 0);
 
         public double FirstIn(ClockState state) => Frames.First(frame => frame.Clock == state).At;

@@ -46,10 +46,10 @@ namespace Nowpose.Tests.Core.Simulation
         public CompensationSession Session { get; }
         public List<SampleArrival> Taken { get; } = new List<SampleArrival>();
 
-        /// <summary>Distance of the displayed tool from the true one in m, for the current frames since the last <see cref="Run"/>.</summary>
+        /// <summary>Distance of the displayed tool from the true tool in m, for the current frames since the last <see cref="Run"/>.</summary>
         public List<double> Errors { get; } = new List<double>();
 
-        /// <summary>Distance of the held tool from the true one in m, for the same frames as <see cref="Errors"/>.</summary>
+        /// <summary>Distance of the held tool from the true tool in m, for the same frames as <see cref="Errors"/>.</summary>
         public List<double> HoldErrors { get; } = new List<double>();
 
         public int Frames { get; private set; }

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Sync
     {
         static SyncRun NewRun() => new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
 
-        // Simulates a gateway that has just started. The error of its first times exceeds the bound that it states later.
+        // Simulates a gateway that has just started. The error of its first time stamps exceeds the error bound that it states later.
         [TestCase(ClockEstimators.Default)]
         [TestCase(ClockEstimators.Ransac)]
         public void ErrorBound_ServerErrorBoundDecreases_Holds(string estimator)
@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Sync
                     }
         }
 
-        // Simulates a gateway that loses the clock of its plant and continues at a wrong rate.
+        // Simulates a gateway that loses contact with the plant's clock and continues at a wrong rate.
         [TestCase(ClockEstimators.Default)]
         [TestCase(ClockEstimators.Ransac)]
         public void ErrorBound_ServerErrorBoundGrows_Holds(string estimator)

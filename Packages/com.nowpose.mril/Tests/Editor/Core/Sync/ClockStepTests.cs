@@ -163,7 +163,7 @@ namespace Nowpose.Tests.Core.Sync
             {
                 var run = new SyncRun(new EnvelopeClockEstimator());
                 run.Run(Link(network.Name, FirstSeed), 0, 60);
-                // The other machine's clock also has another epoch.
+                // The clock of the other machine also has another epoch.
                 run.Run(new SimulatedLink(network, FirstSeed + 1, skewPpm, controlEpoch: 5000), 60, 180);
 
                 Assert.That(run.Clock.Steps, Is.EqualTo(1), network.Name);

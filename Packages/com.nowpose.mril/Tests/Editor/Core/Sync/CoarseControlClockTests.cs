@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Sync
                 "during the change, the error is at most half the coarser resolution plus 1 ms");
         }
 
-        /// <summary>A server that estimates its own resolution may overstate it for a short time.</summary>
+        /// <summary>A server that estimates the resolution of its clock may overstate it for a short time.</summary>
         [TestCase("lan", 0.1)]
         [TestCase("wifi", 0.1)]
         [TestCase("lan", 3)]

@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Sync
                 for (var s = 0.0; s < 30; s += 2 * random.NextDouble() / callsPerSecond)
                 {
                     var now = HeadsetTime.FromSeconds(s);
-                    // A reply may be handed over up to 1 ms after its arrival, because the network thread may run late.
+                    // A reply may reach the clock up to 1 ms after its arrival, because the network thread may be delayed.
                     if (underway?.T4 <= now - Lengths.Ms(random.NextDouble()))
                     {
                         clock.Add(underway.Value, out _);

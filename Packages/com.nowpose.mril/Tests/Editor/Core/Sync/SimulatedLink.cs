@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Sync
             _controlStart = ControlTime.FromSeconds(controlEpoch);
         }
 
-        /// <summary>Additional queueing delay up and down, as a function of seconds since the start.</summary>
+        /// <summary>Additional queueing delay of a request (up) and of a reply (down), as a function of seconds since the start.</summary>
         public Func<double, Random, (double UpMs, double DownMs)> Load { get; set; } = (s, r) => (0, 0);
 
         /// <summary>Returns the load of a busy network: queues during 20 s of each minute, with longer queues towards the headset.</summary>
@@ -62,10 +62,13 @@ namespace Nowpose.Tests.Core.Sync
         /// </summary>
         public TimeSpan Resolution { get; set; }
 
-        /// <summary>Resolution that exchanges state in place of the true one; null to state the true one.</summary>
+        /// <summary>Resolution reported in each exchange instead of the true resolution; null to report the true resolution.</summary>
         public TimeSpan? StatedResolution { get; set; }
 
-        /// <summary>Error of the server's clock and the error bound that the server states, ms, as a function of seconds since the start.</summary>
+        /// <summary>
+        /// Error of the server's clock (positive when it is ahead) and the error bound that the server states, ms, as a function of seconds since the
+        /// start.
+        /// </summary>
         public Func<double, (double AheadMs, double StatedMs)> Server { get; set; } = s => (0, 0);
 
         /// <returns>False if the exchange was lost.</returns>

@@ -6,7 +6,8 @@ using Nowpose.Sync;
 namespace Nowpose.Tests.Core.Sync
 {
     /// <summary>
-    /// Runs a synchroniser over a simulated link, by default with an exchange every 200 ms. It computes ten error values per interval.
+    /// Runs a synchroniser over a simulated link, by default with an exchange every 200 ms. The error of the clock model is computed ten times per
+    /// interval.
     /// </summary>
     sealed class SyncRun
     {

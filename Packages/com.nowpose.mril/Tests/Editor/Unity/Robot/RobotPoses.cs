@@ -7,7 +7,7 @@ using Random = System.Random;
 
 namespace Nowpose.Tests.Unity.Robot
 {
-    /// <summary>Creates random joint positions and compares a rig's pose with the one that Core computes.</summary>
+    /// <summary>Creates random joint positions, and compares the pose of a rig with the pose that Core computes.</summary>
     static class RobotPoses
     {
         const double ToleranceMetres = 1e-5;

@@ -8,7 +8,7 @@ using Random = System.Random;
 
 namespace Nowpose.Tests.Unity.Robot
 {
-    /// <summary>Tests how a rig applies joint positions to a hierarchy, and which hierarchies it refuses.</summary>
+    /// <summary>Tests how a rig applies joint positions to a hierarchy, and which hierarchies it rejects.</summary>
     public class RobotRigTests
     {
         readonly SceneObjects _scene = new SceneObjects();

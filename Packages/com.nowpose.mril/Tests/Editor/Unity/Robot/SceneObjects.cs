@@ -34,7 +34,9 @@ namespace Nowpose.Tests.Unity.Robot
             return material;
         }
 
-        /// <summary>Creates an object for each link, nested like the links of the robot. Each object is at the position of its parent.</summary>
+        /// <summary>
+        /// Creates an object for each link, nested in the same way as the links of the robot. Each object is at the position of its parent.
+        /// </summary>
         public Dictionary<string, Transform> Links(RobotModel model, Transform rig)
         {
             var links = new Dictionary<string, Transform>();

@@ -167,7 +167,7 @@ namespace Nowpose.Tests.Unity.Robot
             _gripper.Unmount();
             Assert.That(_left.localPosition, Is.EqualTo(rest));
 
-            // Recompiling scripts in play mode recreates the fingers in this way.
+            // When Unity recompiles scripts in play mode, it recreates the fingers in this way.
             _gripper.With("_fingers", new List<GripperFinger> { new GripperFinger(Left, _left), new GripperFinger(Right, _right) });
             _gripper.Mount(_rig);
             Open(0.0115);

@@ -191,7 +191,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("{'a': 1}", ":1: not a JSON object: a name in double quotes is expected")]
         [TestCase("{\"a\" 1}", ":1: not a JSON object: : is expected")]
         [TestCase("{\"a\": \"b\n\"}", ":1: not a JSON object: the string does not end")]
-        [TestCase("{} {}", ":1: not a JSON object: nothing is expected after the object")]
+        [TestCase("{} {}", ":1: not a JSON object: unexpected text after the closing } of the object")]
         [TestCase("{\"a\": 1, \"a\": 2}", ":1: not a JSON object: \"a\" occurs twice")]
         [TestCase("{\"dependencies\": []}", ":1: dependencies must be an object")]
         [TestCase("{\"dependencies\": {\n\"com.unity.b\": 2}}", ":2: com.unity.b must be a string: a version or an address")]

@@ -8,7 +8,7 @@ using static Nowpose.Tests.Unity.Status.StatusRows;
 
 namespace Nowpose.Tests.Unity.Status
 {
-    /// <summary>Tests the messages about joints whose data are not live.</summary>
+    /// <summary>Tests the messages about joints that are not live.</summary>
     public class JointStatusTextsTests
     {
         static readonly DateTime Noon = new DateTime(2026, 11, 20, 12, 0, 0);

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         /// <summary>Returns the value and the note of a row, separated by a vertical bar.</summary>
-        /// <param name="statistics">Statistics to show; null for those of a new session.</param>
+        /// <param name="statistics">Statistics to show; null for the statistics of a new session.</param>
         public static string Row(StatusRow row, SessionStatistics statistics = null, SessionSettings settings = null, string robot = null)
         {
             var texts = new StatusTexts();

@@ -8,7 +8,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>Plays a stored sequence of sightings to a tracker at 60 frames per second.</summary>
+    /// <summary>Replays a stored sequence of sightings to a tracker at 60 frames per second.</summary>
     sealed class MarkerSequence
     {
         const double FrameSeconds = 1 / 60.0;

@@ -6,7 +6,7 @@ using NUnit.Framework;
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
     /// <summary>
-    /// Plays sequences of two markers as devices report them: six readings per second, each repeated in many frames. Some readings are
+    /// Replays sequences of two markers as devices report them: six readings per second, each of them repeated in many frames. Some readings are
     /// wrong.
     /// </summary>
     public class MarkerSequenceTests
@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             return played;
         }
 
-        /// <summary>Plays until the given time and asserts that the base does not move.</summary>
+        /// <summary>Replays the sequence until the given time and asserts that the base does not move.</summary>
         static void Stays(MarkerSequence played, double until)
         {
             var before = played.Tracker.Base.Value;

@@ -6,7 +6,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Anchoring.Sequences
 {
-    /// <summary>Creates the lines of the sequence files for two markers. Each file shows a known behaviour of devices.</summary>
+    /// <summary>Creates the lines of the sequence files for two markers. Each file simulates a known behaviour of devices.</summary>
     static class SimulatedSequence
     {
         const double Frame = 1 / 15.0, NoiseMetres = 0.001, NoiseRadians = 0.004;
@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             return lines;
         }
 
-        // Returns null while the device reports nothing.
+        // Returns the line for a marker and a frame; null if the device does not report the marker.
         static string LineOf(string file, double now, string name, Dictionary<string, (double Seen, RigidTransform Pose)> poses, Random random)
         {
             var isGone = file == "lost-and-back.txt" && now > 5 && now < 7;
@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             var (seen, pose) = poses[name];
             if (isGone && now > 6) return null;
             var tracking = file == "lost-and-back.txt" && now > 4.5 && now < 7 ? 1 : 2;
-            // The stale pose moves with a correction of the headset's map.
+            // While the headset corrects its map, the stale pose moves with the map.
             if (isStale) pose = RigidTransform.FromXyzRpy(0.25 * Math.Min(now - 5, 1), 0.1 * Math.Min(now - 5, 1), 0, 0, 0, 0) * pose;
             var start = Text(now, "0.000") + " " + name + " " + tracking + " ";
             if (file != "origin.txt") return start + Text(seen, "0.000") + " " + Numbers(pose);

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
         public void LinesOf_File_MatchTheStoredLines(string file)
         {
             var path = Path.Combine(Here(), file);
-            // If the variable is set, the test writes the files again.
+            // If the environment variable is set to 1, the test writes new files.
             if (Environment.GetEnvironmentVariable("NOWPOSE_WRITE_SEQUENCES") == "1") Write(path, SimulatedSequence.LinesOf(file));
             var lines = new List<string>(File.ReadAllLines(path));
             lines.RemoveAll(line => line.StartsWith('#'));
@@ -36,7 +36,7 @@ namespace Nowpose.Tests.Core.Anchoring.Sequences
             File.WriteAllText(path, string.Join("\n", lines) + "\n");
         }
 
-        // Ignores differences of the last digit, because processors may round differently.
+        // Ignores differences in the last digit, because processors may round differently.
         static bool IsSame(string a, string b)
         {
             string[] first = a.Split(' '), second = b.Split(' ');

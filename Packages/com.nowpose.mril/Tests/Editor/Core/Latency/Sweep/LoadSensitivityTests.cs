@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         public void GpuTime_ShortSweepOfSmallLoads_RespondsToLoad() =>
             AllAre(LoadSight.Seen, new SweepPlan(300_000, 5, 2, 0), sweep => (t, v) => sweep.GpuMs(t, v));
 
-        // Half a second per load is too short to estimate drift, which must not count against the source.
+        // Half a second per load is too short to estimate a drift of the render time. The source must be accepted nevertheless.
         [Test]
         public void GpuTime_SweepUpWithHalfASecondPerLoad_RespondsToLoad() => AllAre(
             LoadSight.Seen, new SweepPlan(steps: 21, secondsPerLoad: 0.5, settleSeconds: 0, goesDown: false), sweep => (t, v) => sweep.GpuMs(t, v));

@@ -22,10 +22,10 @@ namespace Nowpose.Tests.Core.Latency.Sweep
 
         public RenderTimeSourceKind Source { get; set; } = RenderTimeSourceKind.CameraCpu;
 
-        /// <summary>Probability that a render time is an outlier, which is 5 to 105 ms too long.</summary>
+        /// <summary>Probability that a render time is an outlier. An outlier is 5 to 105 ms too long.</summary>
         public double Outliers { get; set; } = 0.02;
 
-        /// <summary>Returns the time of the GPU in ms: 4 ms plus 8.5 ms per million vertices, with scatter.</summary>
+        /// <summary>Returns the GPU time in ms: 4 ms plus 8.5 ms per million vertices, with scatter.</summary>
         public double GpuMs(double seconds, int vertices) => _gpu.Next(vertices).RenderTime.TotalMilliseconds;
 
         /// <summary>Returns a random number of the standard normal distribution.</summary>

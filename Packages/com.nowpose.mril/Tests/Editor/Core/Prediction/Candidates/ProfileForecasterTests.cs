@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             var predictor = TestPredictors.Of(new ProfileForecaster(Limits), Limits);
             for (var t = 0.0; t < Start + 0.1; t += Interval) predictor.Add(t, move.PositionAt(t - Start));
 
-            // Two samples determine the whole acceleration phase, but not the braking.
+            // Two samples determine the whole acceleration phase, but not the deceleration phase.
             var last = Start + 0.25;
             Assert.That(predictor.At(last).Position, Is.EqualTo(move.PositionAt(last - Start)).Within(0.05));
         }

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         static readonly SevenPhaseProfile There = new SevenPhaseProfile(300, 900, 5000, 60_000);
         static readonly SevenPhaseProfile Back = new SevenPhaseProfile(-300, 600, 3000, 30_000);
 
-        // Not a multiple of the sampling interval or of the grid step.
+        // Period of the motion, s. It is not a multiple of the sampling interval or of the grid step.
         const double Cycle = 2.7183;
 
         [TestCase(0.010)]
@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(RmsError(interval, 3 * Cycle, 6 * Cycle, 0), Is.LessThan(0.03 * RmsOfHold(interval, 3 * Cycle, 6 * Cycle)));
         }
 
-        // The number of compared lags is largest at these intervals. SearchDensity.Sparse is used for objects.
+        // With these intervals, the number of compared lags is largest. The product uses SearchDensity.Sparse for objects.
         [Test]
         public void Add_LongestHistory_StaysPredicted(
             [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(true, false)] bool isDense)

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
         [TestCase("quadratic")]
         [TestCase("process")]
-        public void Fill_AnyWeights_EqualsAtInEachPoint(string name)
+        public void Fill_AnyWeights_MatchesAtForEveryPoint(string name)
         {
             var weights = New(name);
             var forecaster = new LinearForecaster(weights);

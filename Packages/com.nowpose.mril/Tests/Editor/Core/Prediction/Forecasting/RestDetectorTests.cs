@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
         double Noise(double halfWidth) => halfWidth * (2 * _random.NextDouble() - 1);
 
-        // Returns the fractions of the samples at rest and of those that are only noise.
+        // Returns the fraction of the samples that are classified as rest and the fraction that are classified as only noise.
         (double Rests, double Noises) Feed(double from, double to, double interval, Func<double, double> positionAt)
         {
             int rests = 0, noises = 0, count = 0;

@@ -120,7 +120,8 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(predictor.At(Times[3]).Position, Is.EqualTo(motion(Times[3])).Within(1e-12));
         }
 
-        // Wrong stamps may be in a different order from the samples. The curve leaves out samples whose stamp goes back.
+        // The order of wrong stamps may differ from the order of the samples. The curve omits samples whose stamp is earlier than that of the
+        // previous sample.
         [Test]
         public void At_StampsOutOfOrder_StaysFinite()
         {

@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         double Correct(double stamp, double time) => _stamps.Correct(stamp, Motion(time), isNewest: true);
 
-        // Returns the maximum error of the samples after the first ones.
+        // Returns the maximum error of the corrected stamps, s, without the first samples.
         double WorstError(int samples, int first, Func<int, double> timeOf, Func<double, double> stampAt)
         {
             var worst = 0.0;

@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_CycleRemovedBefore_IsAccepted()
+        public void TrySet_ParentChangedSoThatNoCycleResults_IsAccepted()
         {
             Set("a", "b");
             Assert.That(_frames.TrySet("b", "a"), Is.EqualTo(DropReason.FrameCycle));

@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         /// <summary>Time by which the control clock has stepped, s.</summary>
         public double ClockStep { get; set; }
 
-        /// <summary>Action that is called every 50 ms to send samples with the given stamp in s; null for no samples.</summary>
+        /// <summary>Action that is called every 50 ms to send samples with the given stamp in s; null to send no samples.</summary>
         public Action<double> Sampling { get; set; }
 
         public void Synchronise()
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             for (var i = 0; i < 100; i++) Exchange(Now - 1 + i * 0.01);
         }
 
-        /// <summary>Continues the run. <paramref name="seen"/> receives the time in s at which the light of a frame appears.</summary>
+        /// <summary>Continues the run. <paramref name="seen"/> receives the display time of each frame in s.</summary>
         public void Run(double seconds, Action<double> seen = null)
         {
             if (_nextSample == 0) _nextSample = Now - 1;

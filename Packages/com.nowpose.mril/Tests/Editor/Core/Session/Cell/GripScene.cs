@@ -4,7 +4,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Tests.Core.Session.Cell
 {
-    /// <summary>An arm whose gripper closes near objects, for tests of grips by reach.</summary>
+    /// <summary>Creates an arm whose gripper closes near objects, for tests of grips by reach.</summary>
     static class GripScene
     {
         public const double Reach = 0.1, Close = 22, Open = 24, Rate = 0.3;

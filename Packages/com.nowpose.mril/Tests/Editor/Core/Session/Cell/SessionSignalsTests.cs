@@ -37,7 +37,7 @@ namespace Nowpose.Tests.Core.Session.Cell
             for (var i = 0; i < stamps.Length; i++)
             {
                 Assert.That(shown[i].Value, Is.EqualTo((i + 1) % 2));
-                // The light of a frame that starts when the message arrives appears one display latency later.
+                // The display time of a frame that starts when the message arrives is one L_visu later.
                 var possible = Math.Max(stamps[i], stamps[i] + delay + CellSession.Visu);
                 Assert.That(shown[i].Light - possible, Is.InRange(-1e-4, frame + 1e-4), "change " + i);
             }
