@@ -11,7 +11,7 @@ public class CommandLineTests
     [TestCase("frobnicate")]
     [TestCase("--seconds", "5", "demo")]
     [TestCase("demo", "--seed", "1.5")]
-    public async Task Run_InvalidArguments_PrintsOneLineAndExits2(params string[] args)
+    public async Task Run_InvalidArguments_PrintsOneLineAndExitsWith2(params string[] args)
     {
         var run = await CliRun.OfAsync(args);
 

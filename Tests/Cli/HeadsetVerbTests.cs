@@ -158,7 +158,7 @@ public class HeadsetVerbTests
 
     [TestCase("headset", "--visu-ms")]
     [TestCase("demo", "--visu-error-ms")]
-    public async Task Profile_WithAnotherOptionForTheLatency_Fails(string verb, string option)
+    public async Task Profile_WithAnotherLatencyOption_Fails(string verb, string option)
     {
         using var profile = Profile(63.5);
 

@@ -95,7 +95,7 @@ public class KinematicsVerbTests
     [TestCase("lead", "'lead' is not of the form name=value")]
     [TestCase("lead=1,", "'' is not of the form name=value")]
     [TestCase("lead=1.5e308", "too large")]
-    public async Task Kinematics_InvalidJoints_PrintsOneLineAndExits2(string joints, string message)
+    public async Task Kinematics_InvalidJoints_PrintsOneLineAndExitsWith2(string joints, string message)
     {
         var run = await RunAsync("--joints", joints, "--json");
 

@@ -136,7 +136,7 @@ public class SyncVerbTests
     [TestCase(Header + "1,2,,4\n", ":2: t3_ns: '' is not a whole number")]
     [TestCase(Header + "1,2,3,4\n1,2.5,3,4\n", ":3: t2_ns: '2.5' is not a whole number")]
     [TestCase(Header + "1,2,3,99999999999999999999\n", ":2: t4_ns: '99999999999999999999' is not a whole number")]
-    public async Task Sync_InvalidFile_PrintsOneLineAndExits2(string content, string named)
+    public async Task Sync_InvalidFile_PrintsOneLineAndExitsWith2(string content, string named)
     {
         using var file = new TemporaryFile(content);
 

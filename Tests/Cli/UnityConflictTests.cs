@@ -51,11 +51,11 @@ public class UnityConflictTests
     }
 
     [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget"] """, "refuse", "Change it there, or use --on-conflict keep or replace.")]
+        """ "url": "https://own.example", "scopes": ["org.nuget"] """, "refuse", "Correct the manifest, or use --on-conflict keep or replace.")]
     [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "refuse", "its url is kept. Change it there, or use --on-conflict keep.")]
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "refuse", "with the needed url. Correct the manifest, or use --on-conflict keep.")]
     [TestCase(
-        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "its url is kept. Change it there, or use --on-conflict keep.")]
+        """ "url": "https://own.example", "scopes": ["org.nuget", "a"] """, "replace", "with the needed url. Correct the manifest, or use --on-conflict keep.")]
     [TestCase(""" "scopes": ["org.nuget"] """, "replace", "comes from a registry without url; ")]
     public async Task Unity_ConflictingRegistry_SuggestsTheApplicableRules(string registry, string rule, string offer)
     {

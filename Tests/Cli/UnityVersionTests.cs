@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Cli;
 public class UnityVersionTests
 {
     [TestCase("2020.3.48f1", "is older than 2021.3", "--check")]
-    [TestCase("2021.3.21f1", "is older than 2021.3.26, the oldest that MRTK3 accepts", "--mrtk3")]
+    [TestCase("2021.3.21f1", "is older than 2021.3.26, the oldest version that MRTK3 supports", "--mrtk3")]
     [TestCase("6000.3.2f1", "Microsoft's Mixed Reality OpenXR 1.11.2 does not compile in Unity 6.3", "--mrtk3")]
     public async Task Unity_UnsupportedVersion_Fails(string version, string reason, string option)
     {

@@ -6,7 +6,7 @@ namespace Nowpose.Headless.Tests.ControlSystem;
 public class CodeVectorsTests
 {
     [Test]
-    public void Draw_ValuesOfTheFile_LightsTheExpectedCells()
+    public void Draw_ReferenceValues_LightsTheExpectedCells()
     {
         var cells = new bool[TimestampCode.CellCount];
 

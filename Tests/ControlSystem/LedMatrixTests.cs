@@ -22,7 +22,7 @@ public class LedMatrixTests
     }
 
     [Test]
-    public void Block_WholeMillisecondsOfTheFile_LightsTheExpectedRows()
+    public void Block_ReferenceTimes_LightsTheExpectedRows()
     {
         var block = Block();
 

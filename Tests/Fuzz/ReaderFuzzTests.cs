@@ -80,7 +80,7 @@ public class ReaderFuzzTests
     }
 
     [Test]
-    public void PairingCode_DamagedText_IsRejectedInOneLine() => Refused("pairing codes", 4, Codes, Seeds.Codes, text =>
+    public void PairingCode_DamagedText_IsParsedOrRejectedWithAOneLineMessage() => Refused("pairing codes", 4, Codes, Seeds.Codes, text =>
     {
         var code = CellCode.Parse(text);
         MessageRules.Finite(code.SizeMetres);

@@ -55,7 +55,7 @@ public class CertificateFilesTests
 
     [TestCase("bad.pfx")]
     [TestCase("bad.pem")]
-    public void LoadOrGenerate_FileIsNoCertificate_ThrowsWithOneLine(string name)
+    public void LoadOrGenerate_FileIsNotACertificate_ThrowsWithAOneLineMessage(string name)
     {
         var path = Path.Combine(_folder, name);
         File.WriteAllText(path, "not a certificate");

@@ -61,7 +61,7 @@ public class CodePageTests
     }
 
     [Test]
-    public async Task Page_NotBuilt_AnswersOneLineWithTheRemedy()
+    public async Task Page_NotBuilt_Returns503WithTheRemedyInOneLine()
     {
         var counters = new ConnectionCounters();
         var accessControl = new AccessControl(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });

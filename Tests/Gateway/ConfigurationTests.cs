@@ -40,12 +40,12 @@ public class ConfigurationTests
     [TestCase("tls: yes", "'yes' is neither true nor false")]
     [TestCase("cell: [a, b]", "is a list; give one value")]
     [TestCase("tokens:", "has no value")]
-    [TestCase("ws-port: {a: b}", "must be a word")]
-    [TestCase("plants: [[a]]", "must be a word")]
-    [TestCase("cell: *anchor", "must be a word")]
+    [TestCase("ws-port: {a: b}", "must be a scalar")]
+    [TestCase("plants: [[a]]", "must be a scalar")]
+    [TestCase("cell: *anchor", "must be a scalar")]
     [TestCase("check: true", "no such entry")]
     [TestCase("config: other.yaml", "no such entry")]
-    [TestCase("? [a]\n: b", "a key must be a word")]
+    [TestCase("? [a]\n: b", "a key must be a scalar")]
     [TestCase("clock: UPPER", "'UPPER' is not the name of a clock")]
     [TestCase("\"a", ": not valid YAML")]
     [TestCase("plants: []", "has no value")]
@@ -56,7 +56,7 @@ public class ConfigurationTests
     [TestCase("cell: &name foo", "without tags or anchors")]
     [TestCase("plants: [!file a.yaml]", "without tags")]
     [TestCase("plants: !files [a.yaml]", "without tags")]
-    [TestCase("!secret cell: foo", "a key must be a word")]
+    [TestCase("!secret cell: foo", "a key must be a scalar")]
     [TestCase("!all {cell: foo}", "\"key: value\"")]
     [TestCase("[a, b]", "\"key: value\"")]
     [TestCase("word", "\"key: value\"")]
@@ -115,7 +115,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Paths_Relative_AreResolvedInTheFolderOfTheFile()
+    public async Task Paths_Relative_AreRelativeToTheFolderOfTheFile()
     {
         Save("observer a-token-of-an-observer\n", "tokens.txt");
 
@@ -127,7 +127,7 @@ public class ConfigurationTests
     }
 
     [Test]
-    public async Task Robot_RelativePath_IsResolvedInTheFolderOfTheFile()
+    public async Task Robot_RelativePath_IsRelativeToTheFolderOfTheFile()
     {
         File.Copy(Path.Combine(AppContext.BaseDirectory, "Robots", "ur5.urdf"), Path.Combine(_folder, "press.xml"));
 
@@ -210,7 +210,7 @@ public class ConfigurationTests
             var (status, _, errors) = await RunAsync("# comment\n\n" + entry + "\n", isCheck);
 
             Assert.That(status, Is.EqualTo(2));
-            Assert.That(errors.Single(), Does.Contain("gateway.yaml:3: " + part + ": both ports are the same"));
+            Assert.That(errors.Single(), Does.Contain("gateway.yaml:3: " + part + ": --sync-port and --ws-port are the same"));
         }
     }
 
@@ -233,7 +233,7 @@ public class ConfigurationTests
     [TestCase("pairing: /proc/headsets.txt", "pairing", "")]
     [TestCase("tokens: none.txt", "tokens: ", "none.txt: cannot be read")]
     [TestCase("bind: any", "bind 0.0.0.0: unencrypted connections")]
-    [TestCase("record: true", "record: needs --recordings")]
+    [TestCase("record: true", "record: needs the option --recordings")]
     [TestCase("robot: none.urdf", "robot: ", "none.urdf: file not found")]
     [TestCase("certificate-key: a.pem", "certificate-key: needs --certificate")]
     [TestCase("plants: [none.yaml]", "plants: ", "none.yaml: file not found")]

@@ -34,7 +34,7 @@ public class DepartedClientTests
     }
 
     [Test]
-    public async Task Clients_DisconnectedFromBothPorts_LeaveNoConnectionsAndTopics()
+    public async Task Clients_DisconnectedFromBothPorts_LeaveNoConnectionsOrTopics()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
         var topics = gateway.Hub.Topics;

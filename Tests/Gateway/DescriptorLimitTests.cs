@@ -25,7 +25,7 @@ public class DescriptorLimitTests
     }
 
     [Test]
-    public async Task Gateway_TooFewDescriptors_EndsWithOneLine()
+    public async Task Gateway_TooFewDescriptors_PrintsOneLineAndExitsWith2()
     {
         if (OperatingSystem.IsWindows()) Assert.Ignore("Windows has no such limit");
         using var gateway = PeerProcess.OfShell(

@@ -19,7 +19,7 @@ public class DisplayedTopicTests
         gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
 
     [Test]
-    public async Task Displayed_PublishedByAnObserver_ReachesSubscribersButIsNoSample()
+    public async Task Displayed_PublishedByAnObserver_ReachesSubscribersOnlyAsDisplayed()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var page = await ObserverAsync(gateway);

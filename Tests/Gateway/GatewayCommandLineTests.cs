@@ -46,7 +46,7 @@ public class GatewayCommandLineTests
     [TestCase("replay", "FILE")]
     [TestCase("replay none.csv", "none.csv")]
     [TestCase("", "command")]
-    public async Task Arguments_Invalid_EndWithOneLineAndStatus2(string line, string part)
+    public async Task Arguments_Invalid_PrintOneLineAndExitWith2(string line, string part)
     {
         var (status, errors) = await RunAsync(line.Split(' ', StringSplitOptions.RemoveEmptyEntries));
 
@@ -58,7 +58,7 @@ public class GatewayCommandLineTests
     [TestCase("--sync-port {0} --ws-port 0", "--sync-port")]
     [TestCase("--sync-port 0 --ws-port {1}", "--ws-port")]
     [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: not an address of this machine")]
-    public async Task Serve_PortUnavailable_EndsWithOneLineAndStatus1(string line, string part)
+    public async Task Serve_PortUnavailable_PrintsOneLineAndExitsWith1(string line, string part)
     {
         await using var other = await Gateways.StartAsync();
         var ports = string.Format(CultureInfo.InvariantCulture, line, other.SyncEndPoint.Port, other.WebSocketEndPoint.Port);
@@ -92,7 +92,7 @@ public class GatewayCommandLineTests
     }
 
     [Test]
-    public async Task Replay_MoreColumnsThanJoints_EndsWithStatus2()
+    public async Task Replay_MoreColumnsThanJoints_PrintsOneLineAndExitsWith2()
     {
         using var file = new TemporaryFile("t,a,b,c,d,e,f,g\n0,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n");
 

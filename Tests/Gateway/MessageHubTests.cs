@@ -19,7 +19,7 @@ public class MessageHubTests
     }
 
     [Test]
-    public void TryPublish_JointOfAnotherSource_IsRefusedCompletely()
+    public void TryPublish_JointOfAnotherSource_RefusesTheWholeMessage()
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();

@@ -46,7 +46,7 @@ public sealed class OperationsLoginTests
     }
 
     [Test]
-    public async Task Request_CookieInventedOrOfAnotherGateway_Returns401()
+    public async Task Request_CookieInvalidOrFromAnotherGateway_Returns401()
     {
         await using var other = await Gateways.StartAsync(WithTokens);
         await using var gateway = await Gateways.StartAsync(WithTokens);

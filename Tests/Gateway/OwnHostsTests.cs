@@ -26,7 +26,7 @@ public class OwnHostsTests
     [TestCase("127.0.0.1", "127.0.0.1")]
     [TestCase("192.0.2.7", "192.0.2.7")]
     [TestCase("2001:db8::7", "[2001:db8::7]")]
-    public void Reachable_BoundToOneAddress_ReturnsThisAddress(string bind, string host)
+    public void Reachable_BoundToOneAddress_ReturnsThatAddress(string bind, string host)
     {
         Assert.That(OwnHosts.Reachable(IPAddress.Parse(bind)), Is.EqualTo(new[] { host }));
     }

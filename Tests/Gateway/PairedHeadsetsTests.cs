@@ -37,7 +37,7 @@ public sealed class PairedHeadsetsTests
     }
 
     [Test]
-    public async Task Pairings_Revoke_RemovesAllHeadsetsOfThatName()
+    public async Task Pairings_Revoke_RemovesOnlyTheHeadsetWithThatName()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var first = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token, "Anna's headset")).Token;
@@ -51,7 +51,7 @@ public sealed class PairedHeadsetsTests
     }
 
     [Test]
-    public async Task List_DamagedWhileRunning_IsLoggedOnceAndTheFormerListIsUsed()
+    public async Task List_DamagedWhileRunning_IsLoggedOnceAndThePreviousListIsUsed()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token)).Token;
@@ -64,7 +64,7 @@ public sealed class PairedHeadsetsTests
     }
 
     [Test]
-    public async Task Exchange_ListCannotBeWritten_Returns503AndTheCodeStaysValid()
+    public async Task Exchange_ListCannotBeWritten_FailsAndTheCodeStaysValid()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();

@@ -59,7 +59,7 @@ public sealed class PairingExchangeTests
 
     [TestCase(299, true)]
     [TestCase(300, false)]
-    public async Task Exchange_CodeOfSomeAge_SucceedsOnlyWithinFiveMinutes(int seconds, bool works)
+    public async Task Exchange_CodeOfAnyAge_SucceedsOnlyWithinFiveMinutes(int seconds, bool works)
     {
         await using var gateway = await PairingGateway.StartAsync();
         var code = await gateway.ShownAsync();
@@ -71,7 +71,7 @@ public sealed class PairingExchangeTests
     }
 
     [Test]
-    public async Task Renew_CodeDisplayed_InvalidatesTheFormerCode()
+    public async Task Renew_CodeDisplayed_InvalidatesThePreviousCode()
     {
         await using var gateway = await PairingGateway.StartAsync();
         var former = await gateway.ShownAsync();

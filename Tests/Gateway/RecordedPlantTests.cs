@@ -25,7 +25,7 @@ public class RecordedPlantTests
     }
 
     [Test]
-    public void At_ColumnsNamedLikeJoints_MovesTheseJoints()
+    public void At_ColumnsNamedLikeJoints_MovesThoseJoints()
     {
         var motion = Played("t,wrist_3_joint,elbow_joint", "ur5");
 

@@ -68,7 +68,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Start_FormerSubscriptionStillSends_KeepsTheOrder()
+    public async Task Start_PreviousSubscriptionStillSends_KeepsTheOrder()
     {
         using var socket = new StuckWebSocket();
         using var connection = Over(socket);

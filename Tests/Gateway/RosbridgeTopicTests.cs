@@ -27,7 +27,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Messages_OfRoslib_AreServed()
+    public async Task Messages_FromRoslib_AreServed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var robot = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -83,7 +83,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Description_PublishedBefore_IsSentOnSubscribe()
+    public async Task Description_PublishedEarlier_IsSentOnSubscribe()
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
@@ -162,7 +162,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task SecondSource_OfAJoint_IsRefusedUntilTheFirstEnds()
+    public async Task SecondSource_ForAJoint_IsRefusedUntilTheFirstEnds()
     {
         await using var gateway = await Gateways.StartAsync();
         using var first = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -183,7 +183,7 @@ public class RosbridgeTopicTests
     }
 
     [Test]
-    public async Task Diagnostics_OfAHeadset_ReachAllSubscribers()
+    public async Task Diagnostics_FromAHeadset_ReachAllSubscribers()
     {
         await using var gateway = await Gateways.StartAsync();
         using var headset = await RawRosbridgeClient.ConnectAsync(gateway);

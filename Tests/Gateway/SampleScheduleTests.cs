@@ -21,7 +21,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Taken_AllSamples_AreMultiplesOfTheInterval()
+    public void Taken_AllSamples_AreOneIntervalApart()
     {
         var samples = First(100, 50, 0, 0);
 
@@ -40,7 +40,7 @@ public class SampleScheduleTests
     }
 
     [Test]
-    public void Sent_DelaysShorterThanTheInterval_CoverTheRangeInOrder()
+    public void Sent_DelaysShorterThanTheInterval_CoverTheWholeRange()
     {
         var samples = First(2000, 200, 55, 105);
         var delays = samples.Select(sample => (sample.Sent - sample.Taken).TotalMilliseconds).ToArray();

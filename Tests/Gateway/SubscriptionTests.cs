@@ -35,7 +35,7 @@ public class SubscriptionTests
 
     [TestCase(true, 9)]
     [TestCase(false, 0)]
-    public async Task Pump_ReaderSlowOrNot_SendsTheNewestAndCountsDroppedMessagesOfASlowReader(bool isReaderSlow, int dropped)
+    public async Task Pump_MessagesQueued_SkipsToTheNewestOnlyForASlowReader(bool isReaderSlow, int dropped)
     {
         var hub = new MessageHub();
         using var source = hub.OpenSource();

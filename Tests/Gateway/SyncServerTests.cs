@@ -64,7 +64,7 @@ public class SyncServerTests
     }
 
     [Test]
-    public async Task Request_ClockThrows_EndsOnlyTheConnection()
+    public async Task Request_ClockThrows_EndsTheConnectionAndIsCounted()
     {
         await using var gateway = await Gateways.StartAsync(clock: new BrokenClock());
         using var client = await RawSyncClient.ConnectAsync(gateway);

@@ -54,7 +54,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Faults_WrongImporter_NamesTheRightImporter()
+    public void Faults_WrongImporter_NamesTheCorrectImporter()
     {
         _project.Replace("Assets/Folder/A.cs.meta", "MonoImporter", "DefaultImporter");
 
@@ -100,7 +100,7 @@ public sealed class MetaCheckTests
     }
 
     [Test]
-    public void Find_FolderInsideProject_ReturnsTheProject()
+    public void Find_FolderInsideAProject_ReturnsTheProject()
     {
         Assert.That(ProjectRoot.Find(Path.Combine(_project.Root, "Assets", "Folder")), Is.EqualTo(_project.Root));
     }

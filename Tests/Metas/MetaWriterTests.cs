@@ -103,7 +103,7 @@ public sealed class MetaWriterTests
     }
 
     [Test]
-    public void Prune_AssetDeleted_RemovesOnlyTheMetaOfThisAsset()
+    public void Prune_AssetDeleted_RemovesOnlyItsMeta()
     {
         _project.Add("Assets/A.cs");
         _project.Add("Assets/B.cs");

@@ -129,7 +129,7 @@ public class NativeWebSocketEndTests
     }
 
     [Test]
-    public async Task Links_HundredOpenedAndClosed_LeaveNoThreadsOrConnections()
+    public async Task Links_ManyOpenedAndClosed_LeaveNoThreadsOrConnections()
     {
         await using var gateway = await Gateways.StartAsync();
         async Task Cycle(int count)

@@ -29,7 +29,7 @@ public class NativeWebSocketLinkTests
     }
 
     [Test]
-    public async Task Message_FetchedLate_HasItsArrivalTime()
+    public async Task Message_FetchedLate_KeepsItsArrivalTime()
     {
         using var server = new FakeWebSocketServer();
         var clock = new ObservedClock { Now = HeadsetTime.FromSeconds(1) };

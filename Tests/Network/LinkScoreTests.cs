@@ -102,7 +102,7 @@ public class LinkScoreTests
     }
 
     [Test]
-    public void Missed_NoStallInTheRun_NamesBothLimitsOfStalls()
+    public void Missed_NoStallInTheRun_NamesBothStallLimits()
     {
         var result = Score(5, _ => "current", LinkProfile.Roaming);
 

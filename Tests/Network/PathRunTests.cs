@@ -167,7 +167,7 @@ public class PathRunTests
 
     /// <summary>Both bounds of the offset move in the same direction, as with a step of the clock, but by different amounts.</summary>
     [Test]
-    public void Play_RequestsLongerAndRepliesSlightlyShorter_CountsNoClockStep([Range(7000, 7003)] int seed)
+    public void Play_RequestsLongerAndRepliesSlightlyShorter_ErrorStaysWithinTheStatedError([Range(7000, 7003)] int seed)
     {
         var change = new PathChange("requests longer, replies shorter", since => since < 0 ? (0, 0.03) : (1, 0), 0.515);
 
@@ -182,7 +182,7 @@ public class PathRunTests
     /// The round-trip times show that no clock has stepped, but on links with jitter only after more exchanges.
     /// </summary>
     [Test]
-    public void Play_DirectionsChangeOppositely_CountsNoClockStep(
+    public void Play_OneWayDelaysChangeOppositely_ErrorStaysWithinTheLimits(
         [Values("clean", "wifi", "cellular")] string link,
         [Values("requests longer, replies shorter", "requests shorter, replies longer", "requests much shorter, replies longer")] string name,
         [Range(8000, 8003)] int seed)
@@ -196,7 +196,7 @@ public class PathRunTests
     }
 
     [Test]
-    public void Missed_PapersEstimator_NamesTheLimitOfTheSkew()
+    public void Missed_PapersEstimator_NamesTheSkewLimit()
     {
         var missed = Cell("clean", "requests longer", SizeMs, ClockEstimators.Ransac).Missed.ToArray();
 

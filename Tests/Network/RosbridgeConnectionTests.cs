@@ -79,7 +79,7 @@ public class RosbridgeConnectionTests
     }
 
     [Test]
-    public async Task Receive_ServerClosesTheConnection_StatesTheCloseInTheStatus()
+    public async Task Receive_ServerClosesTheConnection_StatusStatesTheReason()
     {
         var socket = await _played.Server.AcceptAsync();
 

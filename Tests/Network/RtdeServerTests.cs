@@ -162,7 +162,7 @@ public sealed class RtdeServerTests
 
     [TestCase("garbage")]
     [TestCase("none")]
-    public async Task Clients_OneDisconnectsWhileDataAreSent_ServesTheOthers(string fault)
+    public async Task Clients_OneDisconnectsWhileDataIsSent_OthersAreServed(string fault)
     {
         await StartAsync("--fault", fault);
         for (var i = 0; i < 20; i++)

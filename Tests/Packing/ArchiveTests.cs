@@ -44,7 +44,7 @@ public sealed class ArchiveTests
     [TestCase("a.tar.gz")]
     [TestCase("a.zip")]
     [TestCase("a.tar")]
-    public void Write_SameFilesWithOtherTimes_GivesTheSameBytes(string name)
+    public void Write_SameFilesWithOtherModificationTimes_WritesTheSameBytes(string name)
     {
         var first = Packed(name);
         File.SetLastWriteTimeUtc(Path.Combine(_folder, "program"), DateTime.UnixEpoch);

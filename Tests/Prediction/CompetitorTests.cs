@@ -59,7 +59,7 @@ public class CompetitorTests
     }
 
     [Test]
-    public void Kalman_LowerJerkToNoise_SmoothsMore()
+    public void Kalman_LowerJerkToNoiseRatio_SmoothsMore()
     {
         var (stiff, limp) = (NoiseLeft(Candidates.Kalman(1e3), Ahead), NoiseLeft(Candidates.Kalman(1e9), Ahead));
 

@@ -12,7 +12,7 @@ public class OwnAdapterPageTests
         .SelectMany(block => block.Groups[1].Value.Split('\n', StringSplitOptions.RemoveEmptyEntries));
 
     [TestCaseSource(nameof(Messages))]
-    public void Gateway_MessageOfThePage_IsAccepted(string text)
+    public void TryRead_MessageFromThePage_Succeeds(string text)
     {
         var isRead = RosbridgeReader.TryRead(text, out var message, out var reason);
 
@@ -21,7 +21,7 @@ public class OwnAdapterPageTests
     }
 
     [Test]
-    public void TryRead_AnswerOfThePage_HasTimeAndResolution()
+    public void TryRead_AnswerFromThePage_HasTimeAndResolution()
     {
         var answer = Messages().Select(Read).Single(message => message.PlantTime != null).PlantTime;
 
@@ -31,7 +31,7 @@ public class OwnAdapterPageTests
     }
 
     [Test]
-    public void TryRead_FailureOfThePage_HasTheReason()
+    public void TryRead_FailureFromThePage_HasTheReason()
     {
         Assert.That(Messages().Select(Read).Single(message => !message.Result).Text, Is.EqualTo("the PLC is in stop"));
     }

@@ -7,7 +7,7 @@ namespace Nowpose.Headless.Tests.Recommend;
 public class CandidatesTests
 {
     [Test]
-    public void Names_Candidates_ContainEveryPredictorOnce()
+    public void Names_Candidates_IncludeEveryPredictorAndAreUnique()
     {
         Assert.That(Candidates.Names, Is.SupersetOf(Predictors.Names).And.Contain("gp").And.Unique);
     }

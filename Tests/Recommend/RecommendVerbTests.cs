@@ -129,7 +129,7 @@ public class RecommendVerbTests
     [TestCase("t,a\n0,1\n0.3,2\n", "too few rows")]
     [TestCase("t,a\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n", "is too short")]
     [TestCase("t,a\n0,1\n0,2\n", ":3: field t")]
-    public async Task Recommend_UnusableFile_PrintsOneLineAndExits2(string text, string expected)
+    public async Task Recommend_UnusableFile_PrintsOneLineAndExitsWith2(string text, string expected)
     {
         using var file = new TemporaryFile(text);
 

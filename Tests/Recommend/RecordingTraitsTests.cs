@@ -45,7 +45,7 @@ public class RecordingTraitsTests
 
         var traits = Traits(Math.Sin, i => i * 0.01 + 0.004 * random.NextDouble());
 
-        Assert.That(traits.Warnings().Single(), Does.Match(@"stamps lie (6|7)\.\d to 1(2|3)\.\d ms apart"), $"seed {Seed}");
+        Assert.That(traits.Warnings().Single(), Does.Match(@"time stamps are (6|7)\.\d to 1(2|3)\.\d ms long"), $"seed {Seed}");
     }
 
     [Test]

@@ -136,7 +136,7 @@ public class BodyReplayTests
     [TestCase("0.2,0,0,1,0,0,0", ":3: 7 fields", "header has 8")]
     [TestCase("0.2,0,0,1,0,0,0,1,5", ":3: 9 fields", "header has 8")]
     [TestCase("0.1,0,0,1,0,0,0,1", ":3: field t_s", "'0.1' s")]
-    public async Task Replay_InvalidRowOfABody_PrintsOneLineWithPlaceAndValue(string row, string place, string value)
+    public async Task Replay_InvalidRowInABodyFile_PrintsOneLineWithPlaceAndValue(string row, string place, string value)
     {
         // A row with the invalid length 1.01 follows a valid row.
         var first = row.StartsWith("0,", StringComparison.Ordinal) ? Row.Replace("0.1,", "-0.1,", StringComparison.Ordinal) : Row;

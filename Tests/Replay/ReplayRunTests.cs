@@ -144,7 +144,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_LostSamples_HoldHasTheErrorOfAGeometricAge()
+    public void Run_LostSamples_HoldErrorMatchesAGeometricNumberOfLosses()
     {
         const double p = 0.3, interval = 0.05;
 
@@ -172,7 +172,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_StampErrorsAboveTheInterval_KeepsTheTrueOrder()
+    public void Run_StampErrorsAboveTheInterval_HoldErrorIsUnchanged()
     {
         var exact = Replay(Ramp(20), new ReplaySettings { SamplingInterval = 0.01 });
 
@@ -182,7 +182,7 @@ public class ReplayRunTests
     }
 
     [Test]
-    public void Run_Jitter_DelaysWithinTheRange()
+    public void Run_Jitter_HoldErrorIsBetweenThoseOfMinimumAndMaximumDelay()
     {
         var exact = Replay(Ramp(60), new ReplaySettings());
         var latest = Replay(Ramp(60), new ReplaySettings { Latency = 0.13 });

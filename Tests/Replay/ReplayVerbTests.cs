@@ -114,7 +114,7 @@ public class ReplayVerbTests
     [TestCase("--seed", "1.5", "")]
     [TestCase("--predictor", "quartic", "hold, linear, quadratic, cubic")]
     [TestCase("--window", "3", "--window")]
-    public async Task Replay_InvalidOption_PrintsOneLineAndExits2(string option, string value, string allowed)
+    public async Task Replay_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string allowed)
     {
         var run = await Run(_file, option, value);
 
@@ -124,7 +124,7 @@ public class ReplayVerbTests
     [TestCase("--fps")]
     [TestCase("--sampling-ms")]
     [TestCase("--predictor")]
-    public async Task Replay_OptionWithoutValue_PrintsOneLineAndExits2(string option)
+    public async Task Replay_OptionWithoutValue_PrintsOneLineAndExitsWith2(string option)
     {
         var run = await Run(_file, option);
 
@@ -132,7 +132,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task Replay_NoFile_PrintsOneLineAndExits2()
+    public async Task Replay_NoFile_PrintsOneLineAndExitsWith2()
     {
         var run = await Run();
 
@@ -140,7 +140,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task Replay_FileMissing_PrintsOneLineAndExits2()
+    public async Task Replay_FileMissing_PrintsOneLineAndExitsWith2()
     {
         var run = await Run(Path.Combine(_folder, "none.csv"));
 
@@ -152,7 +152,7 @@ public class ReplayVerbTests
     [TestCase("t,a\n1,1\n0,1\n", "motion.csv:3: field t: '0' s is not later than")]
     [TestCase("t,a\n1,1\n", "motion.csv: 1 rows of data")]
     [TestCase("t,a\n0,1\n0.2,2\n", "is too short")]
-    public async Task Replay_InvalidFile_PrintsOneLineAndExits2(string content, string expected)
+    public async Task Replay_InvalidFile_PrintsOneLineAndExitsWith2(string content, string expected)
     {
         File.WriteAllText(_file, content);
 
@@ -162,7 +162,7 @@ public class ReplayVerbTests
     }
 
     [Test]
-    public async Task Replay_AllSamplesLost_PrintsOneLineAndExits2()
+    public async Task Replay_AllSamplesLost_PrintsOneLineAndExitsWith2()
     {
         var run = await Run(_file, "--loss", "1");
 

@@ -44,7 +44,7 @@ public sealed class AssemblyDefinitionTests
     }
 
     [TestCaseSource(nameof(Definitions))]
-    public void Definition_PrecompiledReferences_AreOverridden(string path)
+    public void Definition_WithPrecompiledReferences_OverridesReferences(string path)
     {
         var definition = Json(path);
 

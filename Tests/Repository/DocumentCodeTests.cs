@@ -24,7 +24,7 @@ public sealed class DocumentCodeTests
 
     [TestCase(RepositoryFiles.Package + "/README.md")]
     [TestCase(RepositoryFiles.Package + "/Documentation~/session.md")]
-    public void Document_WithAnExample_HasCode(string path)
+    public void Document_WithAnExample_ContainsCode(string path)
     {
         Assert.That(CodeIn(path), Is.Not.Empty);
     }

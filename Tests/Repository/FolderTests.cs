@@ -51,7 +51,7 @@ public sealed partial class FolderTests
     }
 
     [Test]
-    public void Namespace_OfEachFile_HidesNoTypeOfUnity()
+    public void Namespace_OfEachFile_HidesNoUnityType()
     {
         var types = Directory.GetFiles(Path.Combine(RepositoryFiles.Root, "Tests/Unity/Engine/Api"), "*.txt").SelectMany(File.ReadLines)
             .Select(line => EngineType().Match(line)).Where(match => match.Success).Select(match => match.Groups[1].Value).ToHashSet();

@@ -25,7 +25,7 @@ public sealed partial class LinkTests
 
     [TestCase("### The `sync` client, in short", "the-sync-client-in-short")]
     [TestCase("# Röck & Schnierle 2022", "röck--schnierle-2022")]
-    public void Anchor_Heading_EqualsAnchorOfGitHub(string heading, string anchor)
+    public void Anchor_Heading_EqualsTheAnchorOnGitHub(string heading, string anchor)
     {
         Assert.That(AnchorsOf(heading), Is.EqualTo(new[] { anchor }));
     }

@@ -11,7 +11,7 @@ namespace Nowpose.Headless.Tests.Repository;
 public sealed partial class MonoTests
 {
     [Test]
-    public void Calls_InThePackage_BehaveTheSameUnderMono()
+    public void Calls_InThePackage_BehaveTheSameOnMono()
     {
         var different = RepositoryFiles.Under(RepositoryFiles.Package, ".cs")
             .SelectMany(file => MonoDifferences(RepositoryFiles.Read(file)).Select(call => file + ": " + call));

@@ -20,7 +20,7 @@ public sealed class NoticeTests
     }
 
     [Test]
-    public void Notices_EveryRow_StatesLicencePurposeAndShipping()
+    public void Notices_EveryRow_HasNoEmptyField()
     {
         Assert.That(Rows.Where(r => r.Value.Any(string.IsNullOrEmpty)).Select(r => r.Key), Is.Empty);
     }

@@ -56,6 +56,6 @@ public sealed partial class SecurityDocumentTests
     [TestCase("OPC UA")]
     [TestCase("ADS")]
     [TestCase("broker")]
-    public void Threats_OfTheList_AreDocumented(string words) =>
+    public void Threats_EachRequiredThreat_HasARow(string words) =>
         Assert.That(Rows.Any(row => row.Split('|')[1].Contains(words, StringComparison.OrdinalIgnoreCase)), Is.True);
 }

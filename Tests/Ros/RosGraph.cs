@@ -18,7 +18,9 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
     /// <summary>Whether the node rosapi also runs.</summary>
     public bool HasRosapi { get; set; } = true;
 
-    /// <summary>Errors of clients. Both versions of rosbridge write them only to their log and do not answer the client.</summary>
+    /// <summary>
+    /// Errors in the log of rosbridge that requests of clients caused. Rosbridge reports an error to the client only if a service call fails.
+    /// </summary>
     public IReadOnlyCollection<string> Log => _log;
 
     /// <summary>Messages that clients published and that match the type of their topic.</summary>

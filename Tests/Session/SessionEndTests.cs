@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Session;
 
-/// <summary>Tests that a frame's thread can end a session without waiting, in any state of the network.</summary>
+/// <summary>Tests that a frame loop's thread can end a session without waiting, in any state of the network.</summary>
 public class SessionEndTests
 {
     [Test]

@@ -67,7 +67,7 @@ public class MotionRecordingTests
     [TestCase("t,a,b\r\n10,0,1\r\n10.5,1,1\r\n12,4,-2\r\n", TestName = "Read_CrLf_ReturnsTheSameValues")]
     [TestCase("\uFEFFt,a,b\n10,0,1\n10.5,1,1\n12,4,-2", TestName = "Read_ByteOrderMark_ReturnsTheSameValues")]
     [TestCase("t_s,a,b\n10,0,1\n10.5,1,1\n12,4,-2\n\n\n  \n", TestName = "Read_TrailingBlankLines_ReturnsTheSameValues")]
-    [TestCase("\"t\",\"a\",\"b\"\n 10, 0 ,1.0e0\n+10.5,1,1\n12,4,-2\n", TestName = "Read_QuotesAndBlanks_ReturnsTheSameValues")]
+    [TestCase("\"t\",\"a\",\"b\"\n 10, 0 ,1.0e0\n+10.5,1,1\n12,4,-2\n", TestName = "Read_QuotesAndSpaces_ReturnsTheSameValues")]
     public void Read_OtherNotation_ReturnsTheSameValues(string content)
     {
         var recording = MotionRecording.Read(Write(content));
@@ -142,15 +142,15 @@ public class MotionRecordingTests
     [TestCase("t,a\n0,NaN\n1,1\n", ":2: field 'a': 'NaN' is not a finite number")]
     [TestCase("t,a\n0,1\n1,1e999\n", ":3: field 'a': '1e999' is not a finite number")]
     [TestCase("t,a\n0,1\n-Infinity,1\n", ":3: field 't': '-Infinity' is not a finite number")]
-    [TestCase("t,a\n0,1\n2,2\n1,3\n", ":4: field t: '1' s is not later than the previous row")]
-    [TestCase("t_s,a\n0,1\n1,2\n\n1,3\n", ":5: field t_s: '1' s is not later than the previous row")]
+    [TestCase("t,a\n0,1\n2,2\n1,3\n", ":4: field t: '1' s is not later than the time of the previous row")]
+    [TestCase("t_s,a\n0,1\n1,2\n\n1,3\n", ":5: field t_s: '1' s is not later than the time of the previous row")]
     [TestCase("t,a\n0,1\n1,2,3\n", ":3: 3 fields; the header has 2")]
     [TestCase("t,a,b\n0,1,2\n1,2\n", ":3: 2 fields; the header has 3")]
     [TestCase("t,a\n0,1\n", "1 rows of data")]
     [TestCase("t,a\n", "0 rows of data")]
     [TestCase("t,a\n0,1\n1,2\"3\n", ":3: a quotation mark")]
     [TestCase("t,a\n0,1\n1,\"2\n3,4\n", ":3: a quotation mark")]
-    public void Read_InvalidContent_ThrowsInOneLineWithThePlace(string content, string expected)
+    public void Read_InvalidContent_ThrowsWithAOneLineMessageNamingThePlace(string content, string expected)
     {
         AssertRefused(Write(content), expected);
     }

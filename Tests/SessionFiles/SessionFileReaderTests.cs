@@ -60,7 +60,7 @@ public class SessionFileReaderTests
     [TestCase("{\"kind\":\"session\"}", ":1: field 'format' is not 'nowpose-session'")]
     [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":2}", ":1: field 'version': the file has version 2")]
     [TestCase("{\"kind\":\"session\",\"format\":\"nowpose-session\",\"version\":1}", ":1: field 'robot' is missing")]
-    public void File_NotASession_ThrowsWithAMessageOfOneLine(string text, string expected)
+    public void File_NotASession_ThrowsWithAOneLineMessage(string text, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(text));
 

@@ -157,7 +157,7 @@ public class SessionReplayTests
         var run = await Run("replay", _path, option);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.StartWith("nowpose: " + option.Split('=')[0] + ":").And.Contain("a recorded session contains this value"));
+        Assert.That(run.Errors, Does.StartWith("nowpose: " + option.Split('=')[0] + ":").And.Contain("is a recorded session, which contains this value"));
         Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
     }
 
@@ -207,7 +207,7 @@ public class SessionReplayTests
     }
 
     [Test]
-    public void Samples_WithVelocitiesAndAccelerations_RoundTrip()
+    public void Samples_WithVelocitiesAndAccelerations_AreRead()
     {
         VirtualRecording.To(_path, seconds: 1);
         var header = File.ReadLines(_path).First();

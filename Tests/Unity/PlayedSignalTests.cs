@@ -89,7 +89,7 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Signal_Changing_RaisesEachEventOnceInOrderAndInTime()
+    public void Signal_Changing_RaisesEachEventOnceInOrderAndOnTime()
     {
         var signal = Below<CellSignal>("gripper", _session.transform);
         var seen = new List<(double Light, double Value)>();

@@ -178,7 +178,7 @@ public sealed class BadInputTests : CalibrationFolder
 
     [TestCase(CodeKind.Control, "half.png: control code partly outside the picture")]
     [TestCase(CodeKind.Headset, "half.png: no headset code found")]
-    public async Task Vlc_HalfACodeOutsideThePicture_NamesTheCode(object half, string message) =>
+    public async Task Vlc_CodeHalfOutsideThePicture_NamesTheCode(object half, string message) =>
         await RejectedWith(message, "vlc", Picture("half.png", shot => Halved(shot, (CodeKind)half)));
 
     [Test]

@@ -30,8 +30,8 @@ public sealed class EarlierProfileTests : CalibrationFolder
 
         Assert.That(WarningsOf(earlier), Is.EqualTo(new[]
         {
-            "--sweep: the log was written with graphics API 'Direct3D11', but the options state 'Vulkan'; the pictures must belong to the sweep: "
-                + "repeat both with the same settings",
+            "--sweep: the log was written with graphics API 'Direct3D11', but the options state 'Vulkan'; the pictures must show this sweep: "
+                + "correct the options, or repeat the sweep and its pictures with the same settings",
             "other",
         }));
         Assert.That(earlier.Conditions, Is.EqualTo(new DisplayConditions("HoloLens 2", 60, "Vulkan")));

@@ -56,7 +56,7 @@ public class FilmedJogTests : VideoFolder
     }
 
     [Test]
-    public async Task Sine_FfmpegOlderThan51_UsesTheFormerOption()
+    public async Task Sine_FfmpegOlderThan51_UsesTheOldOption()
     {
         var video = Video();
         Script(

@@ -20,7 +20,7 @@ public sealed class MovingPicturesTests
     }
 
     [Test]
-    public void Rejected_SomePicturesTakenInMotion_RejectsOnlyThese()
+    public void Rejected_SomePicturesTakenInMotion_RejectsOnlyThose()
     {
         var rejected = MovingPictures.Rejected([.. Still(100), .. Moving(40)], out _);
 

@@ -26,7 +26,7 @@ public class NudgeVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Nudge_FormerNameOfVisuMs_IsUsedButNotShownInHelp()
+    public async Task Nudge_OldNameOfVisuMs_IsAcceptedButNotShownInHelp()
     {
         var run = await CliRun.OfAsync(
             "calibrate", "nudge", "--speed-mm-s", "250", "--told-ms", "60", "--forward-mm", "2", "--backward-mm", "-1", "--json", "--out", Out);

@@ -16,7 +16,7 @@ public sealed class PictureFilesTests : CalibrationFolder
     }
 
     [Test]
-    public void Of_UnsupportedPictureFormats_ReturnsThemToo()
+    public void Of_UnsupportedPictureFormat_ReturnsTheFile()
     {
         var heic = Write("a.HEIC", []);
 
@@ -25,7 +25,7 @@ public sealed class PictureFilesTests : CalibrationFolder
     }
 
     [Test]
-    public void Compare_LeadingZerosOrManyDigits_OrdersByNumber()
+    public void Compare_LeadingZerosOrManyDigits_IsATotalOrderByNumber()
     {
         var order = new NumberedNames();
         var names = new[] { "p1", "p01", "p001", "p2", "p" + new string('9', 40), "p1" + new string('0', 40), "p", "" };

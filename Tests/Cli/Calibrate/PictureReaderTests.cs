@@ -25,7 +25,7 @@ public sealed class PictureReaderTests
 
     [TestCase(0, 501, "codes more than 500 ms apart; check that both show the same clock")]
     [TestCase(1000, 900, "headset code more than 50 ms ahead of the control code: if the control code is displayed late, state the delay with --control-delay-ms")]
-    public void Read_ImplausibleDifferenceOfTheCodes_IsRejected(int headset, int control, string fault)
+    public void Read_ImplausibleDifferenceBetweenTheCodes_IsRejected(int headset, int control, string fault)
     {
         var result = Read(new PictureReader(0, 0), CodeLevels.Run(control, 1), CodeLevels.Of(CodeKind.Headset, headset));
 

@@ -207,7 +207,7 @@ public class RangeFitTests
 
     [TestCase(21, false)]
     [TestCase(5, true)]
-    public void Fit_FewLoads_StatesTheRangeOfTheLimit(int loads, bool isOpen)
+    public void Fit_ManyOrFewLoads_StatesTheRangeOfTheLimitOnlyIfFew(int loads, bool isOpen)
     {
         var pictures = new SimulatedPictures { Loads = Enumerable.Range(0, loads).Select(i => 2e6 * i / (loads - 1)).ToArray() };
 

@@ -129,7 +129,7 @@ public class RangeVerbTests : CalibrationFolder
         Assert.That(await File.ReadAllBytesAsync(ProfilePath), Is.EqualTo(before));
     }
 
-    [TestCase("--source", "guess", "--source: 'guess' is not known")]
+    [TestCase("--source", "guess", "--source: 'guess' is unknown")]
     [TestCase("--display-hz", "-1", "--display-hz: -1 Hz is out of range")]
     public async Task Range_InvalidOption_StatesTheAllowedValues(string option, string value, string named) =>
         Assert.That(await RefusalOf("range", Write("pairs.csv", Sweep(1, 1)), option, value), Does.Contain(named));

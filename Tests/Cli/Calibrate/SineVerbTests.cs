@@ -108,7 +108,7 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_FormerNameOfVisuMs_IsUsed()
+    public async Task Sine_OldNameOfVisuMs_IsAccepted()
     {
         var result = await Measured(new Jog(12), "--told-ms", "30");
 
@@ -181,6 +181,6 @@ public class SineVerbTests : CalibrationFolder
     }
 
     [Test]
-    public async Task Sine_OptionsOfBothMethods_Fails() =>
+    public async Task Sine_OptionsForBothMethods_Fails() =>
         Assert.That(await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--app-ms", "60", "--visu-ms", "40"), Does.Contain("exclude each other"));
 }

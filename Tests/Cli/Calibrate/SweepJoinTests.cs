@@ -38,7 +38,7 @@ public sealed class SweepJoinTests
     }
 
     [Test]
-    public void Join_RenderTimeOfAnotherSource_IsNull()
+    public void Join_RenderTimeFromAnotherSource_IsNull()
     {
         var joined = new SweepJoin(Rows, RenderTimeSourceKind.GpuCompletion).Join([PictureOf(3)]);
 

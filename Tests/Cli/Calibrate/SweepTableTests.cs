@@ -22,7 +22,7 @@ public sealed class SweepTableTests : CalibrationFolder
     }
 
     [Test]
-    public void Read_UncompressedFileNamedGz_ThrowsWithOneLine()
+    public void Read_UncompressedFileNamedGz_ThrowsWithTheRemedy()
     {
         var path = Path.Combine(Folder, "sweep.csv.gz");
         File.WriteAllText(path, Log("HoloLens 2,60"));
@@ -41,7 +41,7 @@ public sealed class SweepTableTests : CalibrationFolder
 
     [TestCase("HoloLens 2,60", "Quest 3,60", "frames of 'HoloLens 2' and of 'Quest 3'; a sweep must be from one headset")]
     [TestCase("HoloLens 2,60", "HoloLens 2,72", "frames at 60 Hz and at 72 Hz")]
-    public void Read_LogOfTwoHeadsets_Throws(string first, string second, string named)
+    public void Read_LogFromTwoHeadsetsOrDisplayRates_Throws(string first, string second, string named)
     {
         var path = Write("sweep.csv", [Log(first, second)]);
 

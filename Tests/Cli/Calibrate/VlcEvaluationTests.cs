@@ -114,7 +114,7 @@ public sealed class VlcEvaluationTests
     }
 
     [Test]
-    public void Evaluation_SweepOfAnotherRecording_Throws()
+    public void Evaluation_SweepLogFromAnotherRecording_Throws()
     {
         var (rows, result) = Sweep(ms => ms);
         var other = rows.Select(row => new SweepRow(
@@ -157,7 +157,7 @@ public sealed class VlcEvaluationTests
         var evaluation = Evaluate(new VlcResult(pictures), null);
 
         Assert.That(evaluation.Profile, Is.Null);
-        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much for a constant"));
+        Assert.That(evaluation.Page.Warnings, Has.Some.Contains("too much for one constant value"));
     }
 
     /// <summary>L_visu scatters too much for a profile, and a quarter of the pictures are late.</summary>

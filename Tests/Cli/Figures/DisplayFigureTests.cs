@@ -56,7 +56,7 @@ public class DisplayFigureTests
 
     // A picture is taken at a random time within the 4 ms for which its frame is lit. The headset's code has a resolution of 1 ms.
     [Test]
-    public void Figure10_NormalLoad_ScattersByLitTimeAndCodeResolution()
+    public void Figure10_NormalLoad_ScatterMatchesLitTimeAndCodeResolution()
     {
         var expected = Math.Sqrt((4 * 4 + 1 * 1) / 12.0);
         foreach (var (seed, figures) in Seeds)
@@ -168,7 +168,7 @@ public class DisplayFigureTests
 
     [TestCase(4, true)]
     [TestCase(20, false)]
-    public void Figure11a_LoadsOnOneSideOfTheLimit_MissTheCriteriaOfTheOtherSide(double renderMs, bool isConstant)
+    public void Figure11a_LoadsOnOneSideOfTheLimit_DoNotMeetAllCriteria(double renderMs, bool isConstant)
     {
         var criteria = Figure11.LoadCriteria([.. Pictures(0, renderMs, StoredMs, Still), .. Pictures(1, renderMs, StoredMs, Still)], StoredMs);
 

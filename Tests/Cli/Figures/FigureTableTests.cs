@@ -10,7 +10,7 @@ public class FigureTableTests
     [TestCase("speed", "mm/s", "speed_mm_per_s")]
     [TestCase("offset error", "µs", "offset_error_us")]
     [TestCase("ratio", "", "ratio")]
-    public void Header_NameAndUnit_FormsOneWord(string name, string unit, string header)
+    public void Header_NameAndUnit_FormOneWord(string name, string unit, string header)
     {
         Assert.That(new FigureColumn(name, unit).Header, Is.EqualTo(header));
     }

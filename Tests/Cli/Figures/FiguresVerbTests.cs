@@ -69,7 +69,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Run_Interrupted_WritesFinishedFiguresAndExits130()
+    public void Run_Interrupted_WritesFinishedFiguresAndExitsWith130()
     {
         File.WriteAllText(Path.Combine(_folder, "figure-4.csv"), "of an earlier run");
         using var cancelled = new CancellationTokenSource();
@@ -84,8 +84,8 @@ public partial class FiguresVerbTests
 
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written to")]
     [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written to")]
-    [TestCase("--phases", "3", "'--phases' is not known")]
-    public async Task Figures_InvalidOption_PrintsOneLineAndExits2(string option, string value, string named)
+    [TestCase("--phases", "3", "'--phases' is unknown")]
+    public async Task Figures_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string named)
     {
         var arguments = option == "--out" ? new[] { "figures", option, value } : ["figures", "--out", _folder, option, value];
 
@@ -97,7 +97,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Settings_FullAndQuick_IncludeNowposesPredictors()
+    public void Settings_FullAndQuick_IncludeOurPredictorsAndEnoughPhasesAndSteps()
     {
         foreach (var settings in new[] { FigureSettings.Full, FigureSettings.Quick })
         {

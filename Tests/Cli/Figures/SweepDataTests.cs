@@ -20,7 +20,7 @@ public class SweepDataTests
     }
 
     [Test]
-    public void Best_EachValue_HasTheSmallestError()
+    public void Best_EachValue_ReturnsTheNameWithTheSmallestError()
     {
         Assert.That(Enumerable.Range(0, 3).Select(i => Data.Best(i, "a", "b")), Is.EqualTo(new[] { "a", "a", "b" }));
     }

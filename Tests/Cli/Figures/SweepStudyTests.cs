@@ -69,7 +69,7 @@ public class SweepStudyTests
     [TestCase("14b", "holds")]
     [TestCase("14c", "holds")]
     [TestCase("14d", "holds")]
-    public void Verdict_SweepFigure_FollowsFromTheErrors(string number, string verdict)
+    public void Verdict_EachSweepFigure_EqualsTheRecordedVerdict(string number, string verdict)
     {
         Assert.That(Figures[number].Verdict.Words(), Is.EqualTo(verdict), Seed);
     }

@@ -34,7 +34,7 @@ public class HeadsetVerdictTests
     [TestCase(2, 4, 3.9, true)]
     [TestCase(2, 4, 4.1, false)]
     [TestCase(12, 8, 0, false, TestName = "FailureOf_CurrentOnlyTowardsTheEnd_ReturnsAReason")]
-    public void FailureOf_PoseCurrentForAShare_ReturnsAReasonOnlyBelowOneHalf(double before, double current, double after, bool isGood)
+    public void FailureOf_PoseCurrentPartOfTheTime_ReturnsAReasonOnlyBelowOneHalf(double before, double current, double after, bool isGood)
     {
         var pose = Pose((before, PoseState.Unsynchronised), (current, PoseState.Current), (after, PoseState.Held));
 

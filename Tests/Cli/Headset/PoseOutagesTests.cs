@@ -40,7 +40,7 @@ public class PoseOutagesTests
     }
 
     [Test]
-    public void Add_ReasonKnownLater_ReportsTheReason()
+    public void Add_ReasonArrivesLater_ReportsTheReason()
     {
         Play(5, true);
         Play(1, false);

@@ -53,7 +53,7 @@ public class PoseStretchesTests
     }
 
     [Test]
-    public void Result_Outage_DividesTheRunIntoTwoStretches()
+    public void Result_Outage_SplitsTheRunIntoTwoStretches()
     {
         Play(5, PoseState.Current, errorMm: 1);
         Play(3, PoseState.Held, errorMm: 200);
@@ -73,7 +73,7 @@ public class PoseStretchesTests
     [TestCase(0.45, 1)]
     [TestCase(0.6, 2)]
     [TestCase(0.9, 2)]
-    public void Result_GapWithReportedOutage_DividesTheStretch(double seconds, int count)
+    public void Result_ShortOrLongGap_SplitsTheRunOnlyAtAReportedOutage(double seconds, int count)
     {
         Play(5, PoseState.Current);
         Play(seconds, PoseState.Held);

@@ -124,7 +124,7 @@ public class CellStatusTests
     [TestCase("frames", true)]
     [TestCase("signals", true)]
     [TestCase("stationary frames", false)]
-    public async Task TimeStamps_InFuture_AreEvidenceOfAWrongClock(string kind, bool expected)
+    public async Task TimeStamps_InTheFuture_IndicateAWrongClockExceptOnStationaryFrames(string kind, bool expected)
     {
         var stamp = Gateways.Start + TimeSpan.FromMinutes(10);
         var text = kind == "frames" ? Tf(Frame("a", stamp: stamp)) : kind == "signals" ? SignalsAt(stamp, ("grip", 1)) : TfStatic(Frame("a", stamp: stamp));
@@ -140,7 +140,7 @@ public class CellStatusTests
     }
 
     [Test]
-    public async Task TimeStamps_OfFramesOfAnotherSource_AreNoEvidenceOfAWrongClock()
+    public async Task TimeStamps_OnFramesOfAnotherSource_DoNotIndicateAWrongClock()
     {
         using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
         await _source.SendAsync(Tf(Frame("a")));

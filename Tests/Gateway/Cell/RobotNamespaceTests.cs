@@ -54,7 +54,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task SecondSource_OfAJointOfARobot_IsRefusedUntilTheFirstEnds()
+    public async Task SecondSource_ForAJointOfARobot_IsRefusedUntilTheFirstEnds()
     {
         await _first.SendAsync(State("arm1", 1));
         await _first.RoundTripAsync();
@@ -69,7 +69,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task Description_OfEachRobot_IsSentOnSubscribe()
+    public async Task Description_SourceWithTwoRobots_SubscriberReceivesOnlyThatOfItsRobot()
     {
         await _first.SendAsync(RosbridgeWriter.PublishString("/arm1/robot_description", "<robot name='one'/>"));
         await _first.SendAsync(RosbridgeWriter.PublishString("/arm2/robot_description", "<robot name='two'/>"));
@@ -84,7 +84,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task SetPoints_OfEachRobotOfASource_AreSentOnSubscribe()
+    public async Task SetPoints_SourceWithTwoRobots_SubscriberReceivesOnlyThoseOfItsRobot()
     {
         foreach (var robot in new[] { "arm1", "arm2" })
             await _first.SendAsync(RosbridgeWriter.PublishJointTrajectory(
@@ -149,7 +149,7 @@ public class RobotNamespaceTests
     }
 
     [Test]
-    public async Task Publish_NewRobots_ReplaceDescribedRobotsWithoutSource()
+    public async Task Publish_NewRobot_ReplacesADescribedRobotWithoutASource()
     {
         for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.PublishString($"/arm{i}/robot_description", "<robot/>"));
         await _first.RoundTripAsync();

@@ -134,7 +134,7 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task SecondSource_OfASignal_IsRefusedUntilTheFirstEnds()
+    public async Task SecondSource_ForASignal_IsRefusedUntilTheFirstEnds()
     {
         using var second = await RawRosbridgeClient.ConnectAsync(_gateway);
         await SendAsync(SignalsText(("grip", 1)));
@@ -150,7 +150,7 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task Publish_SignalsOfSeveralSources_AreAcceptedUpTo256()
+    public async Task Publish_SignalsFromSeveralSources_AreAcceptedUpTo256()
     {
         using var other = await RawRosbridgeClient.ConnectAsync(_gateway);
         await other.SendAsync(SignalsText([.. Enumerable.Range(0, 255).Select(i => ("a" + i, 0.0))]));
@@ -177,11 +177,11 @@ public class SignalTopicTests
     }
 
     [Test]
-    public async Task Publish_TimeStampInFuture_IsDropped()
+    public async Task Publish_TimeStampInTheFuture_IsDropped()
     {
         await _source.SendAsync(SignalsAt(ControlTime.FromSeconds(5100), ("grip", 1)));
 
-        await _source.ExpectErrorAsync("later than the control time");
+        await _source.ExpectErrorAsync("later than the control time by more than the clock's error bound plus 1 s");
         Assert.That(_gateway.Drops[DropReason.StampInFuture], Is.EqualTo(1));
     }
 

@@ -28,7 +28,7 @@ public class StationaryFramesTests
         () => Nowpose.Gateway.CommandLine.RunAsync(["serve", "--check", "--stationary", _path, "--ws-port", "0", "--sync-port", "0"]).Bounded());
 
     [Test]
-    public async Task Publish_FramesOfTheFile_ReachEachClientOnSubscribe()
+    public async Task Publish_FramesFromTheFile_ReachEachClientOnSubscribe()
     {
         Save(Frame("belt", x: 0.5), Frame("fixture", "belt", 0.25));
         await using var gateway = await Gateways.StartAsync();
@@ -81,7 +81,7 @@ public class StationaryFramesTests
     }
 
     [Test]
-    public async Task Publish_ClientSendsAFrameOfTheFile_IsRefused()
+    public async Task Publish_ClientSendsAFrameFromTheFile_IsRefused()
     {
         Save(Frame("belt"));
         await using var gateway = await Gateways.StartAsync();

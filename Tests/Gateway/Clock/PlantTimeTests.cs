@@ -185,7 +185,7 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task AdvertiseService_FormerConnectionSilent_NewConnectionTakesOverTheClock()
+    public async Task AdvertiseService_PreviousConnectionSilent_NewConnectionTakesOverTheClock()
     {
         var plc = new StopwatchControlClock(PlantStart);
         var isGone = false;

@@ -81,7 +81,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void Quality_SelectedClockUnknown_EqualsQualityOfTheGatewaysOwnClock()
+    public void Quality_SelectedClockUnknown_EqualsTheQualityOfTheGatewaysOwnClock()
     {
         var own = new StopwatchControlClock(ControlTime.FromSeconds(1), 40e-6)
         {
@@ -104,7 +104,7 @@ public class ServedClockTests
     }
 
     [Test]
-    public void TryMap_TimeStampOfAnotherCentury_IsRefused()
+    public void TryMap_TimeStampFarInTheFuture_IsRefused()
     {
         var plant = new VirtualPlant();
         plant.Add("ads", 1000, 0);

@@ -232,7 +232,7 @@ public class StampWatchTests
     }
 
     [Test]
-    public void Look_TimeStampsDiverge_ReportsTheDifferenceOfTheNewest()
+    public void Look_TimeStampsDiverge_ReportsTheNewestDifference()
     {
         _isOwnServed = false;
         for (var seconds = 10; seconds < 20; seconds++)

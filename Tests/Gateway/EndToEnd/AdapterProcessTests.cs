@@ -67,7 +67,7 @@ public class AdapterProcessTests
         await Soon.BecomesAsync(() => EventOf(gateway) is { Until: not null }, "it reports again");
         var ended = EventOf(gateway).Condition;
         Assert.That(ended.Text, Is.EqualTo(
-            "adapter absent does not report: its program ended with status 137 and is started again. Read its lines in the gateway's log."));
+            "adapter absent does not report: its program ended with status 137 and is started again. Read the adapter's lines in the gateway's log."));
         Assert.That((ended.Level, ended.Blocks), Is.EqualTo((Level.Error, true)));
     }
 
@@ -86,7 +86,7 @@ public class AdapterProcessTests
     }
 
     [Test]
-    public async Task Start_AdapterEndsAfterManyOtherLines_GatewayLogsTheEnd()
+    public async Task Start_AdapterEndsWhileTheLogIsRateLimited_GatewayLogsTheEnd()
     {
         var lines = new System.Collections.Concurrent.ConcurrentQueue<string>();
         await using var gateway = await GatewayServer.StartAsync(
@@ -156,7 +156,7 @@ public class AdapterProcessTests
     [TestCase("kind: opcua\n  endpoint: opc.tcp://127.0.0.1:9", false, true)]
     [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", true, true)]
     [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", false, false)]
-    public async Task Check_JointsOfTheRobotMissingInAllPlants_ListsThem(string plant, bool hasJoints, bool isNamed)
+    public async Task Check_RobotJointsConfiguredInNoPlant_ListsThemUnlessAPlantAcceptsAnyJoint(string plant, bool hasJoints, bool isNamed)
     {
         var node = plant.Contains("opcua", StringComparison.Ordinal) ? "\n    node: ns=1;s=a" : "";
         var path = Write($"plant:\n  {plant}\n" + (hasJoints ? $"joints:\n  - joint: arm_joint_2{node}\n" : ""), "some.yaml");
@@ -227,7 +227,7 @@ public class AdapterProcessTests
     [TestCase("{\"name\":\"cell\"}")]
     public void Check_ResultInUnknownFormat_IsRefused(string line) => Assert.That(
         () => AdapterProgram.PlantContent.Read("press.yaml", line),
-        Throws.TypeOf<InputException>().With.Message.StartsWith("press.yaml: the result of its check cannot be read"));
+        Throws.TypeOf<InputException>().With.Message.StartsWith("press.yaml: the adapter's result for this file cannot be read"));
 
     [Test]
     public void Check_UnencryptedGatewayOnALanAddress_IsRefused()

@@ -90,15 +90,16 @@ public class PlantFaultTests
         // On a busy machine the pose of the last frame may not be current, so any stretch with a current pose is sufficient. The headset started
         // during the fault, so all stretches are after the repair.
         Assert.That(recovered.GetProperty("stretches").EnumerateArray(), Is.Not.Empty, recovered.ToString());
-        var events = end.Events.Where(one => one.GetProperty("id").GetInt64() > lastEvent && Text(one, "kind") != "headset").ToList();
-        Assert.That(events.Select(one => Text(one, "which")), Is.All.EqualTo($"{Joint} (plc)"));
+        // On a busy machine, the estimate of the plant's clock may be inaccurate for a while.
+        var events = end.Events.Where(one => one.GetProperty("id").GetInt64() > lastEvent && Text(one, "kind") is not ("headset" or "clock")).ToList();
+        Assert.That(events.Select(one => Text(one, "which")), Is.All.EqualTo($"{Joint} (plc)"), string.Join("\n", events));
         Assert.That(events, Is.Not.Empty);
         Assert.That(
             events.Select(one => DateTimeOffset.Parse(Text(one, "until_utc"), CultureInfo.InvariantCulture)), Is.All.LessThan(repaired + Limit));
     }
 
     [Test]
-    public async Task Robot_RestsAndMovesAgain_IsNowhereReportedAsAFault()
+    public async Task Robot_RestsAndMovesAgain_IsNotReportedAsAFaultAnywhere()
     {
         using var headset = StartHeadset();
         await GoodEverywhereAsync(DateTimeOffset.UtcNow);

@@ -122,7 +122,7 @@ public class RecorderDiskTests
     }
 
     [Test]
-    public async Task SwitchOn_AfterADiskFailure_EndsTheFormerFile()
+    public async Task SwitchOn_AfterADiskFailure_EndsThePreviousFile()
     {
         var first = new SmallDisk(10_000_000);
         var files = 0;

@@ -94,7 +94,7 @@ public class RecordingsTests
     [TestCase("a.jsonl/")]
     [TestCase("none.jsonl")]
     [TestCase("a.jsonl%0a")]
-    public async Task Download_NameOfNoRecordingInTheFolder_IsRefusedWithoutContents(string name)
+    public async Task Download_NotARecordingInTheFolder_IsRefusedWithoutContents(string name)
     {
         File.WriteAllText(Path.Combine(_folder, "a.jsonl"), "{}\n");
         if (!OperatingSystem.IsWindows()) File.CreateSymbolicLink(Path.Combine(_folder, "link.jsonl"), Path.Combine(_outer, "tokens.jsonl"));

@@ -25,7 +25,7 @@ public class LimitTests
     };
 
     [Test]
-    public async Task Messages_BeyondTheRate_AreDroppedUnparsedAndTheConnectionStaysOpen()
+    public async Task Messages_AboveTheRateLimit_AreDroppedUnparsedAndTheConnectionStaysOpen()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { SourceMessagesPerSecond = 5 });
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -42,7 +42,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Messages_OfASourceAt2000Hz_AreAllAccepted()
+    public async Task Messages_TwoThousandFromASourceWithoutPause_AreAllAccepted()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
@@ -55,7 +55,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongAndFromAnObserver_IsNotStored()
+    public async Task Message_LongAndFromAnObserver_IsDroppedAsTooLarge()
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         using var client = await RawRosbridgeClient.ConnectAsync(
@@ -68,7 +68,7 @@ public class LimitTests
     }
 
     [Test]
-    public async Task Message_LongAndOnATopicWithoutDescription_IsNotDecoded()
+    public async Task Message_LongAndNotADescription_IsDroppedUnparsed()
     {
         await using var gateway = await Gateways.StartAsync();
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);

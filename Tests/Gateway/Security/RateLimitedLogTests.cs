@@ -32,7 +32,7 @@ public class RateLimitedLogTests
     }
 
     [Test]
-    public void Lines_AllDifferent_HaveACommonLimit()
+    public void Lines_AllDifferent_ShareOneLimit()
     {
         for (var i = 0; i < 1000; i++) _log.Write("refused " + i);
 

@@ -56,7 +56,7 @@ public class RevocationTests
 
     /// <summary>Checks the sum of the designed delays, because the documented limit does not include the delays of a busy machine.</summary>
     [Test]
-    public void Token_Removed_EndsItsConnectionsWithinTwoSeconds() =>
+    public void Token_Removed_TimeoutsAddUpToLessThanTwoSeconds() =>
         Assert.That(TokenList.Settles + AccessWatch.Interval + ProtocolLimits.CloseTimeout, Is.LessThan(TimeSpan.FromSeconds(2)));
 
     [Test]

@@ -41,7 +41,7 @@ public sealed class SecurityHeaderTests : IDisposable
     [TestCase("/healthz", HttpStatusCode.OK)]
     [TestCase("/metrics", HttpStatusCode.Unauthorized)]
     [TestCase("/nowhere", HttpStatusCode.Unauthorized)]
-    public async Task Answer_OfAnyStatus_ForbidsSniffingAndFraming(string path, HttpStatusCode status)
+    public async Task Answer_WithAnyStatus_ForbidsSniffingAndFraming(string path, HttpStatusCode status)
     {
         if (OperationsPage.Html == null) Assert.Ignore("built without Node.js");
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });

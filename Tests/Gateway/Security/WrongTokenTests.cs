@@ -42,7 +42,7 @@ public class WrongTokenTests
     [TestCase("10.0.0.1", "10.0.0.2", false)]
     [TestCase("::ffff:10.0.0.1", "10.0.0.1", true)]
     [TestCase("::ffff:10.0.0.1", "::ffff:10.0.0.2", false)]
-    public void Count_AddressesOfTheSameIPv6Network_AreCountedTogether(string guessing, string other, bool isBlocked)
+    public void Count_AddressesInTheSameIPv6Network_AreCountedTogether(string guessing, string other, bool isBlocked)
     {
         var wrong = new WrongTokens(new SteppedTime());
 

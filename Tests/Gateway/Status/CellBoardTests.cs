@@ -27,7 +27,7 @@ public class CellBoardTests
     static TransformsMessage Pose(string child, double t, string parent = "world") => new(new FrameTransform(At(t), parent, child, 1, 2, 3, 0, 0, 0, 1));
 
     [Test]
-    public void Frames_OfEachKind_HaveTheirStates()
+    public void Frames_MovingAndStationary_AreLiveThenStaleOrStationary()
     {
         _board.Add(_source, Pose("table", 0), isStationary: true);
         _board.Add(_source, Pose("box", 5), isStationary: false);
@@ -52,7 +52,7 @@ public class CellBoardTests
     }
 
     [Test]
-    public void Frames_MoreThanAllowed_ReplaceSilentFrames()
+    public void Frames_MoreThanAllowed_ReplaceOnlySilentFrames()
     {
         for (var i = 0; i < ProtocolLimits.Frames; i++) _board.Add(_source, Pose($"box{i}", 5), isStationary: false);
         _board.Add(_source, Pose("one more", 5), isStationary: false);
@@ -120,7 +120,7 @@ public class CellBoardTests
     }
 
     [Test]
-    public void Reports_OfManyAdaptersAndNames_AreBounded()
+    public void Reports_FromManyAdaptersWithManyNames_AreBounded()
     {
         for (var adapter = 0; adapter < 100; adapter++)
             _reports.Add($"a{adapter}", [.. Enumerable.Range(0, 1000).Select(i => KeyValuePair.Create($"frame/{adapter}-{i}", "fault 1700000000.000 gone"))]);

@@ -71,7 +71,7 @@ public class EventListTests
     }
 
     [Test]
-    public void Date_ConditionWithOrWithoutAnEvent_BeginsWithTheEventOrNow()
+    public void Date_ConditionWithOrWithoutAnEvent_HasTheTimeOfTheEventOrTheCurrentTime()
     {
         var began = _time.GetUtcNow();
         _events.Update([Joint("a")]);
@@ -129,7 +129,7 @@ public class EventListTests
     [TestCase("NaN", "", "joint a is refused: NaN", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC)")]
     [TestCase("", "Repair it.", "joint a is refused. Repair it.", "joint a is refused (since 2026-11-20 12:00:00 UTC). Repair it.")]
     [TestCase("NaN.", "Repair it.", "joint a is refused: NaN. Repair it.", "joint a is refused: NaN (since 2026-11-20 12:00:00 UTC). Repair it.")]
-    public void Text_WithReasonAndRemedy_ConsistsOfSentences(string reason, string remedy, string text, string withSince)
+    public void Text_WithOrWithoutReasonAndRemedy_HasTheExpectedSentences(string reason, string remedy, string text, string withSince)
     {
         var condition = Joint("a", reason, new DateTimeOffset(2026, 11, 20, 12, 0, 0, TimeSpan.Zero)) with { Remedy = remedy };
 

@@ -54,7 +54,7 @@ public class LimitAlarmTests
     }
 
     [Test]
-    public async Task Joints_NewDescription_AreCheckedWithItsLimits()
+    public async Task Joints_NewDescription_AreCheckedAgainstItsLimits()
     {
         var urdf = RobotFiles.LoadText("ur5");
         _source.TryDescribe(urdf);

@@ -9,7 +9,7 @@ using static Nowpose.Unity.Tests.Anchoring.PlayedBaseAnchor;
 
 namespace Nowpose.Unity.Tests.Anchoring;
 
-/// <summary>Tests how the state of the base anchor appears: to the wearer, in the console, and in the inspector.</summary>
+/// <summary>Tests how the state of the base anchor is shown to the wearer, in the Console and in the Inspector.</summary>
 public class BaseAnchorDisplayTests
 {
     PlayedBaseAnchor _played;

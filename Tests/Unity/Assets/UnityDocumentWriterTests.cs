@@ -58,7 +58,7 @@ public sealed class UnityDocumentWriterTests
     }
 
     [Test]
-    public void Write_LongText_WrapsAtABlankAfterColumn80()
+    public void Write_LongText_WrapsAtASpaceAfterColumn80()
     {
         var text = new string('a', 80) + " " + new string('b', 90) + " c  d";
 

@@ -77,7 +77,7 @@ public sealed class LatencyNudgeTests
         }
     }
 
-    // Runs until the middle of the next motion forward or backward.
+    // Runs until 1.2 s after the start of the next forward or backward motion, which lasts 2 s.
     void RunToTheMiddle(bool isForward)
     {
         var phase = Headset % 4;

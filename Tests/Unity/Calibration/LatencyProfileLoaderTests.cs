@@ -108,7 +108,7 @@ public sealed class LatencyProfileLoaderTests
     }
 
     [Test]
-    public void OnEnable_SavedProfileOfAnotherDevice_IsRefusedInOneLineAndTheNextIsUsed()
+    public void OnEnable_SavedProfileOfAnotherDevice_IsLoggedOnceAndTheNextIsUsed()
     {
         LatencyProfileFile.Save(Saved, Profile(51, device: "HoloLens 2"));
         LatencyProfileFile.Save(Shipped, Profile(52));

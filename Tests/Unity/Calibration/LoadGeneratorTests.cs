@@ -101,7 +101,7 @@ public sealed class LoadGeneratorTests
     }
 
     [Test]
-    public void Load_BuiltBefore_IsShownImmediately()
+    public void Load_BuiltEarlier_IsShownImmediately()
     {
         Play(400_000);
         Build();

@@ -25,7 +25,7 @@ public class DemoDisplayTests
 
     [TestCase(300_000, 40, false)]
     [TestCase(1_500_000, 56, true)]
-    public void Render_LoadOnAndOff_IsDetectedByTheMonitor(int vertices, double minVisualisationMs, bool isOutside)
+    public void Render_LoadOnAndOff_MonitorIsOutsideOnlyWhileTheLoadIsBeyondTheLimit(int vertices, double minVisualisationMs, bool isOutside)
     {
         var display = new DemoDisplay(Plain with { Load = vertices });
         var monitor = new ConstantLatencyMonitor(new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime));

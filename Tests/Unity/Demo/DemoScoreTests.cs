@@ -75,7 +75,7 @@ public class DemoScoreTests
     }
 
     [Test]
-    public void Score_Reduction_IsOneMinusTheRatioOfTheRms()
+    public void Score_Reduction_IsOneMinusTheRmsRatio()
     {
         // The errors are 30 mm (hold) and 3 mm in half of the scored frames, 40 mm and 4 mm in the other half.
         var result = Score(15, s => s < 10 ? new Wrong(30, 3) : new Wrong(40, 4));

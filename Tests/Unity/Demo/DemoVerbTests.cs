@@ -139,7 +139,7 @@ public class DemoVerbTests
     [TestCase("--seed", "1.5", "--seed: '1.5' is not a whole number; allowed: 0 to 1000000")]
     [TestCase("--seed", "99999999999", "--seed: 99999999999 is out of range")]
     [TestCase("--load", "2000001", "--load: 2000001 vertices is out of range; allowed: 0 to 2000000 vertices")]
-    [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is not known; allowed: lan, wifi, busy-wifi")]
+    [TestCase("--network", "carrier-pigeon", "--network: 'carrier-pigeon' is unknown; allowed: lan, wifi, busy-wifi")]
     [TestCase("--acquisition-ms", "105-55", "--acquisition-ms: '105-55' is not a range; allowed: MIN-MAX with 0 <= MIN <= MAX <= 1000 ms")]
     [TestCase("--acquisition-ms", "5-x", "--acquisition-ms: '5-x' is not a range")]
     [TestCase("--predictor", "crystal-ball", "--predictor: 'crystal-ball' is unknown")]

@@ -142,7 +142,7 @@ public sealed class ArSpatialAnchorsTests
         Run(11);
 
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
-        Assert.That(anchor.Problem, Does.Contain("is not running, or does not offer this function"));
+        Assert.That(anchor.Problem, Does.Contain("is not running, or does not support the ARAnchorManager"));
         Assert.That(_cell.Messages.Count(m => m.Contains("spatial anchors 'Anchors'")), Is.EqualTo(1));
     }
 

@@ -81,7 +81,7 @@ public sealed class QrMarkerManagerTests
         Assert.That(early, Is.Null, "no problem is reported while components may still start");
         Assert.That(_played.Markers.Problem, Does.Contain("WebCam"));
         Assert.That(
-            _played.Cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime is not running, or does not offer this function", StringComparison.Ordinal)),
+            _played.Cell.Messages.Count(m => m.StartsWith("[Nowpose] QR markers 'Cell': the device's XR runtime is not running, or does not support the ARMarkerManager", StringComparison.Ordinal)),
             Is.EqualTo(1));
         Assert.That(_played.Read(), Is.Empty);
     }

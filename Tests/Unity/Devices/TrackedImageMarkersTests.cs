@@ -119,7 +119,7 @@ public sealed class TrackedImageMarkersTests
     }
 
     [Test]
-    public void Read_ImageInView_IsSeenWhenItsPoseChanges()
+    public void Read_ImageInView_LastSeenIsTheTimeOfThePoseChange()
     {
         var first = Report(TrackingState.Tracking);
 

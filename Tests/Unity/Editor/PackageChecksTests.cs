@@ -34,7 +34,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_VersionGiven_IsRequestedWithThisVersion()
+    public void Package_VersionGiven_IsRequestedWithThatVersion()
     {
         _reviewed.Review.Fix(_reviewed.IndexOf("AR Foundation"));
 

@@ -88,7 +88,7 @@ public sealed class RobotDescriptionInspectorTests : EditorFixture
     }
 
     [Test]
-    public void Load_AssetDeletedMeanwhile_DoesNothing()
+    public void Load_AssetDeletedBeforeTheDialog_DoesNotThrow()
     {
         var editor = Inspect(Robot);
         GuiRecorder.Click = LoadLabel;

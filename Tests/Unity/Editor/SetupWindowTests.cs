@@ -21,13 +21,13 @@ public sealed class SetupWindowTests : EditorFixture
 
         Assert.That(GuiRecorder.Texts[2], Is.EqualTo("15 points are missing for a HoloLens 2."));
         Assert.That(GuiRecorder.Texts, Does.Contain("✗ Scripting backend is IL2CPP"));
-        Assert.That(GuiRecorder.Texts, Does.Contain("missing: another backend is chosen"));
+        Assert.That(GuiRecorder.Texts, Does.Contain("missing: a backend other than IL2CPP is selected"));
         Assert.That(EditorUserBuildSettings.activeBuildTarget, Is.EqualTo(BuildTarget.StandaloneWindows64));
         Assert.That(Client.Asked, Is.Empty);
     }
 
     [Test]
-    public void Click_OnAFix_AppliesOnlyThisFix()
+    public void Click_OnAFix_AppliesOnlyThatFix()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");
@@ -55,7 +55,7 @@ public sealed class SetupWindowTests : EditorFixture
     }
 
     [Test]
-    public void Click_WindowClosedMeanwhile_HasNoEffect()
+    public void Click_WindowAlreadyClosed_HasNoEffect()
     {
         GuiRecorder.Click = "Declare WebCam";
         Send("OnGUI");

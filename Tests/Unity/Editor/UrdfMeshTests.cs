@@ -75,7 +75,7 @@ public sealed class UrdfMeshTests : EditorFixture
     }
 
     [Test]
-    public void Import_StlUsedTwice_IsOneMesh()
+    public void Import_StlUsedTwice_CreatesOneMesh()
     {
         _imported.Folder.Write("Assets/arm_description/meshes/a.stl", Stl(("0 0 0", "1 0 0", "0 1 0")));
 
@@ -92,7 +92,7 @@ public sealed class UrdfMeshTests : EditorFixture
     [TestCase("a.fbx", UpAxis.Y, false)]
     [TestCase("a.fbx", UpAxis.Z, false)]
     [TestCase("a.fbx", UpAxis.Z, true)]
-    public void Import_Model_IsPlacedByItsCoordinates(string file, object up, bool isBaked)
+    public void Import_ModelWithAnyUpAxis_IsPlacedAsInTheUrdf(string file, object up, bool isBaked)
     {
         var path = "Assets/arm_description/meshes/" + file;
         _imported.Folder.Write(path, Header(file, (UpAxis)up));

@@ -19,7 +19,7 @@ public sealed partial class ManualTests
     static IEnumerable<Type> Types => InspectedType.All;
 
     [TestCaseSource(nameof(Types))]
-    public void Type_OfThePackage_HasAMenuEntryAndAPage(Type type)
+    public void Type_InThePackage_HasAMenuEntryAndAPage(Type type)
     {
         var inspected = new InspectedType(type);
 

@@ -269,7 +269,7 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Frame_WithoutAMessage_AllocatesNothing()
+    public void Frames_WithoutMessages_MostlyAllocateNothing()
     {
         using var sample = new PlayedSample().Start().Run(10);
         var allocated = new List<long>(600);

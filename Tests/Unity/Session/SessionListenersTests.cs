@@ -128,7 +128,7 @@ public class SessionListenersTests
     }
 
     [Test]
-    public void RobotChanged_ListenerSetsSettings_RunsWithTheseSettings()
+    public void RobotChanged_ListenerSetsSettings_RunsWithThoseSettings()
     {
         Begin();
         _session.RobotChanged += () => _session.Settings = Others;

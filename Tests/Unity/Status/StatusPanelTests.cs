@@ -38,7 +38,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_JointDataStop_NamesTheJointsInTheMessageAndInTheConsole()
+    public void LateUpdate_JointDataStops_NamesTheJointsInTheMessageAndInTheConsole()
     {
         _played.Play(10);
 

@@ -65,7 +65,7 @@ public class AdapterFaultTests
         [
             "waiting",
             "adapter lathe does not report: its program ended with status 1 and is started again (since 2026-11-20 12:00:00 UTC). "
-                + "Read its lines in the gateway's log.",
+                + "Read the adapter's lines in the gateway's log.",
         ];
 
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(expected));

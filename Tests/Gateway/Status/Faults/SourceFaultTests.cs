@@ -19,7 +19,7 @@ public class SourceFaultTests
     [TestCase("null", 5000, "position of joint b is null (NotFinite)")]
     [TestCase("NaN", 5000, "position of joint b is NaN (NotFinite)")]
     [TestCase("\"1\"", 5000, "position of joint b is \"1\" (WrongType)")]
-    [TestCase("1.5", 50000, "the time stamp is later than the control time (StampInFuture)")]
+    [TestCase("1.5", 50000, "the time stamp is later than the control time by more than the clock's error bound plus 1 s (StampInFuture)")]
     public async Task Joints_SourceSendsInvalidSamples_AreRefusedWithTheNameOfTheJoint(string position, int seconds, string reason)
     {
         await _gateway.StartAsync();
@@ -44,7 +44,7 @@ public class SourceFaultTests
 
     // In the second case the time stamp is 30 s ahead of the control clock.
     [TestCase("NaN", 5000, "position of joint c is NaN (NotFinite)")]
-    [TestCase("1.5", 5030, "the time stamp is later than the control time (StampInFuture)")]
+    [TestCase("1.5", 5030, "the time stamp is later than the control time by more than the clock's error bound plus 1 s (StampInFuture)")]
     public async Task Joints_SourceSendsNoValidSample_AreRefusedWhileTheJointOfAnotherSourceIsLive(string position, int seconds, string reason)
     {
         await _gateway.StartAsync();
@@ -65,7 +65,7 @@ public class SourceFaultTests
 
     [TestCase("NaN", 5000)]
     [TestCase("1.5", 5030)]
-    public async Task Joint_InInvalidSamplesOfAnotherSource_StaysLive(string position, int seconds)
+    public async Task Joint_InInvalidSamplesFromAnotherSource_StaysLive(string position, int seconds)
     {
         await _gateway.StartAsync();
         _gateway.Publish("a");
@@ -86,7 +86,7 @@ public class SourceFaultTests
         + ",\"nanosec\":0}},\"name\":[\"" + joint + "\"],\"position\":[" + position + "]}}";
 
     [Test]
-    public async Task SecondSource_OfAJoint_AddsAnEventUntilTheSourceEnds()
+    public async Task SecondSource_ForAJoint_AddsAnEventUntilTheSourceEnds()
     {
         await _gateway.StartAsync();
         _gateway.Publish("a");

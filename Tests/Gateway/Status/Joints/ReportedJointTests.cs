@@ -45,7 +45,7 @@ public class ReportedJointTests
     }
 
     [Test]
-    public void Read_AdapterReportsTheFormerKeyOfAnUncertainRest_IsUncertainAndLoggedOnce()
+    public void Read_AdapterReportsTheOldKeyOfAnUncertainRest_IsUncertainAndLoggedOnce()
     {
         var log = new List<string>();
         var joints = new SampledBoard(log: log.Add);

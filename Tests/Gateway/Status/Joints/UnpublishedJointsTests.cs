@@ -10,7 +10,7 @@ namespace Nowpose.Headless.Tests.Gateway.Status.Joints;
 public class UnpublishedJointsTests
 {
     [Test]
-    public void Read_OneArmJointHasNoSourceButTheOthersHave_IsMissing()
+    public void Read_OneArmJointHasNoSourceButTheOthersDo_IsMissing()
     {
         var arm = RobotFiles.Load("youbot");
         var names = UnpublishedJoints.NamesOf(arm).Order().ToArray();

@@ -64,7 +64,7 @@ public class PaperClaimsTests
     }
 
     [Test]
-    public void Claims_MeasuredInSomeRepeats_AreJudgedByTheseRepeatsAndStateTheirNumber()
+    public void Claims_MeasuredInSomeRepeats_AreJudgedByThoseRepeatsAndStateTheirNumber()
     {
         var claims = PaperClaims.Of([Good, Good with { Swings = null }]);
 

@@ -116,7 +116,7 @@ public class PaperRunTests
     }
 
     [Test]
-    public void Paper_ClockKnownOnlyLate_StatesThisAsTheReason()
+    public void Paper_ClockKnownOnlyLate_ClaimStatesTheReason()
     {
         var run = PaperScene.Play(1, seconds: 14);
         for (var i = 0; run.Run.Frames.Rows[i].Elapsed.TotalSeconds < 12; i++) run.Run.Frames.Rows[i] = run.Run.Frames.Rows[i] with { Clock = default };

@@ -43,7 +43,7 @@ public sealed class LifeCycleTests : PlayerFixture
     }
 
     [Test]
-    public void Enabled_False_StopsOnlyFrameMessages()
+    public void Enabled_FalseThenTrue_PausesFrameMessages()
     {
         var a = Add<Recorder>("a");
         Frame();

@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core
         [TestCase(19_200_000)]
         [TestCase(24_000_000)]
         [TestCase(1_015_592)]
-        public void ToTarget_CounterOfAnotherFrequency_DiffersFromTheCount(long frequency)
+        public void ToTarget_CounterWithAnotherFrequency_DiffersFromTheCount(long frequency)
         {
             var pairing = Measure(new PlayedCounters(frequency, 3600, 0));
             var count = 3600 * frequency;
@@ -138,7 +138,7 @@ namespace Nowpose.Tests.Core
 
         // On Windows, this test reads the real counters. Other systems have no such counter.
         [Test]
-        public void TryMeasure_ThisDevice_PairsOrReturnsTheFault()
+        public void TryMeasure_CountersOfThisMachine_SucceedsOrReturnsTheFault()
         {
             var stopwatch = new StopwatchCounter();
 

@@ -58,7 +58,7 @@ namespace Nowpose.Tests.Core
         }
 
         [Test]
-        public void At_Youbot_PicksAndPlacesStraightDown()
+        public void At_Youbot_GripperPointsStraightDownAtEachGrasp()
         {
             var robot = UrdfFiles.Robot("youbot");
             var motion = new PickAndPlaceMotion(robot);

@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core
                 var t = (i + 0.37) * step;
                 var velocity = (profile.PositionAt(t + step) - profile.PositionAt(t - step)) / (2 * step);
                 var acceleration = (profile.VelocityAt(t + step) - profile.VelocityAt(t - step)) / (2 * step);
-                // The error of a central difference is jerk·step²/6 for the position and at most jerk·step for the velocity.
+                // The error is at most jerk·step²/6 for a central difference of positions, and at most jerk·step for one of velocities.
                 Assert.That(profile.VelocityAt(t), Is.EqualTo(velocity).Within(move[3] * step * step + 1e-9 * move[1]), "velocity at " + t);
                 Assert.That(profile.AccelerationAt(t), Is.EqualTo(acceleration).Within(move[3] * step + 1e-9 * move[2]), "acceleration at " + t);
             }

@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Unity
         }
 
         [Test]
-        public void Also_FadeOfZero_StillFadesThePart()
+        public void Also_ZeroFade_StillFadesThePart()
         {
             var look = PoseLook.Of(PoseState.Current).Also("being placed", "a marker is moved", 0);
 

@@ -160,7 +160,7 @@ namespace Nowpose.Tests.Unity
         [TestCase("_clockSource", (ControlClockSource)2, "clock source", "2 is unknown", "0 (clock sync) and 1 (ROS time)")]
         [TestCase("_clockEstimator", "paper", "clock estimator", "'paper'", "default, ransac")]
         [TestCase("_syncIntervalMs", 19.0, "sync interval", "19 ms", "20 to 10000 ms")]
-        public void ToSettings_InvalidValue_ThrowsInOneLineWithAssetFieldValueAndRange(string field, object value, params string[] named)
+        public void ToSettings_InvalidValue_OneLineMessageNamesAssetFieldValueAndRange(string field, object value, params string[] named)
         {
             var message = Assert.Throws<InputException>(() => Asset().With(field, value).ToSettings()).Message;
 

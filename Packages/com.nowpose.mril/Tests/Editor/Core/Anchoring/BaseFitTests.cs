@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_CollinearMarkers_UsesTheirAnglesAboutTheLine()
+        public void Of_CollinearMarkers_DeterminesTheRotationAboutTheLine()
         {
             var markers = new List<MarkerEstimate>();
             for (var i = 0; i < 3; i++)
@@ -71,7 +71,7 @@ namespace Nowpose.Tests.Core.Anchoring
 
         // Angles with an uncertainty of more than 60° carry no information. The fit then equals the least-squares fit of the positions (Kabsch).
         [Test]
-        public void Of_InaccurateAngles_EqualsTheFitOfThePositions([Range(1, 10)] int seed)
+        public void Of_InaccurateAngles_EqualsTheFitToThePositions([Range(1, 10)] int seed)
         {
             var random = new Random(seed);
             double Some() => 0.02 * (random.NextDouble() - 0.5);

@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Words_ScatteringMarker_StateTheSpread()
+        public void Words_NoisyMarker_StateTheSpread()
         {
             _cell.IsInView = payload => payload == "a";
             (_cell.NoiseMetres, _cell.OutlierShare) = (0.04, 0);

@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Of_TwoPoses_ReturnsTheMiddle()
+        public void Of_TwoPoses_ReturnsTheMidpoint()
         {
             Add(True * PoseNumbers.Turn(0, 0, 4 * Degree).MovedTo(0.01, 0, 0));
             Add(True * PoseNumbers.Turn(0, 0, -4 * Degree).MovedTo(-0.01, 0, 0));

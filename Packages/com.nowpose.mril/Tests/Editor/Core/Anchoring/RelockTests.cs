@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Anchoring
     public class RelockTests
     {
         [Test]
-        public void Relock_NoMarkerInView_RestoresTheFormerLock()
+        public void Relock_NoMarkerInView_RestoresThePreviousLock()
         {
             var cell = NoisyOne();
             var before = cell.Tracker.Base.Value;
@@ -84,7 +84,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
-        public void Use_MarkerWithNewPlace_LocksAgainWithoutAJump()
+        public void Use_MarkerAtANewPlace_SearchesWithoutMovingTheBase()
         {
             var cell = NoisyOne();
             var before = cell.Tracker.Shown.Value;

@@ -81,7 +81,7 @@ namespace Nowpose.Tests.Core.Frames
         /// samples.
         /// </summary>
         [Test]
-        public void At_AfterARest_EqualsAPredictorWithAllSamples(
+        public void At_AfterARest_EqualsAPredictorThatUsedAllSamples(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h9", "gp", "adaptive")] string predictor, [Values(1, 2, 5, 8)] int rest)
         {
             AxisPredictor waits = New(predictor: predictor), all = New(waitsForChange: false, predictor);
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("quadratic")]
         [TestCase("quadratic-h4")]
         [TestCase("cubic")]
-        public void At_AfterALongRest_EqualsAPredictorWithAllSamples(string predictor)
+        public void At_AfterALongRest_EqualsAPredictorThatUsedAllSamples(string predictor)
         {
             AxisPredictor waits = New(predictor: predictor), all = New(waitsForChange: false, predictor);
             for (var k = 0; k < 120; k++)
@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Core.Frames
 
         [TestCase("linear")]
         [TestCase("adaptive")]
-        public void At_ConstantValuesNotSkipped_EqualsTheJointPredictor(string predictor)
+        public void At_WithoutWaitingForAChange_EqualsTheJointPredictor(string predictor)
         {
             var axis = New(waitsForChange: false, predictor);
             var joint = Predictors.Create(predictor, PredictionLimits.Unlimited);
@@ -156,7 +156,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_AfterAChange_ReturnsTheReasonsOfTheJointPredictor()
+        public void Add_AfterAChange_ReturnsTheDropReasonOfEachSample()
         {
             var axis = AtRest(10);
             Add(axis, 10, 0.8);

@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("linear")]
         [TestCase("quadratic")]
         [TestCase("adaptive")]
-        public void At_EndlessTurning_NeverJumps(string name)
+        public void At_ContinuousRotation_NeverJumps(string name)
         {
             var motion = BodyMotions.Constant(new Vector3D(0, 0, 9));
             var predictor = new BodyPredictor(name, PredictionLimits.Unlimited);
@@ -126,7 +126,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("cubic")]
         [TestCase("gp")]
         [TestCase("adaptive")]
-        public void At_AnyTime_HasARotationOfUnitLength(string name)
+        public void At_AnyTime_ReturnsAUnitQuaternion(string name)
         {
             var predictor = Fed(name, BodyMotions.WithNoise(BodyMotions.HandHeld, seed: 5), 60, blend: 0.01);
 
@@ -218,7 +218,7 @@ namespace Nowpose.Tests.Core.Frames
 
         [TestCase("linear")]
         [TestCase("adaptive")]
-        public void Add_WithABlend_ContinuesFromTheDisplayedPose(string name)
+        public void Add_WithBlending_ContinuesFromTheDisplayedPose(string name)
         {
             var predictor = Fed(name, BodyMotions.HandHeld, 60, blend: 0.01);
             var unblended = Fed(name, BodyMotions.HandHeld, 60);

@@ -202,7 +202,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void HandOver_OnePoseInTheNewParent_IsAtRestUpToTheHorizonCap()
+        public void HandOver_OnePoseInTheNewParent_IsAssumedAtRestUpToTheHorizonCap()
         {
             var tree = NewTree();
             tree.Add(Pose(0, "world", "fixture", 1), isStationary: true);
@@ -221,7 +221,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_PoseInTheFormerParentAfterTheHandOver_IsLate()
+        public void Add_PoseInThePreviousParentAfterTheHandOver_IsLate()
         {
             var tree = NewTree();
             tree.Add(Pose(1, "world", "a"), isStationary: false);
@@ -234,7 +234,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_PoseInTheFormerParentWhileTheNewParentWaits_IsLate()
+        public void Add_PoseInThePreviousParentWhileTheNewParentIsPending_IsLate()
         {
             var tree = NewTree();
             tree.Add(Pose(1, "world", "a"), isStationary: false);
@@ -246,7 +246,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Reset_StationaryPoseIsWaiting_IsUsedAfterTheReset()
+        public void Reset_StationaryPosePending_IsUsedAfterTheReset()
         {
             var tree = NewTree();
             tree.Add(Pose(1, "world", "a", 1), isStationary: false);
@@ -265,7 +265,7 @@ namespace Nowpose.Tests.Core.Frames
         /// displayed parents do.
         /// </summary>
         [Test]
-        public void Evaluate_GripByReachClosesACycle_EndsWithAnOrphan()
+        public void Evaluate_GripByReachClosesACycle_ReportsAnOrphanAndTerminates()
         {
             var arm = new MovingLinks("", TestRobot.Model);
             var tree = NewTree();
@@ -301,7 +301,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void Add_Cycle_IsRefusedAndTheFormerParentStays()
+        public void Add_Cycle_IsRefusedAndThePreviousParentStays()
         {
             var tree = NewTree();
             tree.Add(Pose(0, "world", "a", 1), isStationary: true);

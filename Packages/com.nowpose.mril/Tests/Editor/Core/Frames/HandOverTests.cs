@@ -24,7 +24,7 @@ namespace Nowpose.Tests.Core.Frames
 
         [TestCase(0.0015, 0.01)] // as small as the corrections by each sample
         [TestCase(0.5, 0)] // moved elsewhere
-        public void At_TooSmallOrTooLargeDifference_IsTheNewPoseAtOnce(double shift, double turn) =>
+        public void At_TooSmallOrTooLargeDifference_ReturnsTheNewPoseImmediately(double shift, double turn) =>
             Assert.That(new HandOver(5, At(shift, turn), At(0)).At(5, At(0)).X, Is.Zero);
 
         [Test]

@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Frames
         /// </summary>
         [TestCase(2.5, false)]
         [TestCase(40, true)]
-        public void HasLeft_SampleOutsideTheNoise_DependsOnTheLastStep(double position, bool expected)
+        public void HasLeft_LargeStepBeforeASample_IsTrueOnlyIfTheSampleIsFarAway(double position, bool expected)
         {
             var detector = new ScatterDetector();
             foreach (var x in new[] { 0, 0.3, 0, -0.3, 0, 0.3, 0, 1.2 }) detector.Add(new Vector3D(x, 0, 0));

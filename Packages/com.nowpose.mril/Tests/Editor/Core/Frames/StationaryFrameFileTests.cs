@@ -50,7 +50,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("\"frame_id\": \"world\"", "\"frame_id\": \"box\"", 25, "a frame is its own parent; correct its header.frame_id")]
         [TestCase("\"child_frame_id\": \"box\",", "", 25, "a field is missing; add it")]
         [TestCase("\"y\": 0.0,", "\"y\": 0.0;", 15, "is not a tf2_msgs/TFMessage as JSON (NotJson); correct the file")]
-        public void Load_Invalid_IsRefusedWithItsLine(string good, string bad, int line, string words)
+        public void Load_InvalidContent_IsRefusedWithTheLineNumber(string good, string bad, int line, string words)
         {
             var pose = RigidTransform.FromXyzRpy(0.5, 0, 0, 0, 0, 0);
             StationaryFrameFile.Save(_path, new TransformsMessage(pose.ToTransform(default, "world", "box")));
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase("{\"transforms\": []}")]
         [TestCase("{\"transforms\": 3}")]
         [TestCase("\0\u0001rubbish")]
-        public void Load_OtherContent_IsRefusedInOneLine(string text)
+        public void Load_OtherContent_IsRefusedWithAOneLineMessage(string text)
         {
             File.WriteAllText(_path, text);
 

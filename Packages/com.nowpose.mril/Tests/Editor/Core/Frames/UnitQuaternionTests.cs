@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Frames
         [TestCase(0.25)]
         [TestCase(1)]
         [TestCase(1.7)]
-        public void Slerp_TwoRotations_AgreesWithTheFormulaOfSines(double share)
+        public void Slerp_TwoRotations_AgreesWithTheSineFormula(double share)
         {
             var from = Normalised(0.1, -0.5, 0.3, 0.8);
             var to = Normalised(0.4, -0.2, 0.6, 0.5);
@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
-        public void AngleBetween_TurnOfKnownAngle_IsThatAngle()
+        public void AngleBetween_RotationByAKnownAngle_ReturnsTheAngle()
         {
             var rotation = Normalised(0.1, -0.5, 0.3, 0.8);
 

@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Frames
 
         /// <summary>Compares the result with the joint predictors, which fit the same polynomial to each component.</summary>
         [Test]
-        public void At_UnevenSamples_IsThePolynomialOfEachComponent(
+        public void At_UnevenlySpacedSamples_EqualsThePolynomialOfEachComponent(
             [Values("hold", "linear", "quadratic", "quadratic-h4", "linear-h4", "linear-h9")] string name,
             [Values(1, 2, 3, 4, 12)] int samples, [Values(0.02, 0.25)] double ahead)
         {

@@ -53,7 +53,7 @@ namespace Nowpose.Tests.Core.Kinematics
         public void Found_ContinuousJoint_IsEmpty() => Assert.That(Fed(Elbow, 100, -100, 100, 1000, 1000, 1000).Found, Is.Empty);
 
         [Test]
-        public void Present_JointInDegrees_IsFoundOnceAndStays()
+        public void Present_PositionsInDegrees_AreReportedOnceAndStayPresent()
         {
             var watch = new LimitWatch(TestRobot.Model);
             for (var i = 0; i < 2000; i++)

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Core.Kinematics
         [TestCase("flange", "flange", TestName = "ToolLink_Flange_IsTheFlange")]
         [TestCase("flange tool0", "tool0", TestName = "ToolLink_FlangeAndTool0_IsTool0")]
         [TestCase("flange tool0 tool_centre_point", "tool_centre_point", TestName = "ToolLink_All_IsTheToolCentrePoint")]
-        public void ToolLink_FramesOfSeveralNames_IsTheFrameClosestToTheTool(string frames, string expected)
+        public void ToolLink_SeveralKnownFrameNames_IsTheFrameClosestToTheTool(string frames, string expected)
         {
             var extra = string.Concat(frames.Split(new[] { ' ' }, System.StringSplitOptions.RemoveEmptyEntries)
                 .Select(name => UrdfFiles.Links(name) + UrdfFiles.Joint("to_" + name, "base", name, "fixed")));

@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Kinematics
             "r.urdf:2: elements are nested more than 100 levels deep");
 
         [Test]
-        public void Read_MultiplyingEntities_AreRefusedWithoutExpansion() => Refuses(
+        public void Read_NestedEntities_AreRefusedWithoutExpansion() => Refuses(
             "<!DOCTYPE r [<!ENTITY a '0000000000'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'><!ENTITY c '&b;&b;&b;&b;&b;&b;&b;&b;'>]>"
             + "<robot name='&c;'><link name='a'/></robot>", "r.urdf:1: a document type (DTD) with its entities is not allowed");
 

@@ -85,7 +85,7 @@ namespace Nowpose.Tests.Core.Kinematics
         }
 
         [Test]
-        public void Read_OtherElements_AreIgnored()
+        public void Read_UnusedElements_AreIgnored()
         {
             var model = UrdfFiles.Read(TwoLinks + UrdfFiles.Joint("j", "a", "b", inside: "<dynamics damping='x'/><safety_controller/>")
                 + "<gazebo reference='a'><material>Gazebo/Red</material><link/><joint name='j'/></gazebo>"

@@ -24,12 +24,12 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void ProblemOf_EveryState_NamesTheRemedyOfAProblem([Values] DepthSubmission depth)
+        public void ProblemOf_EveryState_NamesARemedyIfThereIsAProblem([Values] DepthSubmission depth)
         {
             var problem = DepthSubmissionMessages.ProblemOf(depth);
 
             var isFine = depth == DepthSubmission.Unknown || depth == DepthSubmission.Active;
-            Assert.That(problem, isFine ? Is.Null : Does.Match("^depth (is|may) not (be )?submitted: .+; (set|tag|check) "));
+            Assert.That(problem, isFine ? Is.Null : Does.Match("^depth is (possibly )?not submitted: .+; (set|tag|check) "));
         }
 
         [Test]

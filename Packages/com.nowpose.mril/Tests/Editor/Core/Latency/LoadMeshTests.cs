@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(300_000)]
         [TestCase(1_234_567)]
         [TestCase(2_000_000)]
-        public void Vertices_AllowedCount_DrawsExactlyThisCount(int vertices)
+        public void Vertices_AllowedCount_DrawsExactlyThatMany(int vertices)
         {
             Assert.That(PatchesOf(vertices).Sum(patch => patch.Vertices), Is.EqualTo(vertices));
             Assert.That(LoadMesh.DrawnOf(vertices), Is.EqualTo(vertices));

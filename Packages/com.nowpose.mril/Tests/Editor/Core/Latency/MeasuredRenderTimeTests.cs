@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Latency
         [TestCase(1000.1, false)]
         [TestCase(double.NaN, false)]
         [TestCase(double.PositiveInfinity, false)]
-        public void Is_AnyNumber_AgreesWithSweepRows(double ms, bool expected)
+        public void Is_AnyNumber_MatchesTheRenderTimesThatSweepRowAccepts(double ms, bool expected)
         {
             Assert.That(MeasuredRenderTime.Is(ms), Is.EqualTo(expected));
             Assert.That(

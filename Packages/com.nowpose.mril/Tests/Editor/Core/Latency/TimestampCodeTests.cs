@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Latency
         }
 
         [Test]
-        public void Ring_RotatedOrMirrored_IsUnique()
+        public void Ring_RotatedOrMirrored_DiffersFromAllOtherOrientations()
         {
             var seen = new HashSet<string>();
 

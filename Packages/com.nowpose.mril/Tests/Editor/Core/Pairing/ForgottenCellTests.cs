@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void AskToForget_WhileAnotherQuestionIsOpen_IsAskedBeforeIt()
+        public void AskToForget_AnotherQuestionIsOpen_IsAskedFirst()
         {
             _pairing.Pair(Cell, Token);
             _pairing.Frame(Cell, Other);

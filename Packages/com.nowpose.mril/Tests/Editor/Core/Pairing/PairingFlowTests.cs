@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_OfAnotherGateway_IsNotSent()
+        public void Token_ForAnotherGateway_IsNotSent()
         {
             _pairing.Agree(Cell);
 
@@ -165,14 +165,14 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Token_UsedBefore_IsReported()
+        public void Token_AlreadyTried_IsReported()
         {
             _pairing.Pair(Cell, Token);
             _pairing.Flow.IsTokenRefused = true;
 
             _pairing.Frame(Token);
 
-            Assert.That(_pairing.Flow.Words, Is.EqualTo("this code has been tried; request another one on the gateway's page or terminal"));
+            Assert.That(_pairing.Flow.Words, Is.EqualTo("this code has already been tried; request another one on the gateway's page or terminal"));
             Assert.That(_pairing.Flow.IsSettled, Is.False);
         }
 

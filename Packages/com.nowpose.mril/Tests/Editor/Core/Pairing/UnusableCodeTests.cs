@@ -80,7 +80,7 @@ namespace Nowpose.Tests.Core.Pairing
         }
 
         [Test]
-        public void Code_Oversized_IsReportedOnceAndNotStored()
+        public void Code_Oversized_IsReportedOnceForAllCodes()
         {
             var problems = 0;
 

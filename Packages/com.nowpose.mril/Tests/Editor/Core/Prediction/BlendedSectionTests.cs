@@ -51,7 +51,7 @@ namespace Nowpose.Tests.Core.Prediction
         [TestCase("cubic")]
         [TestCase("gp")]
         [TestCase("adaptive")]
-        public void At_FirstFrameAfterASample_ContinuesTheFormerSection(string predictor)
+        public void At_FirstFrameAfterASample_ContinuesThePreviousSection(string predictor)
         {
             const int seed = 17;
             var random = new Random(seed);

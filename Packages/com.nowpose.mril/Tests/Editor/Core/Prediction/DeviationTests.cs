@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void DeviationAt_TenfoldMotion_IsTenfold()
+        public void DeviationAt_MotionTenTimesLarger_IsTenTimesLarger()
         {
             var (one, ten) = (Fed("gp", Waves, 100), Fed("gp", t => 10 * Waves(t) + 5, 100));
 

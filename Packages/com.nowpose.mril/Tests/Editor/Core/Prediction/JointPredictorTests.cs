@@ -41,7 +41,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Add_StampWithError_SortsByOrderAndSolvesByStamp()
+        public void Add_StampAndOrderDisagree_SortsByOrderAndSolvesByStamp()
         {
             var predictor = Polynomial(1, 1);
             predictor.Add(new JointSample(1.25, 2, order: 1));
@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Reset_AfterSamples_IsLikeNew()
+        public void Reset_AfterSamples_RestoresTheInitialState()
         {
             var predictor = Polynomial(2, 2).Fed(UnevenTimes, Math.Sin);
 
@@ -222,7 +222,7 @@ namespace Nowpose.Tests.Core.Prediction
 
         [TestCase(0.06)]
         [TestCase(0.18)]
-        public void Horizon_DisplayReportsItsTimes_IsTheMeanTimeAhead(double ahead)
+        public void Horizon_DisplayTimesReported_IsTheirMeanTimeAheadOfTheNewestSample(double ahead)
         {
             var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
             // Frames continue until the next sample arrives, so the mean horizon is half an interval longer than at the arrival of a sample.

@@ -104,7 +104,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Reset_AfterSamples_IsLikeNew()
+        public void Reset_AfterSamples_EqualsANewMixer()
         {
             var used = Fed(300, t => Math.Sin(5 * t));
             used.Reset();

@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_FormerPlanNotFollowed_NewPlanNeedsAgreement()
+        public void At_PreviousPlanNotFollowed_NewPlanRequiresFiveAgreeingSamples()
         {
             var joint = New();
             double Truth(double t) => Planned(Math.Min(t, 5.5)) + 0.5 * Planned(t - 2);
@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void Follow_LaterPlan_CompletesTheFormerPlan()
+        public void Follow_LaterPlan_CompletesThePreviousPlan()
         {
             var joint = New();
             Play(joint, 4, 4.9, Planned);

@@ -19,7 +19,7 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
-        public void At_PositionsOnly_IsTheStraightLine()
+        public void At_PositionsOnly_InterpolatesLinearly()
         {
             var path = new PlannedPath(Times, Each(t => t * t));
 

@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_IntegerOfThousandDigits_IsRefused() =>
+        public void TryRead_IntegerWithAThousandDigits_IsRefused() =>
             Assert.That(RosbridgeReader.TryRead(State("[\"a\"]", "[" + new string('9', 1000) + "]"), out _, out _), Is.False);
 
         [TestCase("[\"a\",\"b\"]", "[1]", "")]
@@ -52,7 +52,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase(256, true)]
         [TestCase(257, false)]
-        public void TryRead_Joints_AreReadUpTo256(int count, bool expected)
+        public void TryRead_JointCount_IsLimitedTo256(int count, bool expected)
         {
             var names = "[" + string.Join(",", Enumerable.Range(0, count).Select(i => "\"j" + i + "\"")) + "]";
             var text = State(names, "[" + string.Join(",", Enumerable.Repeat("0", count)) + "]");
@@ -63,7 +63,7 @@ namespace Nowpose.Tests.Core.Protocol
 
         [TestCase(128, true)]
         [TestCase(129, false)]
-        public void TryRead_Name_IsReadUpTo128Characters(int length, bool expected)
+        public void TryRead_NameLength_IsLimitedTo128Characters(int length, bool expected)
         {
             var text = State("[\"" + new string('n', length) + "\"]", "[0]");
 

@@ -38,12 +38,12 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("{\"op\":\"status\",\"msg\":\"\\u12g4\"}")]
         [TestCase("{\"op\":\"status\",\"msg\":\"a\nb\"}")]
         [TestCase("\uFEFF{\"op\":\"status\",\"msg\":\"a\"}")]
-        public void TryRead_NotStrictlyOneJsonObject_IsRefused(string text) => Refuse(text, DropReason.NotJson);
+        public void TryRead_NotExactlyOneValidJsonObject_IsRefused(string text) => Refuse(text, DropReason.NotJson);
 
         [TestCase(14, true)]
         [TestCase(15, false)]
         [TestCase(10_000, false)]
-        public void TryRead_Nesting_IsReadUpTo16Levels(int inside, bool expected)
+        public void TryRead_NestingDepth_IsLimitedTo16Levels(int inside, bool expected)
         {
             // The message and its msg object add two levels.
             var nested = new string('[', inside) + new string(']', inside);
@@ -61,7 +61,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("x", 1, false)]
         [TestCase("é", 0, true)]
         [TestCase("é", 1, false)]
-        public void TryRead_Message_IsReadUpTo64KiBOfUtf8(string character, int over, bool expected)
+        public void TryRead_MessageSize_IsLimitedTo64KiBOfUtf8(string character, int over, bool expected)
         {
             var text = Sized(character, 64 * 1024 + over, "/joint_states", "name");
 

@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_MessageReleased_IsReusedWithoutFormerValues()
+        public void TryRead_MessageReleased_IsReusedWithoutPreviousValues()
         {
             var first = Read(State("[\"a\",\"b\"]", "[1,2]", ",\"velocity\":[3,4],\"acceleration\":[5,null]"));
             var positions = first.Positions;
@@ -102,7 +102,7 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.DoesNotThrow(new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { 1.0 }).Release);
 
         [Test]
-        public void TryRead_OtherOperation_HasNoFormerValues()
+        public void TryRead_OtherOperation_HasNoPreviousValues()
         {
             Read(State("[\"a\"]", "[1]"));
 
@@ -137,7 +137,7 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("\uFFFF")]
         [TestCase("\U0010FFFF")]
         [TestCase("𝔸𝔹")]
-        public void TryRead_NameBeyondAscii_IsRead(string name) =>
+        public void TryRead_NonAsciiName_IsRead(string name) =>
             Assert.That(Read(State("[\"" + name + "\"]", "[1]")).Names[0], Is.EqualTo(name));
 
         [TestCase("\\\"\\\\\\/\\b\\f\\n\\r\\t", "\"\\/\b\f\n\r\t")]

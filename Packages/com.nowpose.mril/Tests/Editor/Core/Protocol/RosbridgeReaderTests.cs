@@ -115,7 +115,7 @@ namespace Nowpose.Tests.Core.Protocol
         }
 
         [Test]
-        public void TryRead_DiagnosticsOfTwoHeadsets_IsRefused()
+        public void TryRead_DiagnosticsWithoutExactlyOneStatus_IsRefused()
         {
             const string Status = "{\"hardware_id\":\"a\",\"values\":[]}";
 

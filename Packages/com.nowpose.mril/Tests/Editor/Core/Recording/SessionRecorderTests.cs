@@ -120,7 +120,7 @@ namespace Nowpose.Tests.Core.Recording
 
         [TestCase(true)]
         [TestCase(false)]
-        public void Statistics_LimitWithoutRenderTimes_HaveTheReasonInsteadOfAnError(bool hasLimit)
+        public void Statistics_RenderTimesMissing_ReasonReplacesTheErrorOnlyWithALimit(bool hasLimit)
         {
             var simulated = new SimulatedSession(
                 NetworkProfile.Lan, seed: 7, range: hasLimit ? new ConstantLatencyRange(15, RenderTimeSourceKind.DisplayGpuTime) : null);
@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Recording
         }
 
         [Test]
-        public void Frame_EstimatedError_EqualsErrorOfTheClock()
+        public void Frame_EstimatedError_EqualsTheErrorOfTheClock()
         {
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var expected = new List<long?>();

@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Calibrate_RenderTimesOfAnotherSource_RangeIsUnknown()
+        public void Calibrate_RenderTimesFromAnotherSource_RangeIsUnknown()
         {
             var session = Running().Session;
             session.Calibrate(Profile());

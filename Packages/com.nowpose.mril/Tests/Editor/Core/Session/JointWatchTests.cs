@@ -178,7 +178,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Tick_ReportOfAnUnknownJoint_IsIgnored()
+        public void Tick_ReportForAnUnknownJoint_IsIgnored()
         {
             var simulated = Running();
 

@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Rendered_LimitOfAnotherSource_PoseStaysCurrent()
+        public void Rendered_LimitFromAnotherSource_PoseStaysCurrent()
         {
             var simulated = Session(Range);
             simulated.Run(10);

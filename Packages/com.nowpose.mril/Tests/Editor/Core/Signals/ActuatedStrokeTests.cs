@@ -67,7 +67,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Change_FirstValue_HasNoMove()
+        public void Change_FirstValue_AppliesImmediately()
         {
             var stroke = new ActuatedStroke(0, 1, 0.4);
 

@@ -94,7 +94,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Restart_ValueStays_IsReported()
+        public void Restart_VisibleValue_IsReportedWithoutATime()
         {
             var table = new SignalTable();
             var seen = new List<(double Value, ControlTime? Since)>();

@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Add_SameValueAgain_IsNoChange()
+        public void Add_SameValueAgain_IsNotAChange()
         {
             var signal = new SignalTrack("grip");
             for (var k = 0; k < 500; k++) Assert.That(signal.Add(At(10 + 0.01 * k), 1), Is.EqualTo(DropReason.None));
@@ -152,7 +152,7 @@ namespace Nowpose.Tests.Core.Signals
         }
 
         [Test]
-        public void Next_CorrectedToTheVisibleValue_IsNoChange()
+        public void Next_CorrectedToTheVisibleValue_IsNotAChange()
         {
             var signal = new SignalTrack("grip");
             signal.Add(At(10), 1);

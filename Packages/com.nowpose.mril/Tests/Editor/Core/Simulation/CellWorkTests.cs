@@ -86,7 +86,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Belt_WhileAWorkpieceIsTakenOrPutDown_IsAtRest()
+        public void Belt_WhileAWorkpieceIsPickedUpOrPutDown_IsAtRest()
         {
             foreach (var at in new[] { _motion.GripSeconds, _motion.ReleaseSeconds })
                 for (var body = 0; body < _work.Names.Count; body++)

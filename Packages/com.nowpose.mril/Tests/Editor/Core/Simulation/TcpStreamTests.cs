@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         [Test]
-        public void Send_StreamOfMessages_RepairsALossWithTheNextAcknowledgement()
+        public void Send_StreamOfMessages_LossDelaysAMessageByLessThan200Ms()
         {
             var delays = DelaysMs(LinkProfile.Lossy, Lengths.Ms(50));
 

@@ -95,7 +95,7 @@ namespace Nowpose.Tests.Core.Sync
         // While a gateway suspects a step of the plant's clock, it states an error bound that includes the step.
         [TestCase(50)]
         [TestCase(-50)]
-        public void Step_ServerStatesALargerErrorBoundMeanwhile_IsCounted(double stepMs)
+        public void Step_AfterATemporarilyLargerServerErrorBound_IsCounted(double stepMs)
         {
             for (var seed = 80; seed < 84; seed++)
             {
@@ -133,7 +133,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void State_ServerErrorBoundPeaksOnce_IsSynchronisedAgainImmediately()
+        public void State_ServerErrorBoundPeaksOnce_IsSynchronisedAgainWithinTwoSeconds()
         {
             var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
 

@@ -121,7 +121,7 @@ namespace Nowpose.Tests.Core.Sync
         /// therefore changes, unlike after a step.
         /// </summary>
         [Test]
-        public void Steps_DelaysOfTheDirectionsChangeOppositelyByDifferentAmounts_AreZero(
+        public void Steps_OneWayDelaysChangeOppositelyByDifferentAmounts_AreZero(
             [Values("lan", "wifi", "busy-wifi")] string network, [Values(4.0, 1.0)] double longer, [Values(true, false)] bool isUpLonger)
         {
             var shorter = 5 - longer;
@@ -143,7 +143,7 @@ namespace Nowpose.Tests.Core.Sync
 
         /// <summary>The exchanges are the same as after a clock step of 4 ms, so this change counts as a step.</summary>
         [Test]
-        public void Steps_DelaysOfTheDirectionsChangeOppositelyByTheSameAmount_IncreaseByOne()
+        public void Steps_OneWayDelaysChangeOppositelyByTheSameAmount_IncreaseByOne()
         {
             var link = Link("wifi", FirstSeed);
             link.LongerDownMs = 4;

@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_DuringSleepOfTheDevice_ClockConvergesImmediately()
+        public void Step_DuringSleepOfTheDevice_StateIsConvergingAfterWaking()
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 12, 20);
             var run = NewRun();
@@ -99,7 +99,7 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
-        public void Step_NotYetConfirmed_BoundIncludesTheStepAndTheClockConverges()
+        public void Step_NotYetConfirmed_BoundIncludesTheStepAndTheStateIsConverging()
         {
             var link = new SimulatedLink(NetworkProfile.Lan, 5, 20);
             var run = NewRun();

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_TextInOtherCaseWithBlanksAndWindowsLineEndings_IsReadAsText()
+        public void Read_UpperCaseTextWithLeadingSpacesAndWindowsLineEndings_IsReadAsText()
         {
             var text = "\r\n  SOLID one two\r\n\r\n" + Facet(Lower).ToUpperInvariant().Replace("\n", "\r\n") + "ENDSOLID one two\r\n";
 
@@ -54,7 +54,7 @@ namespace Nowpose.Tests.Unity.Import
         }
 
         [Test]
-        public void Read_TwoSolids_AreOneMesh()
+        public void Read_TwoSolids_AreCombinedIntoOneMesh()
         {
             Assert.That(ReadText(Solid(Facet(Lower)) + Solid(Facet(Upper))).Count, Is.EqualTo(2));
         }
@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Unity.Import
 
         [Test]
         public void Read_OnlyTrianglesWithoutArea_ThrowsWithTheCount() => Refuses(
-            Binary("", new float[9], new float[9]), "a.stl: none of its 2 triangles has an area");
+            Binary("", new float[9], new float[9]), "a.stl: each of its 2 triangles has the area 0");
 
         [Test]
         public void Read_LongWordWithControlCharacters_IsShownInOneShortLine()

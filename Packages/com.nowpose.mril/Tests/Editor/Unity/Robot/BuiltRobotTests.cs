@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Bind_NoHierarchy_ShowsLinksByTheirShapes()
+        public void Bind_NoHierarchy_CreatesTheShapesOfTheLinks()
         {
             var (arm, tool) = (_scene.Material("arm"), _scene.Material("tool"));
             var rig = NewRig().With("_armMaterial", arm).With("_toolMaterial", tool);

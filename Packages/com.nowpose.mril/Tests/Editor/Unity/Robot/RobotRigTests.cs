@@ -157,7 +157,7 @@ namespace Nowpose.Tests.Unity.Robot
 
         [TestCase(5)]
         [TestCase(7)]
-        public void Apply_OtherNumberOfJoints_IsRefused(int count)
+        public void Apply_WrongNumberOfJoints_Throws(int count)
         {
             var rig = NewRig();
             rig.Bind(UrdfFiles.Robot("ur5"));

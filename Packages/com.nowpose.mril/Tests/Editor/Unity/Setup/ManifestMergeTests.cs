@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_NewPackageOfARegistry_AddsBothAndKeepsOtherEntries()
+        public void Need_NewPackageFromARegistry_AddsBothAndKeepsOtherEntries()
         {
             const string before = "{\n  \"dependencies\": {\n    \"com.unity.ugui\": \"1.0.0\"\n  },\n  \"testables\": [\n    \"a\"\n  ]\n}\n";
 
@@ -101,7 +101,7 @@ namespace Nowpose.Tests.Unity.Setup
         }
 
         [Test]
-        public void Need_ExactVersion_ReportsEveryOtherVersion()
+        public void Need_ExactVersion_ReportsANewerVersion()
         {
             var merge = new ManifestMerge("{\"dependencies\":{\"com.unity.b\":\"2.0.1\"}}", File, ConflictRule.Refuse);
 
@@ -162,7 +162,7 @@ namespace Nowpose.Tests.Unity.Setup
             var merge = Merge(before, OpenXr, ConflictRule.Replace);
 
             Assert.That(merge.Text, Is.EqualTo(before));
-            Assert.That(merge.Conflicts.Single(), Does.EndWith("; the registry has other scopes too, so its url is kept"));
+            Assert.That(merge.Conflicts.Single(), Does.EndWith("; the registry also has other scopes; move the package's scope to a registry with the needed url"));
             Assert.That(merge.CanReplaceAll, Is.False);
         }
 
@@ -191,7 +191,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("{'a': 1}", ":1: not a JSON object: a name in double quotes is expected")]
         [TestCase("{\"a\" 1}", ":1: not a JSON object: : is expected")]
         [TestCase("{\"a\": \"b\n\"}", ":1: not a JSON object: the string does not end")]
-        [TestCase("{} {}", ":1: not a JSON object: unexpected text after the closing } of the object")]
+        [TestCase("{} {}", ":1: not a JSON object: text follows the object; remove it")]
         [TestCase("{\"a\": 1, \"a\": 2}", ":1: not a JSON object: \"a\" occurs twice")]
         [TestCase("{\"dependencies\": []}", ":1: dependencies must be an object")]
         [TestCase("{\"dependencies\": {\n\"com.unity.b\": 2}}", ":2: com.unity.b must be a string: a version or an address")]
@@ -204,7 +204,7 @@ namespace Nowpose.Tests.Unity.Setup
 
         [TestCase("{\"scopedRegistries\": {}}", ":1: scopedRegistries must be an array")]
         [TestCase("{\"scopedRegistries\": [{\"scopes\": 1}]}", ":1: scopes must be an array")]
-        public void Need_RegistriesOfAnotherType_ThrowsWithLine(string manifest, string message)
+        public void Need_RegistriesOfTheWrongType_ThrowsWithTheLineNumber(string manifest, string message)
         {
             var error = Assert.Throws<InputException>(() => Merge(manifest, OpenXr));
 
@@ -216,7 +216,7 @@ namespace Nowpose.Tests.Unity.Setup
         {
             var deep = "{\"a\":" + new string('[', 100000) + new string(']', 100000) + "}";
 
-            Assert.That(() => Merge(deep, Plain), Throws.TypeOf<InputException>().With.Message.Contains("nested more than 64 deep"));
+            Assert.That(() => Merge(deep, Plain), Throws.TypeOf<InputException>().With.Message.Contains("nested more than 64 levels deep"));
         }
     }
 }

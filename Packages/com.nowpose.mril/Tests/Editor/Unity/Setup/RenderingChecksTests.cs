@@ -120,11 +120,11 @@ namespace Nowpose.Tests.Unity.Setup
             Assert.That(State(check, _project), Is.EqualTo("Good"));
         }
 
-        [TestCase(0.02f, "Missing", "0.02 m; one step of the depth is 1.72 mm at 1.5 m")]
+        [TestCase(0.02f, "Missing", "0.02 m; at a distance of 1.5 m, one depth step is 1.72 mm")]
         [TestCase(0.1f, "Good", "0.1 m")]
         [TestCase(0.3f, "Good", "0.3 m")]
         [TestCase(0.85f, "Advice", "0.85 m; objects closer to the eyes are not drawn")]
-        public void NearClip_MainCamera_IsCheckedByTheDepthResolution(float near, string state, string found)
+        public void NearClip_MainCamera_IsCheckedAgainstTheDepthResolutionAndFixed(float near, string state, string found)
         {
             _project.NearClipMetres = near;
             var check = new NearClipCheck();

@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("m_EditorVersion: unknown", null)]
         [TestCase("m_EditorVersion: 2022.3", null)]
         [TestCase("", null)]
-        public void InProjectFile_AnyText_FindsTheVersion(string text, string version)
+        public void InProjectFile_AnyText_ReturnsTheVersionOrNull(string text, string version)
         {
             Assert.That(UnityVersion.InProjectFile(text)?.Text, Is.EqualTo(version));
         }

@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Of_Length_IsInMilliseconds()
+        public void Of_TimeSpan_IsInMilliseconds()
         {
             Assert.That(Texts.Of(TimeSpan.FromTicks(12_340)), Is.EqualTo("± 1.2 ms"));
         }

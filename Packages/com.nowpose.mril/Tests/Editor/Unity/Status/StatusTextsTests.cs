@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_ProfileOfOtherConditions_IsMarkedUnlessDisplayTimeIsPredicted()
+        public void Update_ProfileForOtherConditions_IsMarkedUnlessTheDisplayTimeIsPredicted()
         {
             var conditions = new DisplayConditions(graphicsApi: "Direct3D11", reprojection: ReprojectionMode.Depth);
             var profile = new LatencyProfile(40, 1, conditions, DateTime.UtcNow, CalibrationMethod.Sine, 1);
@@ -230,7 +230,7 @@ namespace Nowpose.Tests.Unity.Status
         }
 
         [Test]
-        public void Update_Security_MarksPlainTextInANetwork()
+        public void Update_Security_MarksPlainTextOverANetwork()
         {
             string Note(TransportSecurity security, SessionSettings settings) =>
                 Row(StatusRow.Connection, new SessionStatistics { Security = security }, settings).Split('|')[1];

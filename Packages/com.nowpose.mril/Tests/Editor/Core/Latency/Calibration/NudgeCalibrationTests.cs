@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_NoisyMarks_ScatterMatchesTheSpread([Values(2.0, 5.0)] double eyeMm)
+        public void Result_NoisyMarks_ErrorMatchesTheSpread([Values(2.0, 5.0)] double eyeMm)
         {
             const int runs = 400, repeats = 6;
             var random = new Random(11);
@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Latency.Calibration
         }
 
         [Test]
-        public void Result_OneMarkPerDirection_HasTheSpreadOfTheEyesResolution()
+        public void Result_OneMarkPerDirection_SpreadAssumesOneMillimetreOfEyeResolution()
         {
             var nudge = new NudgeCalibration(500, 40);
             nudge.AddForward(3);

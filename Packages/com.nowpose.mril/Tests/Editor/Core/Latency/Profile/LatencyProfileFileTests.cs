@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_SaveInterruptedBeforeReplacing_ReturnsTheFormerProfile()
+        public void Load_SaveInterruptedBeforeReplacing_ReturnsThePreviousProfile()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             File.WriteAllText(_path + ".new", Half(LatencyProfileJson.Write(Profile(50))));
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Save_CannotWrite_ThrowsAndKeepsTheFormerProfile()
+        public void Save_CannotWrite_ThrowsAndKeepsThePreviousProfile()
         {
             LatencyProfileFile.Save(_path, Profile(40));
             Directory.CreateDirectory(_path + ".new");
@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Load_FileMissing_ThrowsWithAMessageOfOneLine()
+        public void Load_FileMissing_ThrowsWithAOneLineMessage()
         {
             var fault = Assert.Throws<InputException>(() => LatencyProfileFile.Load(_path));
 

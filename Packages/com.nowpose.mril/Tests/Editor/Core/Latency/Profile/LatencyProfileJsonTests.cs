@@ -141,7 +141,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void Read_TruncatedAnywhere_IsRefusedInOneLine()
+        public void Read_TruncatedAnywhere_IsRefusedWithAOneLineMessage()
         {
             for (var length = 0; length < Good.Length; length++)
                 Assert.That(FaultOf(Good.Substring(0, length)), Does.StartWith("profile.json: ").And.Not.Contains("\n"), length + " characters");
@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase("visu_ms = 40")]
         [TestCase("{\"visu_ms\": 1e999999}")]
         [TestCase("\0\0\0\0\0\0\0\0")]
-        public void Read_OtherContent_IsRefusedInOneLine(string text)
+        public void Read_OtherContent_IsRefusedWithAOneLineMessage(string text)
         {
             Assert.That(FaultOf(text), Does.StartWith("profile.json: ").And.Not.Contains("\n"));
         }

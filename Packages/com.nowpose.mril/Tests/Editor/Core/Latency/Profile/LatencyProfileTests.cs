@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         }
 
         [Test]
-        public void LatencyProfile_LimitNotReached_HasNoRangeButItsMeasuredMaximum()
+        public void LatencyProfile_LimitNotReached_HasAMeasuredMaximumButNoRange()
         {
             var profile = Profile(limitMs: null, validToMs: 12.5);
 
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase(null, double.NaN, null)]
         [TestCase("Quest 3", 60, "latency profile was measured on device 'HoloLens 2', but this device is 'Quest 3'; calibrate this device")]
         [TestCase("HoloLens 2", 72, "latency profile was measured at 60 Hz, but this display runs at 72 Hz; calibrate at this refresh rate")]
-        public void RefusalFor_OtherDeviceOrRate_NamesBothValues(string device, double displayHz, string refusal)
+        public void RefusalFor_DeviceAndRate_NamesBothValuesIfOneDiffers(string device, double displayHz, string refusal)
         {
             Assert.That(Profile().RefusalFor(device, displayHz), Is.EqualTo(refusal));
         }

@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Add_LoadDoesNotEnd_WritesFullBuffers()
+        public void Add_BeforeTheLoadEnds_WritesFullBuffers()
         {
             var file = NewFile();
 

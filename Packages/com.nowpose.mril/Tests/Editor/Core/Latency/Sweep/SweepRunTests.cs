@@ -14,7 +14,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         static HeadsetTime At(double seconds) => HeadsetTime.FromSeconds(seconds);
 
         [Test]
-        public void Advance_AllLoads_ShowsEachLoadForItsTime()
+        public void Advance_AllLoads_ShowsEachLoadForTheSameTime()
         {
             var run = new SweepRun(Plan);
             var frames = new int[3];
@@ -43,7 +43,7 @@ namespace Nowpose.Tests.Core.Latency.Sweep
         }
 
         [Test]
-        public void Advance_LoadInterrupted_RestartsItsTime()
+        public void Advance_LoadInterrupted_RestartsTheTimeOfTheLoad()
         {
             var run = new SweepRun(Plan);
             run.Advance(At(0), isReady: true);

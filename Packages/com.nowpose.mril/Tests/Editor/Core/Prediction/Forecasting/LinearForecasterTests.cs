@@ -15,7 +15,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(2, 4)]
         [TestCase(3, 3)]
         [TestCase(3, 5)]
-        public void At_PolynomialWeights_EqualsTheJointsOwnPolynomial(int degree, int history)
+        public void At_PolynomialWeights_EqualsThePolynomialForecaster(int degree, int history)
         {
             for (var seed = 1; seed <= 20; seed++)
             {
@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
 
         [TestCase("quadratic")]
         [TestCase("process")]
-        public void Fill_AnyWeights_MatchesAtForEveryPoint(string name)
+        public void Fill_AnyWeights_EqualsAtForEveryPoint(string name)
         {
             var weights = New(name);
             var forecaster = new LinearForecaster(weights);

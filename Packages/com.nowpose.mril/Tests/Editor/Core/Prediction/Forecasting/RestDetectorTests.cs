@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void Add_SlowMotionAfterAFastOne_IsMotionAfterAMinute()
+        public void Add_SlowMotionAfterFastMotion_IsNotRestAfterAMinute()
         {
             double Position(double t) => t < 10 ? Math.Sin(2 * t) : Math.Sin(20) + 0.1 * (t - 10);
             Feed(0, 70, 0.05, Position);
@@ -45,7 +45,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         }
 
         [Test]
-        public void Add_MotionThatNeverRests_IsNeverNoise()
+        public void Add_ContinuousMotion_IsNeverClassifiedAsNoise()
         {
             var (_, noises) = Feed(0, 120, 0.05, t => Math.Sin(2 * t));
 
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         [TestCase(2)]
         [TestCase(10)]
         [TestCase(60)]
-        public void Add_PauseDuringARestWithNoise_IsAtRestAgainWithinFiveSeconds(double pause)
+        public void Add_GapInSamplesDuringANoisyRest_IsAtRestAgainWithinFiveSeconds(double pause)
         {
             for (var seed = 1; seed <= 50; seed++)
             {

@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         }
 
         [Test]
-        public void Add_WaitingSampleRepeated_IsADuplicate()
+        public void Add_PendingSampleRepeated_IsADuplicate()
         {
             var joint = NewJoint();
             joint.Add(Sample(1));
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         [TestCase(false)]
         [TestCase(true)]
-        public void Add_PairsOvertakenInNoiseAtRest_RarelyRestart(bool isEndless)
+        public void Add_OvertakenPairsOfNoisySamplesAtRest_RarelyRestart(bool isEndless)
         {
             const int pairs = 2000;
             var random = new Random(77);

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         void Set(string child, string parent) => Assert.That(_frames.TrySet(child, parent), Is.EqualTo(DropReason.None));
 
         [Test]
-        public void TrySet_ChangedParent_ReplacesTheFormerParent()
+        public void TrySet_ChangedParent_ReplacesThePreviousParent()
         {
             Set("box", "belt");
             Set("box", "arm1/tool0");
@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_Cycle_IsRefusedAndTheFormerParentStays()
+        public void TrySet_Cycle_IsRefusedAndThePreviousParentStays()
         {
             Set("a", "world");
             Set("b", "a");
@@ -79,7 +79,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_Frames_AreAcceptedUpTo256()
+        public void TrySet_FrameCount_IsLimitedTo256()
         {
             for (var i = 0; i < 256; i++) Set("f" + i, "world");
 
@@ -100,7 +100,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         }
 
         [Test]
-        public void TrySet_RobotOnFrames_LinksAddNoDepth()
+        public void TrySet_FramesOnARobot_LinksDoNotAddDepth()
         {
             var frames = new FrameParents(link => link.StartsWith("arm/", StringComparison.Ordinal) ? "arm/base" : null);
             Assert.That(frames.TrySet("arm/base", "world"), Is.EqualTo(DropReason.None));

@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
 
         [TestCase(256, true)]
         [TestCase(257, false)]
-        public void TryRead_Signals_AreReadUpTo256(int count, bool expected)
+        public void TryRead_SignalCount_IsLimitedTo256(int count, bool expected)
         {
             var names = "[" + string.Join(",", Enumerable.Range(0, count).Select(i => "\"s" + i + "\"")) + "]";
             var text = Publish(names, "[" + string.Join(",", Enumerable.Repeat("0", count)) + "]");
@@ -77,7 +77,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
 
         [TestCase(128, true)]
         [TestCase(129, false)]
-        public void TryRead_Name_IsReadUpTo128Characters(int length, bool expected)
+        public void TryRead_NameLength_IsLimitedTo128Characters(int length, bool expected)
         {
             var text = Publish("[\"" + new string('n', length) + "\"]", "[0]");
 
@@ -106,7 +106,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
             "/signals", new SignalsMessage(ControlTime.FromSeconds(1), new SignalValue("a", double.NaN)), RosTimeForm.Sec));
 
         [Test]
-        public void TryRead_MessageReleased_IsReusedWithoutFormerValues()
+        public void TryRead_MessageReleased_IsReusedWithoutPreviousValues()
         {
             var reader = new RosbridgeReader();
             var first = ReadWith(reader, Publish("[\"a\",\"b\"]", "[1,2]"));

@@ -108,7 +108,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
 
         [TestCase(128, true)]
         [TestCase(129, false)]
-        public void TryRead_Name_IsReadUpTo128Characters(int length, bool expected)
+        public void TryRead_NameLength_IsLimitedTo128Characters(int length, bool expected)
         {
             var name = new string('n', length);
             if (expected) Assert.That(Read(Publish(Transform(name))).Count, Is.EqualTo(1));
@@ -122,7 +122,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
 
         [TestCase(256, true)]
         [TestCase(257, false)]
-        public void TryRead_Transforms_AreReadUpTo256(int count, bool expected)
+        public void TryRead_TransformCount_IsLimitedTo256(int count, bool expected)
         {
             var text = Publish(string.Join(",", Enumerable.Range(0, count).Select(i => Transform("f" + i))));
 
@@ -161,7 +161,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
 
         [TestCase(0, true)]
         [TestCase(1, false)]
-        public void TryRead_Message_IsReadUpTo64KiB(int over, bool expected)
+        public void TryRead_MessageSize_IsLimitedTo64KiB(int over, bool expected)
         {
             var text = Publish(Transform());
             text = new string(' ', 64 * 1024 + over - text.Length) + text;
@@ -195,7 +195,7 @@ namespace Nowpose.Tests.Core.Protocol.Cell
         static double[] Numbers(FrameTransform one) => new[] { one.X, one.Y, one.Z, one.Qx, one.Qy, one.Qz, one.Qw };
 
         [Test]
-        public void TryRead_MessageReleased_IsReusedWithoutFormerValues()
+        public void TryRead_MessageReleased_IsReusedWithoutPreviousValues()
         {
             var reader = new RosbridgeReader();
             var first = ReadWith(reader, Publish(Transform("a") + "," + Transform("b")));

@@ -75,7 +75,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         }
 
         [Test]
-        public void Open_SourceTracksTheObjectInTheGripper_FollowsTheSourceAtOnce()
+        public void Open_SourceTracksTheObjectInTheGripper_FollowsTheSourceImmediately()
         {
             double X(double t) => Math.Cos(Shoulder(Math.Min(Math.Max(t, Close), Open)));
             double Y(double t) => Math.Sin(Shoulder(Math.Min(Math.Max(t, Close), Open)));

@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Session.Cell
         static readonly RigidTransform Place = At(1.05, 0.02);
 
         [Test]
-        public void Restart_Source_ReturnsTheHeldObjectToItsSource([Values(0, 1)] int value)
+        public void Restart_Source_HeldObjectReturnsToTheReportedPose([Values(0, 1)] int value)
         {
             var (cell, grip) = NewCell("box");
             var back = 0.0;
@@ -62,7 +62,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         [TestCase(true)]
         [TestCase(false)]
-        public void Restart_SourceAfterTheRelease_ReturnsTheObjectToItsSource(bool isOfSignal)
+        public void Restart_SourceAfterTheRelease_ObjectReturnsToTheReportedPose(bool isOfSignal)
         {
             var (cell, _) = NewCell("box");
             var back = 0.0;
