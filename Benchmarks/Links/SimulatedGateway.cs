@@ -28,7 +28,7 @@ sealed class SimulatedGateway
     public string this[string key] => _values.TryGetValue(key, out var value)
         ? value : throw new InputException($"the gateway printed no line '{key}'");
 
-    // Returns false if the gateway ended.
+    // Reads the lines of the start. Returns false if the gateway exited before it was ready.
     async Task<bool> ReadAsync(StreamReader output)
     {
         while (await output.ReadLineAsync() is string line)

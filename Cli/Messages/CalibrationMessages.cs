@@ -4,8 +4,8 @@ namespace Nowpose.Cli.Messages;
 static class CalibrationMessages
 {
     public static string OtherSweep(string label, string calibrated, string actual) =>
-        $"--sweep: the log was written with {label} '{calibrated}', but the options state '{actual}'; the pictures must belong to the sweep: "
-        + "repeat both with the same settings";
+        $"--sweep: the log was written with {label} '{calibrated}', but the options state '{actual}'; the pictures must show this sweep: "
+        + "correct the options, or repeat the sweep and its pictures with the same settings";
 
     public static string OtherProfile(string path, string label, string calibrated, string actual) =>
         $"--profile: {path} was measured with {label} '{calibrated}', but this measurement has '{actual}'; the values that are kept from the "

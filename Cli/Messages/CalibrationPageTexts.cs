@@ -20,7 +20,7 @@ static class CalibrationPageTexts
     public const string CodeOffsetAxis = "headset code minus control code";
     public const string ConstantUpTo = "Known to be constant up to";
     public const string RenderTimeSource = "Render time measured with";
-    public const string ValidForAny = "not stated, valid for any";
+    public const string ValidForAny = "any (not stated)";
 
     public static string Shortened(string list, int more) =>
         FormattableString.Invariant($"{list} and {more} more, which the page and --json list");

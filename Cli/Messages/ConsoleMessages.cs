@@ -13,7 +13,7 @@ static class ConsoleMessages
 
     public static string ProfileKept(string path, double limitMs) =>
         FormattableString.Invariant($"nowpose: {path} has a render time limit of {limitMs:0.00} ms and was kept; the new profile has no ")
-        + "limit and was written beside it. To keep the limit with the new L_visu, run vlc, sine or nudge with --profile "
+        + "limit and was written beside it. To keep the limit with the new L_visu, run calibrate vlc, sine or nudge with --profile "
         + FormattableString.Invariant($"{path}");
 
     public static string FfmpegReports(string path, int pictures, string report) =>

@@ -10,7 +10,8 @@ static class Figure14Texts
     public const string OverSamplingError = "Approximating quadratics with an error in the time stamps";
     public const string OverSamplingErrorClaim = "A longer history makes the quadratic far more robust against errors of the assumed t_k.";
     public const string LongerIsBetter = "With a time stamp error of ±10 ms, h = 4 is better than h = 3, and h = 3 is better than h = 2.";
-    public const string HalfTheError = "From 0 to ±10 ms, the error grows by less than half as large a factor with h = 3 and with h = 4 as with h = 2.";
+    public const string HalfTheError =
+        "From 0 to ±10 ms, the factor by which the error grows is less than half as large with h = 3 and with h = 4 as with h = 2.";
 
     public static string Growth(string growth, string three, string four) =>
         $"{growth}; h = 3 is better than h = 2 from ±{three}, and h = 4 better than h = 3 from ±{four}";

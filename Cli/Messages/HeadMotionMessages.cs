@@ -11,7 +11,10 @@ static class HeadMotionMessages
         FormattableString.Invariant($"the control code moves at {pxPerS:0} px/s in the pictures; at least {min} px/s are needed: turn ")
         + "headset and camera together to the left and right";
 
-    public static string TooFewTurns(int turns) => $"the headset changed direction {turns} times; turn it at least twice in each direction";
+    /// <param name="percent">Share of the pictures in which the headset moves in its more frequent direction, %.</param>
+    public static string TooFewTurns(int turns, double percent, double maxPercent) =>
+        FormattableString.Invariant($"the headset changed direction {turns} times, and moved in one direction in {percent:0} % of the pictures; at ")
+        + FormattableString.Invariant($"most {maxPercent:0} % are allowed: turn it at least twice in each direction, equally fast");
 
     public static string NotWorldLocked(double ratio) =>
         FormattableString.Invariant($"the hologram moves {ratio:0.0} px while the control code moves 1 px; both must stay in the same ")

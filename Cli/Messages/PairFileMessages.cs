@@ -5,7 +5,7 @@ static class PairFileMessages
 {
     public static string FieldCount(string path, int row, int fields, int header) =>
         $"{path}:{row}: {fields} fields; the header has {header}; write one field for each column";
-    public static string TooManyRows(string path, int row, int max) => $"{path}:{row}: more than {max} rows; take fewer pictures";
+    public static string TooManyRows(string path, int row, int max) => $"{path}:{row}: more than {max} rows; remove some of them";
     public static string NoRows(string path, int min) => $"{path}: no rows below the header; at least {min} are needed";
 
     public static string NoColumn(string path, string column, string render, string visu) =>

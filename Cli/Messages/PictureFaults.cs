@@ -6,7 +6,9 @@ static class PictureFaults
     const string Unclear = "; use a plain background behind the hologram, or a shorter exposure";
     const string ShowBoth = "; show both codes in focus, each at least a tenth as high as the picture";
 
-    public const string PartlyDark = "partly dark: covered, or only a part was lit during the exposure; remove what covers it, or use the exposure for scanning displays";
+    public const string PartlyDark =
+        "partly dark: covered, or only a part was lit during the exposure; remove what covers it, or, if the display scans, use a longer "
+        + "exposure (8 ms)";
     public const string Overexposed = "overexposed, or with a reflection on it; shorten the exposure, or move the lamp";
     public const string Disturbed = "disturbed by a bright background or a reflection; use a plain dark background, or move the lamp";
     public const string Mirrored = "mirrored: switch off mirroring in the camera's settings";
@@ -15,11 +17,11 @@ static class PictureFaults
     public static string HeadsetCodes(string count) => $"{count} headset codes: show one only";
 
     public const string PartlyCovered = "partly covered; remove what is in front of it, or give it a black margin";
-    public const string Undecided = "undecided" + Unclear;
-    public const string WrongParity = "wrong parity" + Unclear;
-    public const string Inconsistent = "inconsistent" + Unclear;
-    public const string TooWeak = "too weak" + Unclear;
-    public const string AmbiguousTime = "ambiguous" + Unclear;
+    public const string Undecided = "unclear: some of its pairs show neither 0 nor 1" + Unclear;
+    public const string WrongParity = "misread: its parity is wrong" + Unclear;
+    public const string Inconsistent = "unclear: its brightness fits no time" + Unclear;
+    public const string TooWeak = "unclear: its contrast is too low or too high" + Unclear;
+    public const string AmbiguousTime = "ambiguous: more than one time fits" + Unclear;
     public const string NoCode = "no code found" + ShowBoth;
     public const string NoControlCode = "no control code found" + ShowBoth;
     public const string NoHeadsetCode = "no headset code found" + ShowBoth;
@@ -34,7 +36,7 @@ static class PictureFaults
         FormattableString.Invariant($"headset code more than {minMs} ms ahead of the control code: if the control code is displayed late, ")
         + "state the delay with --control-delay-ms";
 
-    public const string Stray = "far from the others, probably misread; take more pictures";
+    public const string Stray = "probably misread: L_visu is far from that of the other pictures; take more pictures";
 
     public static string OtherSize(int width, int height, int mostWidth, int mostHeight) =>
         $"{width}x{height} px, but most pictures have {mostWidth}x{mostHeight} px: evaluate each camera's pictures separately";

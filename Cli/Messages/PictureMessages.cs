@@ -7,7 +7,7 @@ static class PictureMessages
     public static string NotFound(string path) => $"{path}: file or folder not found; correct the path";
 
     public static string NotAPicture(string path, string pictures, string videos) =>
-        $"{path}: is neither a picture ({pictures}) nor a video ({videos}); pass or convert to one of these";
+        $"{path}: is neither a picture ({pictures}) nor a video ({videos}); pass a file in one of these formats, or convert it";
 
     public const string FfmpegNeeded =
         "ffmpeg and ffprobe are needed to read videos and were not found; install ffmpeg, or pass pictures instead";

@@ -5,14 +5,15 @@ static class RangeMessages
 {
     public static string TooFewPairs(int pairs, int min) => $"pairs: {pairs} are too few to determine a range; take at least {min} pictures";
 
-    public const string NoPlateau = "pairs: L_visu is not the same at the lowest render times, so no range exists; check how it was measured";
+    public const string NoPlateau = "pairs: L_visu is not the same at the lowest render times, so no range exists; "
+        + "measure again from a lower load, with headset and camera on a stand";
 
     public static string Scatters(double spreadMs, double maxMs) =>
         FormattableString.Invariant($"pairs: L_visu scatters by {spreadMs:0.0} ms at the lowest render times, so no range exists; up to ")
-        + FormattableString.Invariant($"{maxMs} ms are allowed; check how it was measured");
+        + FormattableString.Invariant($"{maxMs} ms are allowed; measure again from a lower load, with headset and camera on a stand");
 
     public const string NoLimit =
-        "limit not reached: beyond the longest measured render time the headset reports the range as unknown; extend the sweep to a higher load";
+        "limit not reached: beyond the longest measured render time, the headset reports the range as unknown; extend the sweep to a higher load";
 
     public static string LimitBetween(double? usedMs, double openMs) =>
         FormattableString.Invariant($"the limit is between {usedMs:0.00} ms, which is used, and {openMs:0.00} ms: sweep in finer steps ")

@@ -3,12 +3,12 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Error messages and warnings of the command <c>recommend</c>, with remedies.</summary>
 static class RecommendMessages
 {
-    public static string TooFewRows(string path) => $"{path}: has too few rows; a recommendation needs enough rows for two halves";
+    public static string TooFewRows(string path) => $"{path}: has too few rows to divide it into two halves; record a longer motion";
 
     public const string GridSets = "--grid also sets this value; remove one of the two options";
 
     public static string RigidBody(string path) =>
-        $"{path}: is the recording of a rigid body; recommend reads joints only. Use `replay --predictor NAME` instead";
+        $"{path}: is the recording of a rigid body; recommend supports joints only. Use `replay --predictor NAME` instead";
 
     public static string NoMotion(double range) =>
         FormattableString.Invariant($"no joint moves by more than {range:G2} rad or m: a recommendation needs a recording of motion");
@@ -17,8 +17,8 @@ static class RecommendMessages
         FormattableString.Invariant($"the recording is only {seconds:0.0} s long, so the result may be due to chance; record {minSeconds} s or more");
 
     public static string LateStamps(double p5Ms, double p95Ms) =>
-        FormattableString.Invariant($"the samples' stamps lie {p5Ms:0.0} to {p95Ms:0.0} ms apart (P5 to P95): late time stamps reduce the ")
-        + "accuracy; take the stamps from the controller";
+        FormattableString.Invariant($"the intervals between time stamps are {p5Ms:0.0} to {p95Ms:0.0} ms long (P5 to P95): late time stamps reduce ")
+        + "the accuracy; take the time stamps from the controller";
 
     public static string Repeats(double percent) =>
         FormattableString.Invariant($"{percent:0.0} % of a moving joint's samples repeat the previous one: the robot's sampling interval ")

@@ -4,10 +4,10 @@ namespace Nowpose.Cli.Messages;
 static class ReplayMessages
 {
     public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";
-    public static string TooLong(string path) => $"{path}: is too long for this machine's memory; record shorter sessions";
+    public static string TooLong(string path, int max) => $"{path}: contains more than {max} numbers, which is the maximum; record shorter sessions";
     public static string JointCount(string path, int joints, int header) =>
         $"{path}: a frame has {joints} joints, but the header has {header}; record the session again";
-    public static string InSession(string path) => $"a recorded session contains this value; remove the option for {path}";
+    public static string InSession(string path) => $"{path} is a recorded session, which contains this value; remove the option";
 
     public static string TooManyFrames(string path, double seconds, double hertz, double samplingMs) =>
         FormattableString.Invariant($"{path}: {seconds:G6} s is too long to replay at {hertz} frames per second and a sample every ")
@@ -23,5 +23,5 @@ static class ReplayMessages
 
     public static string NothingScored(string path, int samples) =>
         $"{path}: no frame could be evaluated: a frame needs a control time between sample {samples} and the last sample of a joint, and no "
-        + "gap between samples may exceed the maximum gap";
+        + "gap between samples may exceed the maximum gap; record a longer session";
 }

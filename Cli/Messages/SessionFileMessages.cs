@@ -26,7 +26,7 @@ static class SessionFileMessages
         $"{place}: field 'format' is not '{format}'; the first line of a session file must contain it";
 
     public static string NewerVersion(string place, long version, int supported) =>
-        $"{place}: field 'version': the file has version {version}; this program reads version {supported}; use a newer program";
+        $"{place}: field 'version': the file has version {version}; this program reads version {supported}; update this program";
 
     public static string LineNotAnObject(string place) => $"{place}: is not a JSON object; record the session again";
     public static string LimitOrder(double lower, double upper) =>

@@ -20,8 +20,8 @@ static class SineMessages
         + "needed; check the columns; if one of them counts in the opposite direction, add --inverted";
 
     public static string LagOutOfRange(double lagMs, double minMs, double maxMs) =>
-        FormattableString.Invariant($"recording: the best lag lies at or beyond {lagMs:0} ms; allowed: {minMs:0} to {maxMs:0} ms; check ")
-        + "both clocks";
+        FormattableString.Invariant($"recording: the lag with the best correlation is at or beyond {lagMs:0} ms; allowed: {minMs:0} to ")
+        + FormattableString.Invariant($"{maxMs:0} ms; check both clocks");
 
     public static string Ambiguous(double periodSeconds) =>
         FormattableString.Invariant($"recording: the motion repeats after {periodSeconds:0.00} s, so the lag is ambiguous; jog more ")

@@ -6,11 +6,11 @@ static class SweepFileMessages
     public static string Header(string file, int line, string header, string expected) =>
         $"{file}:{line}: the header is '{header}'; it must be {expected}";
 
-    public static string NoRows(string file) => $"{file}: the header has no rows below it; a sweep log has one row for each frame; sweep again";
+    public static string NoRows(string file) => $"{file}: no rows below the header; a sweep log has one row for each frame; sweep again";
     public static string FieldCount(string place, int fields, int expected) => $"{place}: the row has {fields} fields; it must have {expected}";
 
     public static string UnknownSource(string field, string text, string allowed) =>
-        $"{field}: '{text}' is not a source of render times; allowed: {allowed}, or nothing";
+        $"{field}: '{text}' is not a source of render times; allowed: {allowed}, or an empty field";
 
     public static string NotWhole(string field, string text, string unit) =>
         $"{field}: '{text}' is not a whole number of {unit}; correct it, or sweep again";
@@ -18,7 +18,7 @@ static class SweepFileMessages
         $"{field}: '{text}' is not a number of {unit}; write decimals with a point";
 
     public static string TwoHeadsets(string path, string device, string other) =>
-        $"{path}: frames of '{device}' and of '{other}'; a sweep must be from one headset";
+        $"{path}: frames of '{device}' and of '{other}'; a sweep must be from one headset: keep the rows of one";
 
     public static string TwoRates(string path, double hertz, double otherHertz) =>
         FormattableString.Invariant($"{path}: frames at {hertz} Hz and at {otherHertz} Hz; L_visu depends on the rate: keep the rows of ")

@@ -6,7 +6,8 @@ static class SyncPageTexts
     public static string WouldOverwriteLog(string page, string data) =>
         $"--page: {page}: the page or its data, {data}, would overwrite the log; use another name";
 
-    public static string WouldOverwritePage(string page) => $"--page: {page}: the page's data would overwrite it; use a name that ends in .html";
+    public static string WouldOverwritePage(string page) =>
+        $"--page: {page}: the data file of the page would have the same name; use a name that ends in .html";
 
     public const string Ransac = "RANSAC, as in the paper";
     public const string Title = "Clock synchronisation of your log";

@@ -10,7 +10,8 @@ static class UnityNextSteps
         "git must be on Unity's PATH: MRTK3 and Graphics Tools are fetched from their repositories, at the tags of their releases.";
 
     public const string Answers =
-        "When Unity asks for the new input backend, answer Yes; when it asks to update interaction layer masks, No Thanks.";
+        "When Unity asks whether to enable the new input backend, answer Yes. When it asks whether to update the interaction layer masks, answer "
+        + "No Thanks.";
 
     public const string Profile = "Project Settings → MRTK3, tabs Standalone and Universal Windows Platform: Assign MRTK Default.";
 }

@@ -26,8 +26,8 @@ static class UnityPackageMessages
         $"{folder}: is a file where the sample needs a folder; rename or delete it, and try again";
 
     public static string SampleChanged(string file, int more) =>
-        FormattableString.Invariant($"{file}: differs from the sample's file, as do {more} more; move or delete the folder of the sample, ")
-        + "and try again";
+        $"{file}: differs from the sample's file{(more == 0 ? "" : FormattableString.Invariant($", and so do {more} more"))}; "
+        + "move or delete the folder of the sample, and try again";
 
     public static string NotCopied(string folder, string sample, string reason) =>
         $"{folder}: the sample '{sample}' cannot be copied: {reason}; the manifest is not changed; remove the cause, and try again";

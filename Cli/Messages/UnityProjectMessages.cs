@@ -6,15 +6,15 @@ namespace Nowpose.Cli.Messages;
 static class UnityProjectMessages
 {
     public static string TooOldForMrtk3(string file, UnityVersion version, Version oldest) =>
-        $"{file}: Unity {version} is older than {oldest}, the oldest that MRTK3 accepts; update Unity";
+        $"{file}: Unity {version} is older than {oldest}, the oldest version that MRTK3 supports; update Unity";
 
     public static string TooNew(string package, string version, string allowed) =>
         $"{package} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {allowed}";
 
     public static string Embedded(string project, string package) =>
-        $"--package: {project} has the package in Packages/{package}, which Unity prefers; remove that folder first";
+        $"--package: {project} has the package in Packages/{package}, which Unity uses instead of --package; remove that folder first";
 
-    public static string Conflicts(string conflicts, string rules) => $"{conflicts}. Change it there, or use --on-conflict {rules}.";
+    public static string Conflicts(string conflicts, string rules) => $"{conflicts}. Correct the manifest, or use --on-conflict {rules}.";
     public static string EntryKept(string conflict) => $"{conflict}; the entry is kept";
 
     public const string Backup = "Backup of the manifest: ";

@@ -23,7 +23,8 @@ static class VlcMessages
     public const string UseSweepOfPictures = "use the log of the sweep that the pictures show";
 
     public static string LatePictures(int late, int pictures) =>
-        $"{late} of {pictures} pictures are late and were not used. If they were taken at several loads, add the sweep's log with --sweep";
+        $"{late} of {pictures} pictures show a frame that was displayed late, and were not used. If they were taken at several loads, add the "
+        + "sweep's log with --sweep";
 
     public static string FewPictures(int pictures) =>
         $"L_visu was computed from {pictures} pictures only and may be wrong by some ms: take 30 or more";
@@ -34,10 +35,11 @@ static class VlcMessages
     public const string OnePicture = "one picture is not enough for a profile, so no profile was written; take 30 or more";
 
     public static string Scatters(double? deviationMs) =>
-        FormattableString.Invariant($"L_visu scatters by {deviationMs:0.0} ms, too much for a constant. If the pictures were taken at ")
+        FormattableString.Invariant($"L_visu scatters by {deviationMs:0.0} ms, too much for one constant value. If the pictures were taken at ")
         + "several loads, add the sweep's log with --sweep. No profile was written";
 
-    public static string NoVisu(int pictures) => FormattableString.Invariant($"L_visu cannot be determined; pictures read: {pictures}. Take more pictures.");
+    public static string NoVisu(int pictures) =>
+        FormattableString.Invariant($"L_visu cannot be determined; pictures read: {pictures}. Take more pictures.");
 
     public static string Result(double visuMs, double spreadMs, int pictures) =>
         FormattableString.Invariant($"L_visu is {visuMs:0.0} ms ± {spreadMs:0.0} ms, from {pictures} pictures.");

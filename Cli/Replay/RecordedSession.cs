@@ -82,7 +82,7 @@ sealed class RecordedSession
             case LostLine lost: Lost += lost.Count; break;
         }
         if (_values.Count + _displayed.Count + _planned + NumbersPerPose * (long)_poses.Count > MaxNumbers)
-            throw new InputException(ReplayMessages.TooLong(_path));
+            throw new InputException(ReplayMessages.TooLong(_path, MaxNumbers));
     }
 
     /// <summary>The signals, sorted by name, with the number of their changes.</summary>

@@ -28,7 +28,7 @@ public sealed class ReplayResult
 
     public string File { get; }
 
-    /// <summary>Results of a session's moving objects, by the names of their frames; empty if there are none.</summary>
+    /// <summary>Results of a session's moving objects, sorted by the names of their frames; empty if there are none.</summary>
     public IReadOnlyList<BodyReplayResult> Bodies { get; init; } = [];
 
     /// <summary>A session's signals with the number of their changes; empty if there are none.</summary>

@@ -3,7 +3,9 @@ using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Sessions;
 
-/// <summary>The fields of a JSON object. For a field that is missing or has another type, the error names file, line and field.</summary>
+/// <summary>
+/// The fields of a JSON object. If a required field is missing, or a field has the wrong type, the error names the file, the line and the field.
+/// </summary>
 readonly struct LineFields(string place, JsonElement fields)
 {
     readonly JsonElement _fields = fields;

@@ -6,7 +6,8 @@ static class AccessMessages
     public static string OtherOrigin(string allowed) => $"the Origin header does not name a page of the gateway; allowed: {allowed}";
 
     public const string OperatorOnly =
-        "this needs the role operator; log in with a token of a line \"operator TOKEN\". Without tokens, use a browser on the gateway's machine";
+        "this needs the role operator; log in with an operator's token (\"operator TOKEN\" in the token file). If the gateway has no tokens, "
+        + "use a browser on the gateway's machine";
 
     public static string Method(PathString path, string allowed) => $"{path}: the method must be {allowed}";
 

@@ -9,13 +9,13 @@ static class AdapterMessages
         FormattableString.Invariant($"{file}: its adapter ended ({end}) and starts again in {seconds:0.#} s");
 
     public static string NoTls(IPAddress address) =>
-        $"--plant with --bind {address} and no --tls: adapters connect only over TLS or loopback; add --tls, or bind to any";
+        $"--plant with --bind {address} and no --tls: adapters connect only over TLS or loopback; add --tls, or use --bind any";
 
     public static string SameName(string file, string plant, string other) =>
         $"{file}: its plant has the same name '{plant}' as the one in {other}; set another plant.name in one of the two files";
 
     public static string CheckTooSlow(string file, double seconds) =>
-        $"{file}: its check was not finished within {seconds} s; try again when the machine is less busy";
+        $"{file}: the adapter did not finish the check of this file within {seconds} s; try again when the machine is less busy";
 
     public static string FormerKey(string adapter, string former, string current) =>
         $"adapter {adapter}: reports with the former key {former}NAME, which the next release ignores; update it so that it reports {current}NAME";
@@ -23,5 +23,5 @@ static class AdapterMessages
     public const string NodeNeeded = "--plant: Node.js 20 or newer is needed to read a control system";
 
     public static string CheckUnreadable(string file) =>
-        $"{file}: the result of its check cannot be read; build the gateway and the adapters from the same version";
+        $"{file}: the adapter's result for this file cannot be read; build the gateway and the adapters from the same version";
 }

@@ -16,7 +16,7 @@ static class AddressOptionMessages
 
     public const string NoPrivateKey = "--certificate: the certificate has no private key; use one with its private key";
 
-    public static string SamePorts(string option, int port) => $"{option} {port}: both ports are the same; use two different ports";
+    public static string SamePorts(string option, int port) => $"{option} {port}: --sync-port and --ws-port are the same; use two different ports";
     public static string MaxConnections(int value) => $"--max-connections {value}: must be at least 1";
     public static string Rate(string option, int value, int max) => $"{option} {value} is out of range; allowed: 1 to {max}";
     public static string Port(string option, int value, int max) => $"{option} {value} is out of range; allowed: 0 (any free port) to {max}";

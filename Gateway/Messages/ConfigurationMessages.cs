@@ -4,7 +4,7 @@ namespace Nowpose.Gateway.Messages;
 static class ConfigurationMessages
 {
     public static string SecondDocument(string place) => $"{place}: a second YAML document starts here; keep only one in the file";
-    public static string NotYaml(string place) => $"{place}: not valid YAML, in this line or a later one; correct it";
+    public static string NotYaml(string place) => $"{place}: not valid YAML, on this line or a later one; correct it";
     public static string TooLong(string path, long bytes, int max) => $"--config {path}: {bytes} bytes; the maximum is {max}";
     public static string NoEntry(string place) => $"{place}: a line \"key: value\" is needed";
     public static string KeyNotAWord(string place) => $"{place}: a key must be a scalar without a tag or an anchor";

@@ -10,9 +10,9 @@ static class EventRemedies
     public const string CellVariables = "Check its variables in the plant and its entry in the plant's configuration.";
     public const string ClockAdapter = "Check the adapter that reads this clock.";
     public const string Adapters = "Check that the adapter of each plant runs and is connected.";
-    public const string GatewayLog = "Read its lines in the gateway's log.";
+    public const string GatewayLog = "Read the adapter's lines in the gateway's log.";
     public const string Adapter = "Check that the adapter runs and reaches the gateway.";
-    public const string HeadsetPower = "Check its power and its network.";
+    public const string HeadsetPower = "Check the headset's power and its network.";
     public const string MissingJoints = "Check the sources of these joints.";
     public const string HeadsetNetwork = "Check the network between the headset and the gateway.";
     public const string LateSamples = "Check that samples reach the headset in time.";

@@ -11,5 +11,6 @@ static class HeadsetListMessages
     public static string Unusable(string path, string reason) =>
         $"{path}: the list of paired headsets cannot be used ({reason}); check its permissions";
 
-    public static string Full(string path, int max) => $"{path}: already contains {max} headsets; revoke some";
+    public static string Full(string path, int max) =>
+        $"{path}: already contains {max} headsets, which is the maximum; revoke one with the command pairings";
 }

@@ -6,14 +6,15 @@ namespace Nowpose.Gateway.Messages;
 static class KeyFileMessages
 {
     public static string OtherKey(string path, CertificatePin pin) =>
-        $"{path}: has a different key (pin {pin}), which paired headsets refuse; restart the gateway to use it";
+        $"{path}: has a different key (pin {pin}), which paired headsets refuse; restore the former key, or restart the gateway and pair "
+        + "the headsets again";
 
     public static string NotValidToday(string path, DateTime from, DateTime to) =>
         FormattableString.Invariant($"{path}: valid from {from:yyyy-MM-dd} to {to:yyyy-MM-dd}, not today; renew it, or delete it so that ")
         + "the gateway creates a new one";
 
     public static string Unusable(string path, string reason) =>
-        $"{path}: no usable certificate with private key ({reason}); allowed: .pfx without password and .pem";
+        $"{path}: no usable certificate with private key ({reason}); allowed: a .pfx file without a password, or a .pem file";
 
     public static string NoPrivateKey(string path) => $"{path}: the certificate has no private key; use a certificate with its private key";
 

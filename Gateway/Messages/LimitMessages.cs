@@ -10,7 +10,7 @@ static class LimitMessages
         $"connection closed: its file descriptor {number} is one of the last {spare} of {allowed}, which are kept free; raise the limit on open "
         + "files (ulimit -n, or LimitNOFILE= of the systemd unit) or reduce --max-connections";
 
-    public static string BodyBytes(int max) => $"no more than {max} bytes are allowed";
+    public static string BodyBytes(int max) => $"the request body is too long; no more than {max} bytes are allowed";
 
     /// <param name="possible">Maximum number of connections for this limit; below 1 if none is possible.</param>
     public static string TooFewDescriptors(int connections, long needed, ulong allowed, long possible) =>

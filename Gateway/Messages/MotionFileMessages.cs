@@ -22,7 +22,7 @@ static class MotionFileMessages
     public static string FieldCount(int fields, int header) => $"{fields} fields; the header has {header}; write one field for each column";
 
     public static string TimeOrder(string field, string value) =>
-        $"field {field}: {value} s is not later than the previous row; times must increase";
+        $"field {field}: {value} s is not later than the time of the previous row; times must increase";
 
     public static string NormRange(string fields, double length, double min, double max) =>
         FormattableString.Invariant($"fields {fields}: the quaternion has length {length:G6}; allowed: {min:G6} to {max:G6}");
@@ -32,7 +32,7 @@ static class MotionFileMessages
     public static string NotFinite(string field, string text) => $"field {field}: {text} is not a finite number; correct it, or remove the row";
 
     public static string TooLarge(string field, string text, double max) =>
-        FormattableString.Invariant($"field {field}: {text} is too large; up to {max:0e+0} are allowed");
+        FormattableString.Invariant($"field {field}: {text} is too large; the maximum is {max:0e+0}");
 
     public const string NoFile = "no file is given; enter the path of a .csv or .csv.gz file";
 

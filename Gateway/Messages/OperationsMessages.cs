@@ -19,5 +19,5 @@ static class OperationsMessages
         "without tokens, the operations page is available only at the gateway's address, at its machine's name and at localhost; use one of them";
 
     public const string UseOwnAddress = "use the gateway's address, its name or localhost";
-    public const string Format = "format: json or csv is allowed";
+    public const string Format = "format: must be json or csv";
 }

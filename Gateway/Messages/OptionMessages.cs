@@ -3,7 +3,7 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Error messages about options, with the allowed values.</summary>
 static class OptionMessages
 {
-    public static string UnknownChoice(string option, string value, string allowed) => $"{option}: '{value}' is not known; allowed: {allowed}.";
+    public static string UnknownChoice(string option, string value, string allowed) => $"{option}: '{value}' is unknown; allowed: {allowed}.";
     public static string CommandFirst(string command) => $"'{command}' must be the first argument, because it is a command.";
     public static string NotANumber(string option, string value, string allowed) => $"{option}: '{value}' is not a number; {allowed}";
 

@@ -6,10 +6,10 @@ static class PairingServiceMessages
     public static string MarkerSize(string text) => $"marker size: '{text}' is not a size; allowed: 10 to 999 mm";
 
     public const string ThisMachineOnly =
-        "the pairing page is available to browsers on the gateway's machine, at its address, its name or localhost, and to operators who have "
-        + "logged in";
+        "the pairing page is available only to operators who have logged in, and to browsers on the gateway's machine; log in with an operator's "
+        + "token, or open the page on that machine with its address, its name or localhost";
 
-    public const string Fields = "token and name are needed";
+    public const string Fields = "the fields token and name are needed";
 
     public static string TooManyWrong(int max) => $"more than {max} wrong codes in a minute; wait a minute";
 
@@ -19,6 +19,6 @@ static class PairingServiceMessages
 
     /// <param name="peer">Address from which the code came.</param>
     public static string WrongCodeLog(string peer) => $"pairing: refused a wrong code from {peer}";
-    public const string WrongCode = "this is not the current code; read the current one";
-    public const string NotJson = "the request must be a JSON object of strings with a Content-Length";
+    public const string WrongCode = "this code is not the current one; look at the code that the gateway shows now";
+    public const string NotJson = "the body must be a JSON object whose values are strings, and the header Content-Length is needed";
 }

@@ -5,11 +5,12 @@ static class PlantMessages
 {
     public const string SamplingTime = "must be at least one control cycle of 1 ms";
 
-    public static string AcquisitionTime(TimeSpan max) => $"must be between 0 and the maximum, {max}";
+    public static string AcquisitionTime(TimeSpan max) =>
+        FormattableString.Invariant($"must be from 0 ms to the maximum, {max.TotalMilliseconds} ms");
 
     public static string ColumnCount(int columns, string names, string robot, int joints) =>
-        $"the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; choose a robot with "
-        + "this number of columns";
+        $"the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; remove "
+        + "columns, or choose a robot with at least one such joint for each column";
 
     public static string NoRobot(string allowed) => $"no robot is named; {allowed}";
     public static string Robots(string names) => $"{names} or the path of a .urdf file is needed";

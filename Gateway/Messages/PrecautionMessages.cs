@@ -3,7 +3,7 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Warnings about the security of the gateway's start, with remedies.</summary>
 static class PrecautionMessages
 {
-    public const string Root = "security: the gateway runs as root or administrator, which it does not need; run it as a separate user";
+    public const string Root = "security: the gateway runs as root or administrator, but does not need these rights; run it as a separate user";
 
     public const string InsecureLan =
         "security: anyone on this network can read and change the data, because of --insecure-lan; use --tls instead";

@@ -13,7 +13,7 @@ static class RecorderMessages
     public const string OnField = "on: must be \"true\" or \"false\"";
     public const string UnknownName = "no recording in the folder has this name; /operations/recordings lists the names";
     public const string FolderNotChecked = "recordings: the folder could not be checked";
-    public const string RecordWithoutFolder = "--record: needs --recordings with a folder";
+    public const string RecordWithoutFolder = "--record: needs the option --recordings FOLDER";
 
     public static string FolderNotCreated(string folder, string reason) =>
         $"--recordings {folder}: the folder cannot be created ({reason}); check the path and its permissions";

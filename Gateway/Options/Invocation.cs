@@ -65,7 +65,7 @@ public static class Invocation
         if (parsed.UnmatchedTokens.Count == 0) return parsed.Errors[0].Message;
         var unknown = parsed.UnmatchedTokens[0];
         var isVerb = parsed.RootCommandResult.Command.Subcommands.Any(verb => verb.Name == unknown);
-        return isVerb ? OptionMessages.CommandFirst(unknown) : $"'{unknown}' is not known.";
+        return isVerb ? OptionMessages.CommandFirst(unknown) : $"'{unknown}' is unknown; see --help.";
     }
 
     static int Fail(string program, int status, string message)

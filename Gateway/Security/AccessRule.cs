@@ -26,7 +26,7 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
             && OwnHosts.Contain(origin, context.Connection.LocalIpAddress);
     }
 
-    /// <summary>Gets the origins that <see cref="IsOriginAllowed"/> accepts as text, such as "http://10.0.0.7:47011, http://cell:47011".</summary>
+    /// <summary>Gets a list of the origins that <see cref="IsOriginAllowed"/> accepts, such as "http://10.0.0.7:47011, http://cell:47011".</summary>
     public string AllowedOrigins(HttpContext context) => string.Join(
         ", ", OwnHosts.Of(context.Connection.LocalIpAddress).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
 

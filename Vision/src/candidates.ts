@@ -15,7 +15,7 @@ const block = 4;
 const gaps = [4, 5, 6, 7, 8, 9, 11, 13, 15];
 /** Maximum width of an area with edges that is taken for an edge or a cable in the scene instead of a code, as a multiple of the gap. */
 const narrow = 1.3;
-/** Thresholds for the change of light at an edge; 255 is white. They cover weak holograms before a bright scene and LEDs in bright surroundings. */
+/** Thresholds for the brightness change at an edge, 0 to 255. They cover faint holograms in front of a bright scene and LEDs in bright light. */
 const edges = [6, 8, 10, 13, 16, 20, 26, 34];
 
 /**

@@ -68,7 +68,7 @@ static class HeadMotionFit
         var forward = fast.Count(picture => picture.Speed > 0) / (double)fast.Length;
         var turns = fast.Zip(fast.Skip(1)).Count(pair => Math.Sign(pair.First.Speed) != Math.Sign(pair.Second.Speed));
         if (turns < MinTurns || forward > MaxShareOfDirection || forward < 1 - MaxShareOfDirection)
-            throw new InputException(HeadMotionMessages.TooFewTurns(turns));
+            throw new InputException(HeadMotionMessages.TooFewTurns(turns, 100 * Math.Max(forward, 1 - forward), 100 * MaxShareOfDirection));
     }
 
     static void RequireWorldLocked(double scale)

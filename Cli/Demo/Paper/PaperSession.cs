@@ -3,7 +3,7 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Demo.Paper;
 
-/// <summary>Runs <c>demo --paper</c>: calibrates and plays each repeat, judges the claims and writes the results.</summary>
+/// <summary>Runs <c>demo --paper</c>: calibrates and simulates each repeat, evaluates the paper's claims and writes the results.</summary>
 static class PaperSession
 {
     public const int PicturesPerLoad = 12;

@@ -20,7 +20,7 @@ sealed class JointStatusTopic(MessageHub hub, IControlClock clock, TimeProvider 
     const int MaxReasonsLength = 16 * 1024;
 
     // The broker adapter, which forwards this topic to another gateway, searches for this text.
-    const string Uncertain = EventTexts.UncertainRest + ": ";
+    const string Uncertain = EventTexts.UncertainRestReason;
 
     readonly HubSource _source = hub.OpenSource();
     List<(string Name, JointDataState State, string Reason)> _sent;

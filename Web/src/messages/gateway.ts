@@ -3,5 +3,5 @@ export const gatewayReasons = {
   noAnswer: 'the gateway does not answer',
   tokenRequired: 'the gateway requires a token',
   tokenRefused: 'the gateway refuses this token',
-  refused: (reason: string) => `the gateway refuses: ${reason}`,
+  refused: (reason: string) => `the gateway refuses the request: ${reason}`,
 };

@@ -19,7 +19,7 @@ export interface Upstream {
   token: string | null;
 }
 
-/** The settings of the kind broker, including the contents of files with secrets. */
+/** The settings of kind broker, including the contents of files with secrets. */
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';
   broker: BrokerAddress;

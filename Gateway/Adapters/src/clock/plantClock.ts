@@ -47,7 +47,7 @@ const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
 
 /**
  * The plant's clock, which the gateway reads by calling a service that has the plant's name. The service is offered only after the first successful
- * reading, because an offered clock may become C1, and headsets cannot synchronise with a clock that cannot be read.
+ * reading, because an offered clock may become the control clock, and headsets cannot synchronise with a clock that cannot be read.
  */
 export class PlantClock {
   #read: ReadClock | null = null;

@@ -2,7 +2,7 @@ import { wrongValue } from './configuration';
 
 const NET_ID = 'each part of an AMS Net Id must be a number from 0 to 255';
 
-/** Error messages about a configuration of the kind ads. */
+/** Error messages about a configuration of kind ads. */
 export const adsSettingMessages = {
   endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, and each port from 1 to 65535`),
   netId: (value: unknown) => wrongValue(value, NET_ID),
@@ -25,7 +25,7 @@ export const adsMessages = {
   noRuntime: (port: number, netId: string) =>
     `${netId} has no PLC runtime at AMS port ${port}; check plant.endpoint: the first runtime of TwinCAT 3 has port 851, that of TwinCAT 2 port 801`,
   unknownNetId: (host: string, netId: string) =>
-    `${host} does not know the AMS Net Id ${netId}; check plant.endpoint, and check that ${host} has this AMS Net Id or a route to it`,
+    `the AMS Net Id ${netId} is unknown to ${host}; check plant.endpoint, and check that ${host} has this AMS Net Id or a route to it`,
   /** @param localNetId AMS Net Id of this machine; null if the router at the host assigns an address. */
   noAnswer: (host: string, localNetId: string | null) =>
     `${host} accepts the connection but does not answer${
@@ -46,7 +46,7 @@ export const adsMessages = {
   clockStopped: (symbol: string) => `the time in ${symbol} does not advance`,
   noNotification: (maxMs: number) => `the PLC sent no first notification within ${maxMs} ms`,
   frameTooLarge: 'the PLC sent a frame larger than 16 MiB',
-  sampleTooLarge: (size: number, most: number) => `a sample has ${size} bytes, but its frame has only ${most}`,
+  sampleTooLarge: (size: number, most: number) => `a sample of ${size} bytes does not fit into its frame of ${most} bytes`,
   wouldWrite: (command: number) => `command ${command} would write to the control system; adapters only read`,
 };
 

@@ -1,4 +1,4 @@
-/** Error messages about a configuration of the kind broker, and the parts of its summary. */
+/** Error messages about a configuration of kind broker, and the parts of its summary. */
 export const brokerSettingMessages = {
   publishing: (gateway: string, endpoint: string, topic: string) => `from ${gateway} to broker ${endpoint}, topics ${topic}/…`,
   subscribing: (endpoint: string, topic: string, gateway: string, place: string) =>
@@ -25,7 +25,7 @@ export const brokerMessages = {
   atOtherGateway: (reason: string) => `at the plant's gateway: ${reason}`,
 };
 
-/** Error messages about a configuration of the kind mqtt, and reasons for the refusal of values. */
+/** Error messages about a configuration of kind mqtt, and reasons for the refusal of values. */
 export const mqttMessages = {
   nothingRead: 'no value is read; add joints, frames or signals',
   arrivalTime: 'the time of arrival',
@@ -42,7 +42,7 @@ export const malformedMessages = {
   noStamp: 'it has no time stamp',
   noValues: 'it has no list of values',
   tooManyJoints: (count: number, most: number) => `it has ${count} joints; the maximum is ${most}`,
-  entry: (text: string) => `its entry ${text} does not consist of a joint's name and STATE SINCE REASON`,
+  entry: (text: string) => `its entry ${text} must have the name of a joint as key and STATE SINCE REASON as value`,
   noRobot: 'it has no <robot> element',
   trajectory: 'it has no joints, or one of its values is not a number',
   forwardedTrajectory: 'it has no joint that is forwarded, or one of its values is not a number',

@@ -31,7 +31,7 @@ export const configurationMessages = {
 
 /** Error messages about the configuration of frames. */
 export const frameMessages = {
-  world: (name: string) => wrongValue(name, 'this is the anchored frame of the cell, which has no parent'),
+  world: (name: string) => wrongValue(name, 'this is the name of the anchored frame of the cell, which has no parent; choose another name'),
   quaternionAndAngles: 'quaternion and angles are both set; remove one of the two',
   noAddress: (entry: string) => `missing; add the ${entry} of the variable that contains this number`,
   /** @param chain Names of the frames in the cycle: the frame, its parent, and so on, with the frame again at the end. */
@@ -61,7 +61,7 @@ export const fileMessages = {
   notReadable: (value: unknown, code: string | undefined) => wrongValue(value, `the file cannot be read (${code}); enter an existing file`),
   notOneLine: (value: unknown, most: number) => wrongValue(value, `the file must contain exactly one line of 1 to ${most} characters`),
   readableByAll: (value: unknown, path: string) =>
-    wrongValue(value, `every user of this machine may read the file; remove this permission: chmod o= ${path}`),
+    wrongValue(value, `every user of this machine has access to the file; remove this access: chmod o= ${path}`),
   configurationNotReadable: (code: string | undefined) => `cannot be read (${code}); enter an existing file`,
   circular: 'an alias (*) is inside the entry that it refers to; remove the alias',
   tab: 'the line is indented with a tab; YAML allows only spaces, so replace the tab with spaces',

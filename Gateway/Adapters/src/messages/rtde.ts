@@ -38,7 +38,7 @@ export const rtdeMessages = {
     `${place} sends ${problem}; the adapter connects again. If this happens again, update the controller's software`,
   restarted: (before: number, after: number) =>
     `the controller was restarted: its time went from ${before.toFixed(1)} s back to ${after.toFixed(1)} s; the adapter connects again`,
-  message: (text: string) => `message of the controller: ${text}`,
+  message: (text: string) => `message from the controller: ${text}`,
   lostPackages:
     "packages are missing from the controller's data stream (counted as refused/package-lost); "
     + 'lower rate_hz, or reduce the load on the controller and the network',
@@ -94,7 +94,7 @@ export const calibrationMessages = {
     `the controller's calibration is used; it moves the tool by up to ${apartMm.toFixed(1)} mm compared with the published kinematics`,
   none: (reason: string) => `no calibration: ${reason}; the published kinematics are used`,
   service: 'the primary client interface',
-  late: (place: string, seconds: number) => `${place} has not sent its kinematics within ${seconds} s`,
+  late: (place: string, seconds: number) => `${place} did not send its kinematics within ${seconds} s`,
   ended: (place: string) => `${place} ended the connection before it sent its kinematics`,
   notPrimary: (place: string) => `${place} does not use UR's primary client interface`,
   otherRobot: (apartMm: number) =>

@@ -116,7 +116,7 @@ namespace Nowpose.Editor.Import
             }
         }
 
-        // The names of siblings must differ, because Unity identifies the objects of an imported file by the path of their names.
+        // Siblings must have different names, because Unity identifies the objects in an imported file by their hierarchy paths.
         static string MeshName(int index) => index == 0 ? "mesh" : "mesh " + (index + 1);
     }
 }

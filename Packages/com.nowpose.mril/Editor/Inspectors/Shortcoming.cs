@@ -4,7 +4,9 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Editor.Inspectors
 {
-    /// <summary>A reference that is missing on one or more components, and the object that the button assigns to it.</summary>
+    /// <summary>
+    /// A missing reference on one or more components, and the object that a button in the Inspector assigns to it, if there is one.
+    /// </summary>
     sealed class Shortcoming
     {
         readonly List<Object> _components = new List<Object>();

@@ -29,8 +29,8 @@ namespace Nowpose.Editor.Messages
             + "does not follow the head.";
 
         public const string InternetAccess =
-            "Android refuses connections to an app without the permission; Unity adds the permission automatically only if the app uses Unity's "
-            + "own network classes.";
+            "Android refuses network connections of an app without the permission INTERNET; Unity adds the permission automatically only if the app "
+            + "uses Unity's own network classes.";
 
         public const string Mrtk3 = "The sample HoloLens 2 (MRTK3) uses it for the hand menu, voice commands and grabbing; the package works without it.";
 

@@ -19,10 +19,10 @@ namespace Nowpose.Editor.Messages
 
         public static string InputHandlingOnAndroid(string name) => $"{name}, which Unity does not support on Android";
 
-        public const string InternetAccess = "the app requests the permission";
+        public const string InternetAccess = "the app requests the permission INTERNET";
 
         public static string NearClip(string found, double millimetres, double metres) =>
-            FormattableString.Invariant($"{found}; one step of the depth is {millimetres:0.##} mm at {metres} m");
+            FormattableString.Invariant($"{found}; at a distance of {metres} m, one depth step is {millimetres:0.##} mm");
 
         public static string FarNearClip(string found) => $"{found}; objects closer to the eyes are not drawn";
 
@@ -40,7 +40,7 @@ namespace Nowpose.Editor.Messages
         public static string Hdrp(string asset) => $"HDRP ({asset}): the package has no shaders for it; {ChoosePipeline}";
         public static string OtherPipeline(string asset) => $"{asset}: the package's shaders do not support it; {ChoosePipeline}";
 
-        public const string ScriptingBackend = "another backend is chosen";
+        public const string ScriptingBackend = "a backend other than IL2CPP is selected";
 
         public static string UnityVersion(string version) => $"{version}: the version cannot be read";
 

@@ -7,7 +7,7 @@ namespace Nowpose.Editor.Messages
         public const string BasePosition = "Base in the room, m";
         public const string BaseRotation = "Turned to the left";
         public const string MovedByLock = "Moved by the newest lock";
-        public const string MovedByDevice = "Moved by the device since";
+        public const string MovedByDevice = "Moved by the device since then";
         public const string HeldByDevice = "Held by the device";
         public const string MarkerContradicted = "not used: the other markers contradict it";
         public const string MarkerMoved = "not at its expected position";

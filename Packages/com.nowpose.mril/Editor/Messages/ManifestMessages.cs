@@ -3,10 +3,10 @@ namespace Nowpose.Editor.Messages
     /// <summary>Error messages about Packages/manifest.json, each with a remedy.</summary>
     static class ManifestMessages
     {
-        public const string AfterObject = "unexpected text after the closing } of the object";
+        public const string AfterObject = "text follows the object; remove it";
         public const string NoValue = "a value is expected";
 
-        public static string TooDeep(string max) => $"nested more than {max} deep";
+        public static string TooDeep(string max) => $"nested more than {max} levels deep";
 
         public const string NoName = "a name in double quotes is expected";
         public const string StringEnd = "the string does not end, or has a character that must be escaped";
@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Messages
         public static string NotUtf8(string file) => $"{file}: the file is not UTF-8; save it as UTF-8";
 
         public static string VersionUnreadable(string package, string version, string needed) =>
-            $"{package} is kept at {version}, which does not state a version; {needed} is needed; check it";
+            $"{package} is kept at {version}, which does not state a version; {needed} is needed; check that it has this version";
 
         public static string Scopes(string place) => $"{place}: scopes must be an array; correct it";
         public static string NotAString(string place, string name) => $"{place}: {name} must be a string: a version or an address; correct it";
@@ -39,7 +39,8 @@ namespace Nowpose.Editor.Messages
         {
             if (url == null) return $"{place}: {package} comes from a registry without url; {needed} is needed; add this url";
             return isShared
-                ? $"{place}: {package} comes from the registry {url}; {needed} is needed; the registry has other scopes too, so its url is kept"
+                ? $"{place}: {package} comes from the registry {url}; {needed} is needed; the registry also has other scopes; move "
+                + "the package's scope to a registry with the needed url"
                 : $"{place}: {package} comes from the registry {url}; {needed} is needed; change the url";
         }
     }

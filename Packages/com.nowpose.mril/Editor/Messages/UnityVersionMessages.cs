@@ -6,7 +6,7 @@ namespace Nowpose.Editor.Messages
     static class UnityVersionMessages
     {
         public static string TooOld(UnityVersion version, string oldest) =>
-            $"{version} is older than {oldest}, the oldest that the package compiles with; update Unity";
+            $"{version} is older than {oldest}, the oldest version that the package compiles with; update Unity";
 
         public const string Recommended = "use 2022.3 for a HoloLens 2";
         public const string Compiled2021 = "compiled against 2021.3.26; " + Recommended;

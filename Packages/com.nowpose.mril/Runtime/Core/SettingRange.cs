@@ -8,7 +8,7 @@ namespace Nowpose
     /// </summary>
     static class SettingRange
     {
-        /// <param name="unit">Empty for a value without unit.</param>
+        /// <param name="unit">Unit of the value; empty for a value without a unit.</param>
         /// <exception cref="InputException">The value is out of range or not a number.</exception>
         public static double Require(double value, double min, double max, string name, string unit)
         {

@@ -63,7 +63,7 @@ namespace Nowpose.Unity
         RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
 
         [SerializeField, Tooltip("Response while the render time is outside the constant-latency range. Fade: shows the predicted pose, fainter. "
-            + "Go On: the predicted pose, as bright as usual. Hold: the newest samples. A striped surface and a text mark the robot in each "
+            + "Go On: the predicted pose, hardly fainter. Hold: the newest samples. A striped surface and a text mark the robot in each "
             + "case. Default Fade, because a late prediction is more accurate than the newest samples.")]
         OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;
 

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
-/// <summary>A class of Unity's files, with its number, its name and its fields in order.</summary>
+/// <summary>A class of objects in Unity's asset files: its class ID, its name and its serialised fields in the order of the file.</summary>
 class ObjectClass
 {
     readonly Slot[] _slots;

@@ -9,7 +9,7 @@ namespace Nowpose.Anchoring
     /// Determines the pose of a robot's base from its markers. It locks the pose, lets the device store it, and monitors whether it is still valid.
     /// </summary>
     /// <remarks>
-    /// Use it on the frame's thread only. A frame without a new lock normally allocates nothing. While a marker that is not yet part of the
+    /// Use it on the frame loop's thread only. A frame without a new lock normally allocates nothing. While a marker that is not yet part of the
     /// lock is in view, a few kB are allocated four times a second.
     /// </remarks>
     public sealed class BaseTracker

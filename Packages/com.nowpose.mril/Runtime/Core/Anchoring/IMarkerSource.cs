@@ -6,7 +6,7 @@ namespace Nowpose.Anchoring
     public interface IMarkerSource
     {
         /// <summary>Adds all markers that the source currently reports to the list, each once. Keeps the existing entries. Must not throw.</summary>
-        /// <remarks>Called once per frame on the frame's thread; must be fast and must not allocate if no marker is new.</remarks>
+        /// <remarks>Called once per frame on the frame loop's thread; must be fast and must not allocate if no marker is new.</remarks>
         void Read(List<MarkerSighting> markers);
     }
 

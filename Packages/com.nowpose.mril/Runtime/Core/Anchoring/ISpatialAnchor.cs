@@ -3,7 +3,7 @@ using Nowpose.Kinematics;
 
 namespace Nowpose.Anchoring
 {
-    /// <summary>A position in the room that the device holds in its own map. Use it on the frame's thread only; never throws.</summary>
+    /// <summary>A position in the room that the device holds in its own map. Use it on the frame loop's thread only; never throws.</summary>
     public interface ISpatialAnchor : IDisposable
     {
         SpatialAnchorState State { get; }

@@ -3,7 +3,8 @@ using Nowpose.Kinematics;
 namespace Nowpose.Anchoring
 {
     /// <summary>
-    /// Lets the device hold positions in the room in its own map, and store them across restarts. Use it on the frame's thread only; never throws.
+    /// Lets the device hold positions in the room in its own map, and store them across restarts. Use it on the frame loop's thread only; never
+    /// throws.
     /// </summary>
     interface ISpatialAnchors
     {

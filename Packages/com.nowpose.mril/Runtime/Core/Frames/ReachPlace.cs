@@ -9,9 +9,11 @@ namespace Nowpose.Frames
     {
         /// <param name="gripper">The gripper that determines the place.</param>
         /// <param name="parent">The gripper's link, or the world.</param>
-        /// <param name="pose">Pose of the object in the parent, constant.</param>
-        /// <param name="since">Stamp of the signal's change.</param>
-        /// <param name="isReleased">Whether the gripper has released the object, which stays until its source reports another pose.</param>
+        /// <param name="pose">Constant pose of the object relative to the parent.</param>
+        /// <param name="since">Time stamp of the change of the gripper's signal.</param>
+        /// <param name="isReleased">
+        /// Whether the gripper has released the object. The object then keeps this pose until its source reports another one.
+        /// </param>
         public ReachPlace(ReachGrip gripper, string parent, in RigidTransform pose, ControlTime since, bool isReleased)
         {
             Gripper = gripper;

@@ -8,7 +8,7 @@ namespace Nowpose.Latency
     public interface IDisplayTimeSource
     {
         /// <summary>
-        /// Returns the display time of a frame. Called once per frame on the frame's thread; must be fast and must not allocate or throw.
+        /// Returns the display time of a frame. Called once per frame on the frame loop's thread; must be fast and must not allocate or throw.
         /// </summary>
         /// <param name="frameStart">Start of the frame, never earlier than in the previous call.</param>
         /// <returns>Null if the display time of this frame is unknown.</returns>

@@ -8,7 +8,8 @@ namespace Nowpose.Messages
     {
         public const string None = "certificate: the gateway presented none; start it with --tls or --certificate";
 
-        public static string NotTrusted(SslPolicyErrors errors) => $"certificate: not trusted by this device ({errors}); install it or use its pin";
+        public static string NotTrusted(SslPolicyErrors errors) =>
+            $"certificate: not trusted by this device ({errors}); install it on this device, or enter its pin";
 
         public static string OtherPin(CertificatePin pin, CertificatePin expected) =>
             $"certificate: its pin is {pin}, but {expected} is expected; this is another server, or the gateway has a new key; pair again or correct "

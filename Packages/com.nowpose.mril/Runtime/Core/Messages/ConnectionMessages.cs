@@ -12,7 +12,7 @@ namespace Nowpose.Messages
             $"host: '{host}' is neither a host name nor an address; enter the gateway's name or IP address";
 
         public static string TokenUnencrypted(string host) =>
-            $"token: would be sent unencrypted to {host}; use a pin or a device-trusted certificate";
+            $"token: would be sent unencrypted to {host}; enter the gateway's pin, or use a certificate that this device trusts";
 
         public static string PlainNotAllowed(string host) =>
             $"host: {host} is another machine; enter the gateway's pin, or, on a trusted network only, allow unencrypted connections (Insecure Lan)";

@@ -3,7 +3,8 @@ namespace Nowpose.Messages
     /// <summary>Reasons why the Windows performance counter cannot be used.</summary>
     static class CounterMessages
     {
-        public static string Missing(string reason) => $"this platform does not have the Windows performance counter ({reason}); disable Display Time";
+        public static string Missing(string reason) =>
+            $"this platform does not have the Windows performance counter ({reason}); disable the component Display Time";
         public static string WentBack(int readings) => $"the performance counter went back in all {readings} readings; restart the device";
 
         public static string NotWorking(string frequency) =>

@@ -16,12 +16,12 @@ namespace Nowpose.Messages
                         + "Management, OpenXR";
                 case DepthSubmission.NotSupported:
                     return "depth is not submitted: the runtime has not enabled XR_KHR_composition_layer_depth; set Depth Submission Mode before "
-                        + "the start, and update the runtime";
+                        + "the app starts, and update the runtime";
                 case DepthSubmission.NoMainCamera:
                     return "depth is not submitted: no enabled camera has the tag MainCamera; tag the headset's camera";
                 case DepthSubmission.NotRequested:
-                    return "depth may not be submitted: the display does not ask Unity to fill its depth buffer; check the OpenXR plugin's log and "
-                        + "the render pipeline's depth settings";
+                    return "depth is possibly not submitted: the display does not ask Unity to fill its depth buffer; check the OpenXR plugin's log "
+                        + "and the render pipeline's depth settings";
                 default: return null;
             }
         }

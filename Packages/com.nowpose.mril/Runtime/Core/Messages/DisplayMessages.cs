@@ -10,7 +10,7 @@ namespace Nowpose.Messages
         const string Implausible = "display times of the runtime are implausible";
 
         const string WhatToDo =
-            "The calibrated L_visu is used. Restart the application; if it happens again, disable Display Time and report the line of the "
+            "The calibrated L_visu is used. Restart the application; if it happens again, disable the component Display Time, and report the line of the "
             + "performance counter in the log";
 
         const string Warning = Implausible + "; " + WhatToDo;

@@ -3,7 +3,7 @@ namespace Nowpose.Messages
     /// <summary>Messages about a gateway's answer to a pairing code, with remedies.</summary>
     static class PairingAnswerMessages
     {
-        public static string Unencrypted(string host) => $"pairing: the code's token would be sent unencrypted to {host}; use a pin";
+        public static string Unencrypted(string host) => $"pairing: the code's token would be sent unencrypted to {host}; use a cell code with a pin";
 
         public const string NotAccepted = "the gateway does not accept this code, because it was used or is too old; look at the current code";
         public const string NotStarted = "the gateway does not pair headsets; start it with --pairing";

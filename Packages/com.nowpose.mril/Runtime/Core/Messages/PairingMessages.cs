@@ -8,7 +8,7 @@ namespace Nowpose.Messages
     static class PairingMessages
     {
         public const string LookAtMarker = "look at the robot's marker";
-        public const string CodeWasTried = "this code has been tried; request another one on the gateway's page or terminal";
+        public const string CodeWasTried = "this code has already been tried; request another one on the gateway's page or terminal";
         public const string MarkerFirst = "the gateway's code has been read; now look at the robot's marker";
 
         /// <param name="known">Accepted code of the cell with the same name; null if there is none.</param>
@@ -32,11 +32,11 @@ namespace Nowpose.Messages
         public static string LookAtCode(string cell) => "cell '" + cell + "': look at the code that its gateway shows";
 
         public static string TokenRefused(string cell) =>
-            "cell '" + cell + "': its gateway no longer accepts this headset; look at the code that it shows";
+            "cell '" + cell + "': its gateway no longer accepts this headset; look at the code that the gateway shows";
 
         public static string Exchanging(string cell) => "cell '" + cell + "': pairing";
         public static string Paired(string cell) => "cell '" + cell + "': paired";
-        public static string Known(string cell) => "cell '" + cell + "': known";
+        public static string Known(string cell) => "cell '" + cell + "': already paired";
 
         /// <summary>Returns the status if there is neither a question nor a problem.</summary>
         /// <param name="exchanging">The cell whose token is being exchanged; null if there is none.</param>

@@ -17,9 +17,10 @@ namespace Nowpose.Messages
 
         public static string NoMovingJoint(string robot) => $"robot {robot}: has no moving joint; choose another robot";
 
-        public static string WaypointOutOfLimits(string robot, int waypoint, string joint, double position, double lower, double upper) =>
-            FormattableString.Invariant($"robot {robot}: waypoint {waypoint} puts {joint} at {position}; its limits are {lower} to {upper}; ")
-            + "choose another robot";
+        public static string WaypointOutOfLimits(
+            string robot, int waypoint, string joint, double position, string unit, double lower, double upper) =>
+            FormattableString.Invariant($"robot {robot}: at waypoint {waypoint}, joint {joint} is at {position} {unit}; allowed: {lower} to ")
+            + FormattableString.Invariant($"{upper} {unit}; choose another robot");
 
         public static string TooManyJoints(string robot, int joints, int max) =>
             $"robot {robot}: has {joints} moving joints; a message contains at most {max}; make some of them fixed";

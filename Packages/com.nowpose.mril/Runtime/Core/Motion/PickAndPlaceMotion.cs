@@ -61,7 +61,8 @@ namespace Nowpose.Motion
                     var position = waypoints[i][joint.MovingIndex];
                     var limits = joint.Limits;
                     if (!limits.Contains(position))
-                        throw new InputException(RobotMessages.WaypointOutOfLimits(_robot.Name, i + 1, joint.Name, position, limits.Lower, limits.Upper));
+                        throw new InputException(RobotMessages.WaypointOutOfLimits(
+                            _robot.Name, i + 1, joint.Name, position, joint.Kind == JointKind.Prismatic ? "m" : "rad", limits.Lower, limits.Upper));
                 }
             }
         }

@@ -53,7 +53,7 @@ namespace Nowpose.Network
             }
         }
 
-        // Continuations must not run on the thread that adds a topic, because it is the frame's thread.
+        // Continuations must not run on the thread that adds a topic, because it is the frame loop's thread.
         static TaskCompletionSource<bool> NewSource() => new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
     }
 }

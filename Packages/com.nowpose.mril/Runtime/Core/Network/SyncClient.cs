@@ -37,7 +37,7 @@ namespace Nowpose.Network
             _synchroniser = synchroniser;
             _faults = faults;
             _pace = pace;
-            // LongRunning creates a new thread. The scheduler is explicit because the caller's scheduler may run on the frame's thread.
+            // LongRunning creates a new thread. The scheduler is explicit because the caller's scheduler may run on the frame loop's thread.
             _running = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
 

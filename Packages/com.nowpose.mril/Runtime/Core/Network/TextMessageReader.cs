@@ -39,9 +39,12 @@ namespace Nowpose.Network
         }
 
         /// <summary>
-        /// Passes the messages to a callback, in order, until the connection is closed. Allocates nothing for a message of one piece.
+        /// Passes the messages to a callback, in order, until the connection is closed. Allocates nothing for a message that arrives in a single
+        /// read.
         /// </summary>
-        /// <param name="cancel">Stops at the next message; it is not passed to the socket, which would abort the connection.</param>
+        /// <param name="cancel">
+        /// Stops the method at the next message. The token is not passed to the socket, because cancelling a read aborts the connection.
+        /// </param>
         /// <exception cref="MessageLimitException">A message exceeded a limit that ends the connection.</exception>
         /// <exception cref="WebSocketException">The connection was lost.</exception>
         public async Task ReceiveAsync(Action<ReceivedText> take, CancellationToken cancel)

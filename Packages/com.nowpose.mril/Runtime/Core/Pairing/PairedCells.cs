@@ -29,7 +29,8 @@ namespace Nowpose.Pairing
         /// <summary>The cell in use; null if there is none.</summary>
         public PairedCell Used { get; }
 
-        /// <returns>Null if there is none. Allocates nothing.</returns>
+        /// <summary>Finds a paired cell by its name. Allocates nothing.</summary>
+        /// <returns>Null if no paired cell has this name.</returns>
         public PairedCell Find(string cell)
         {
             foreach (var known in _cells)

@@ -5,7 +5,7 @@ namespace Nowpose.Recording
 {
     /// <summary>Builds one line of JSON in a reused buffer; allocates only to enlarge it.</summary>
     /// <remarks>
-    /// A garbage collection on a headset stops all threads, including the frame's thread, so the writing thread must not allocate.
+    /// A garbage collection on a headset stops all threads, including the frame loop's thread, so the writing thread must not allocate.
     /// Numbers are written so that they are read back exactly; a number that is not finite is written as null.
     /// </remarks>
     sealed class JsonLine

@@ -53,7 +53,7 @@ namespace Nowpose.Recording
 
         public Task Ended { get; private set; }
 
-        // The scheduler is explicit because the caller's scheduler may run on the frame's thread.
+        // The scheduler is explicit because the caller's scheduler may run on the frame loop's thread.
         public void Start() => Ended = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
         /// <summary>Stops after writing the records that are in the ring now; returns at once.</summary>

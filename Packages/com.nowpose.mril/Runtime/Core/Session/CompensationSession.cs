@@ -18,7 +18,7 @@ namespace Nowpose.Session
     /// <remarks>
     /// Implements the method of Schnierle &amp; Röck 2022. The same class runs in Unity, in the command line tool and in tests:
     /// <see cref="Tick"/> reads no clock and needs no network. Call <see cref="Tick"/>, <see cref="Connect"/>, <see cref="Disconnect"/> and
-    /// <see cref="Dispose"/> only on the frame's thread; all other members are thread-safe unless stated otherwise. The session never
+    /// <see cref="Dispose"/> only on the frame loop's thread; all other members are thread-safe unless stated otherwise. The session never
     /// commands the robot.
     /// </remarks>
     public sealed class CompensationSession : IDisposable

@@ -5,7 +5,9 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Session
 {
-    /// <summary>Set-points of a message, grouped by the robot's joints. Created on the receiving thread to save time on the frame's thread.</summary>
+    /// <summary>
+    /// Set-points of a message, grouped by the robot's joints. Created on the receiving thread to save time on the frame loop's thread.
+    /// </summary>
     sealed class PlannedMotion
     {
         readonly int[] _joints;

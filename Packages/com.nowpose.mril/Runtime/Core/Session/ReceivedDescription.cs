@@ -32,7 +32,7 @@ namespace Nowpose.Session
 
         public RobotDescriptionMatch Match => _newest.Match;
 
-        /// <summary>Error of the newest text, in one line; null if the text is valid.</summary>
+        /// <summary>Single-line error message about the newest description; null if the description is valid.</summary>
         public string Fault => _fault;
 
         /// <summary>Reads a description. Skips the current description, which the gateway sends again after each reconnection.</summary>

@@ -15,7 +15,7 @@ namespace Nowpose.Session
         /// <summary>The robot is fainter; its pose is computed as usual.</summary>
         Fade,
 
-        /// <summary>The robot has its usual brightness; its pose is computed as usual.</summary>
+        /// <summary>The robot is only as faint as every striped pose; its pose is computed as usual.</summary>
         GoOn,
 
         /// <summary>The robot is as faint as a held pose and shows the newest samples without compensation.</summary>

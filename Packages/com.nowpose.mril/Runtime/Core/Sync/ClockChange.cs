@@ -21,9 +21,9 @@ namespace Nowpose.Sync
         ServerCorrection,
 
         /// <summary>A clock stepped by less than a round-trip time. The same machines still provide the clocks.</summary>
-        ShortStep,
+        SmallStep,
 
         /// <summary>A clock stepped, perhaps because another machine now provides the control clock.</summary>
-        LongStep,
+        LargeStep,
     }
 }

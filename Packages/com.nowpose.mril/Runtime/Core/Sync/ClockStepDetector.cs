@@ -5,8 +5,8 @@ using Nowpose.Sync.Envelope;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Distinguishes a step of a clock from a slow path. A long step contradicts the bounds from recent exchanges; no path can do this, however slow
-    /// or asymmetric it is. A short step moves the lower and the upper bound by the same amount. Also detects a change of the resolution.
+    /// Distinguishes a step of a clock from a slow path. A large step contradicts the bounds from recent exchanges; no path can do this, however slow
+    /// or asymmetric it is. A small step moves the lower and the upper bound by the same amount. Also detects a change of the resolution.
     /// </summary>
     sealed class ClockStepDetector
     {
@@ -63,7 +63,7 @@ namespace Nowpose.Sync
             ClearSuspects();
             if (!_shift.Judge(exchange, line, envelope)) return ClockChange.None;
             _suspects.AddRange(_shift.Since);
-            return Suspicion > envelope.ServerErrorBound() + exchange.ServerErrorBound ? ClockChange.ShortStep : ClockChange.ServerCorrection;
+            return Suspicion > envelope.ServerErrorBound() + exchange.ServerErrorBound ? ClockChange.SmallStep : ClockChange.ServerCorrection;
         }
 
         /// <summary>Makes the suspected exchanges the reference for later exchanges.</summary>
@@ -80,7 +80,7 @@ namespace Nowpose.Sync
             _suspected.Add(exchange);
             if (_suspects.Count < (_isWithinServerError ? InARowAfterCorrection : InARow)) return ClockChange.Suspected;
             if (_isWithinServerError) return ClockChange.ServerCorrection;
-            return _hasContradicted ? ClockChange.LongStep : ClockChange.Resolution;
+            return _hasContradicted ? ClockChange.LargeStep : ClockChange.Resolution;
         }
 
         bool AgreesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0

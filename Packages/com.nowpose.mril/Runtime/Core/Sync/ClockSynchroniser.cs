@@ -16,7 +16,7 @@ namespace Nowpose.Sync
 
         /// <summary>
         /// Standard deviations of the change of the skew, dimensionless. SkewUncertaintyOfSameClocks: a clock was set, its resolution changed, or the
-        /// server corrected it. SkewUncertaintyAfterStep: after a long step, another machine may provide the control clock.
+        /// server corrected it. SkewUncertaintyAfterStep: after a large step, another machine may provide the control clock.
         /// SkewUncertaintyAfterSilence: after a long time without exchanges, the headset may have slept and cooled down.
         /// </summary>
         const double SkewUncertaintyOfSameClocks = 1e-6, SkewUncertaintyAfterStep = 50e-6, SkewUncertaintyAfterSilence = 5e-6;
@@ -115,10 +115,10 @@ namespace Nowpose.Sync
                 case ClockChange.ServerCorrection:
                     Restart(exchange, SkewUncertaintyOfSameClocks, stepped: false);
                     return SyncVerdict.Consistent;
-                case ClockChange.ShortStep:
+                case ClockChange.SmallStep:
                     Restart(exchange, SkewUncertaintyOfSameClocks, stepped: true);
                     return SyncVerdict.Step;
-                case ClockChange.LongStep:
+                case ClockChange.LargeStep:
                     Restart(exchange, SkewUncertaintyAfterStep, stepped: true);
                     return SyncVerdict.Step;
                 default:

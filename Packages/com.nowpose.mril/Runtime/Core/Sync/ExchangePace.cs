@@ -11,7 +11,7 @@ namespace Nowpose.Sync
         /// <summary>Minimum interval between two exchanges; the resulting rate is half the rate that a server accepts.</summary>
         static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(20);
 
-        /// <summary>Maximum interval: a sixth of the time without requests after which a server closes the connection.</summary>
+        /// <summary>Maximum interval: a sixth of a server's idle timeout.</summary>
         static readonly TimeSpan MaxInterval = TimeSpan.FromSeconds(10);
 
         const int QuickFactor = 4, SlowFactor = 5;

@@ -13,6 +13,6 @@ namespace Nowpose.Unity.Messages
         public const string Restored = "the base has its pose from an earlier run; look at a marker to confirm it";
         public const string MovedLabel = "base or marker moved";
         public const string Moved = "a marker is not at its expected position";
-        public const string Lost = "the headset has lost its position";
+        public const string Lost = "the headset has lost its position in the room";
     }
 }

@@ -33,7 +33,7 @@ namespace Nowpose.Unity.Messages
             if (profile.Range is { } range)
                 return FormattableString.Invariant($"up to {range.Limit.TotalMilliseconds:0.0} ms render time, {RenderTimeNames.NameOf(range.Source)}");
             return profile.ValidToRenderTime is { } valid
-                ? FormattableString.Invariant($"no limit seen up to {valid.TotalMilliseconds:0.0} ms render time") : "no render time limit known";
+                ? FormattableString.Invariant($"no limit found up to {valid.TotalMilliseconds:0.0} ms render time") : "no render time limit known";
         }
     }
 }

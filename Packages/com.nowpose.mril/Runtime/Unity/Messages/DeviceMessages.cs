@@ -6,7 +6,7 @@ namespace Nowpose.Unity.Messages
     static class DeviceMessages
     {
         public const string NoStoreComponent =
-            "anchors are lost at the next start, because the object of the Spatial Anchors has no Anchor Store; add this component to it";
+            "anchors are lost at the next start, because the object with the component Spatial Anchors has no component Anchor Store; add it";
 
         public const string NotStoredYet = "the device has not stored the anchor yet";
 
@@ -37,7 +37,7 @@ namespace Nowpose.Unity.Messages
 
         public const string NoOrigin = "the main camera has no XR Origin above it; add one, or assign it";
 
-        public static string NoManager(string manager, string need) => $"the XR Origin has no {manager}; add one to it: {need}";
+        public static string NoManager(string manager, string need) => $"the XR Origin has no {manager}; add one to it; {need}";
 
         public static string ManagerOff(string manager) => $"the {manager} on the XR Origin is switched off; switch it on";
 
@@ -55,7 +55,7 @@ namespace Nowpose.Unity.Messages
         public static string CountersPaired(string component, long hertz, long stopwatchHertz, double microseconds) => FormattableString.Invariant(
             $"display time '{component}': performance counter {hertz} Hz, stopwatch {stopwatchHertz} Hz, paired within {microseconds:0.0} µs");
 
-        public const string OtherClock = 
+        public const string OtherClock =
             "the session's clock does not read the performance counter; remove the script that sets HeadsetClock, "
             + "or implement IPerformanceCounterClock in the class of that clock";
 

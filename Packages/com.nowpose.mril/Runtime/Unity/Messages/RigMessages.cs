@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Messages
 
         public static string NoRootLink(string robot, string rig, string root, string drawn) =>
             $"robot '{robot}': no object below '{rig}' has the name of its root link '{root}', but '{drawn}' is drawn there; name an object "
-            + "after each link of the URDF, or remove this object so that the rig builds the robot";
+            + $"after each link of the URDF, or remove '{drawn}' so that the rig builds the robot";
 
         public static string MovedBetween(string robot, string between, string parent, string link) =>
             $"robot '{robot}': '{between}' is between the links '{parent}' and '{link}' and is moved, turned or scaled; reset its transform";

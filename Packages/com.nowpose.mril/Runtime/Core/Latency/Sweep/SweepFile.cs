@@ -66,7 +66,7 @@ namespace Nowpose.Latency.Sweep
                 _ => judged, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         }
 
-        // The scheduler is explicit because the caller's current scheduler may run on the frame's thread.
+        // The scheduler is explicit because the caller's current scheduler may run on the frame loop's thread.
         void Then(Action action) => _writing = _writing.ContinueWith(
             _ => Try(action), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
 

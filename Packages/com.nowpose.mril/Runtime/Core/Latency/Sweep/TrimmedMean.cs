@@ -17,7 +17,9 @@ namespace Nowpose.Latency.Sweep
         /// <summary>Standard error of <see cref="Mean"/>, for independent numbers.</summary>
         public readonly double Error;
 
-        /// <param name="numbers">Values in any order, one or more.</param>
+        /// <param name="numbers">List that contains the numbers, in any order.</param>
+        /// <param name="start">Index of the first number to use.</param>
+        /// <param name="count">Number of values to use, 1 or more.</param>
         public TrimmedMean(IReadOnlyList<double> numbers, int start, int count)
         {
             var sorted = new double[count];

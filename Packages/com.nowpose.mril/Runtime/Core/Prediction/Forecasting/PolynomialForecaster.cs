@@ -19,7 +19,10 @@ namespace Nowpose.Prediction.Forecasting
 
         public const int MaxDegree = 3;
 
-        /// <summary>Half a tick of the time types: closer stamps count as equal, and a polynomial cannot pass through both.</summary>
+        /// <summary>
+        /// Minimum interval between distinct stamps, s: half a tick of the time types. Closer stamps count as equal, because no polynomial can pass
+        /// through both samples.
+        /// </summary>
         const double CoincidentSeconds = 0.5e-7;
 
         readonly int _degree;

@@ -22,12 +22,15 @@ namespace Nowpose.Prediction.Mixing
         public const double TimeConstant = 20;
 
         /// <summary>
-        /// Minimum squared displacement per horizon of a first move, a motion much faster than the recent ones, relative to the mean square
-        /// error of hold.
+        /// Threshold for a first move, which is a motion much faster than the recent ones: minimum ratio of the squared displacement within
+        /// one horizon to the mean square error of hold.
         /// </summary>
         public const double FirstMoveRatio = 30;
 
-        /// <summary>Maximum age of a scored snapshot, in horizons, plus one interval. An older snapshot was made before a pause.</summary>
+        /// <summary>
+        /// Maximum age of a scored snapshot, in horizons; the mean sampling interval is added. An older snapshot was made before a pause of the
+        /// samples.
+        /// </summary>
         const double MaxAgeRatio = 1.5;
 
         readonly PredictionLimits _limits;

@@ -59,7 +59,7 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
         public void Learn(double[] errors, double forgettingFactor)
         {
-            // The error that the present weights would have made.
+            // Error of the mixture with the current weights.
             var (products, gain, mixture) = (_products, 1 - forgettingFactor, 0.0);
             for (var i = 0; i < errors.Length; i++) mixture += Values[i] * errors[i];
             for (int i = 0, row = 0; i < errors.Length; i++, row += _count)

@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Planning
         /// <summary>Standard deviation of an unknown delay, s.</summary>
         const double UnknownDelay = 0.1;
 
-        /// <summary>Standard deviation of an unknown offset, relative to the path's range.</summary>
+        /// <summary>Standard deviation of an unknown offset, relative to the plan's range.</summary>
         const double UnknownOffset = 0.02;
 
         /// <summary>

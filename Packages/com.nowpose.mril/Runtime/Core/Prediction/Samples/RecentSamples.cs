@@ -48,8 +48,8 @@ namespace Nowpose.Prediction.Samples
         }
 
         /// <summary>
-        /// Returns whether the sample with the same time, or the samples before and after, show that the joint was elsewhere; false if there are
-        /// none.
+        /// Returns whether the position of a sample contradicts the stored sample with the same time or, if there is none, the stored samples
+        /// before and after it; false if one of these two is missing.
         /// </summary>
         public bool Contradict(in JointSample sample)
         {

@@ -7,7 +7,10 @@ namespace Nowpose.Session.Hindcast
     {
         const int StepsPerOctave = 8;
 
-        /// <summary>Range from below the resolution of encoders to 64 rad or m; values outside count in the first or last step.</summary>
+        /// <summary>
+        /// Exponents of 2 that bound the range: from 1.5e-8, below the resolution of encoders, to 64 rad or m. Values outside the range are counted
+        /// in the first or last step.
+        /// </summary>
         const int LowestOctave = -26, HighestOctave = 6;
 
         const int Steps = (HighestOctave - LowestOctave) * StepsPerOctave;
@@ -16,7 +19,7 @@ namespace Nowpose.Session.Hindcast
 
         readonly int[] _counts = new int[Steps];
 
-        // Range of the steps in use. The errors of one quantity use only a few of all steps.
+        // Range of the steps in use: loops skip the others, because the errors of one quantity fall into only a few steps.
         int _first = Steps, _end;
 
         public void Add(double squared)

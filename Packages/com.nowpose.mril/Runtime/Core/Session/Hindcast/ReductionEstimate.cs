@@ -40,7 +40,7 @@ namespace Nowpose.Session.Hindcast
         static double Reduction(double displayed, double held) => 1 - Math.Sqrt(displayed / held);
 
         /// <summary>
-        /// Returns the 97.5 % quantile of Student's distribution. MathNet's function would search for it iteratively on the frame's thread.
+        /// Returns the 97.5 % quantile of Student's distribution. MathNet's function would search for it iteratively on the frame loop's thread.
         /// </summary>
         /// <remarks>
         /// Uses the series in 1/ν of Abramowitz &amp; Stegun 26.7.5 up to 1/ν⁴: 0.12 % too small at ν = 3, and more accurate for larger ν.

@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Sync.Envelope
 {
     /// <summary>
-    /// Fits one curve to both sides of the corridor, with a separate height for each side. The offset is halfway between the two heights. A prior
-    /// determines slope and bend if the data do not determine them.
+    /// Fits one curve to the lower and the upper bounds of the offset, with a separate constant term (height) for each. The estimated offset is
+    /// halfway between the two heights. A prior determines the slope and the quadratic term (bend) if the data do not determine them.
     /// </summary>
     sealed class EnvelopeFit
     {
