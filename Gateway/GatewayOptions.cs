@@ -172,7 +172,7 @@ public sealed record GatewayOptions
         CheckRate(nameof(SyncRequestsPerSecond), SyncRequestsPerSecond);
     }
 
-    // The limit bounds the memory: each connection stores the times of the messages within one second.
+    // The limit bounds the memory use: each connection stores the times of the messages of the last second.
     static void CheckRate(string option, int perSecond)
     {
         if (perSecond is < 1 or > MaxRate)

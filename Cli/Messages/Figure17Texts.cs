@@ -11,7 +11,7 @@ static class Figure17Texts
     public static string Beyond(string gaps) => $"With adaptive the gaps are {gaps}.";
 
     public const string Conditions =
-        "The moments are those marked in Fig. 16: A where the robot reaches its full speed, B halfway, C where the speed has fallen to "
+        "The moments are those marked in Fig. 16: A when the robot reaches its full speed, B halfway, C when the speed has fallen to "
         + "half. Gaps are distances between the tool centre points; drawings and table show the first run.";
 
     public static string Criterion(string moment) =>

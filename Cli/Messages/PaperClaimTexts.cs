@@ -41,5 +41,5 @@ static class PaperClaimTexts
 
     public static string NoSwing(double seconds, double pauseSeconds, double maxSeconds) =>
         FormattableString.Invariant($"no swing after {seconds:0} s has all its frames; the longest pause between frames was ")
-        + FormattableString.Invariant($"{pauseSeconds:0.00} s ({maxSeconds} s are allowed)");
+        + FormattableString.Invariant($"{pauseSeconds:0.00} s (maximum: {maxSeconds} s)");
 }

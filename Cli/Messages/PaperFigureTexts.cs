@@ -6,7 +6,7 @@ static class PaperFigureTexts
     public const string FirstSwing = "The plots show the first whole swing after 10 s; the numbers include all whole swings of all repeats.";
 
     public const string Moments =
-        "The moments are those marked in Fig. 16: A where the robot reaches its full speed, B halfway, C where the speed has fallen to half. "
+        "The moments are those marked in Fig. 16: A when the robot reaches its full speed, B halfway, C when the speed has fallen to half. "
         + "The drawings show the first whole swing; the criteria include all swings.";
 
     public static string OperatingPoints(string swing) =>

@@ -4,7 +4,7 @@ namespace Nowpose.Cli.Messages;
 static class UnityPackageMessages
 {
     public static string NotAnAddress(string text, string package) =>
-        $"--package: '{text}' is neither a git address nor a folder or tarball with the package {package}; pass one of these";
+        $"--package: '{text}' is neither a Git URL nor a folder or tarball with the package {package}; pass one of these";
 
     public const string Owner = "--package: replace OWNER with the name of the account that has your copy of the repository";
     public const string ObjectExpected = "a JSON object is expected";

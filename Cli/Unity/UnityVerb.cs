@@ -20,7 +20,7 @@ static class UnityVerb
         };
         var package = new Option<string>("--package")
         {
-            Description = "Source of the package: a git address, file:PATH or a folder. Default: the source in the project's manifest or, if it has none, "
+            Description = "Source of the package: a Git URL, file:PATH or a folder. Default: the source in the project's manifest or, if it has none, "
                 + "the folder of this clone or published program.",
             HelpName = "ADDRESS",
         };

@@ -12,5 +12,5 @@ static class HeadsetListMessages
         $"{path}: the list of paired headsets cannot be used ({reason}); check its permissions";
 
     public static string Full(string path, int max) =>
-        $"{path}: already contains {max} headsets, which is the maximum; revoke one with the command pairings";
+        $"{path}: already contains {max} headsets, which is the maximum; revoke one with the pairings command";
 }

@@ -42,7 +42,7 @@ sealed class RecordedFile
     /// <summary>The robot described in the file's header.</summary>
     public DescribedRobot Robot { get; }
 
-    /// <summary>Time at which the next file replaced this one, a count of <see cref="System.Diagnostics.Stopwatch"/>.</summary>
+    /// <summary>Time at which the next file replaced this one, as a <see cref="System.Diagnostics.Stopwatch"/> timestamp.</summary>
     public long RetiredAt { get; set; }
 
     /// <summary>Whether a user has deleted the file.</summary>

@@ -38,8 +38,8 @@ public class UnityPackageTests
     }
 
     [TestCase("https://github.com/OWNER/nowpose.git", "replace OWNER")]
-    [TestCase("no-such-folder", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
-    [TestCase("file:../nowhere", "is neither a git address nor a folder or tarball with the package com.nowpose.mril")]
+    [TestCase("no-such-folder", "is neither a Git URL nor a folder or tarball with the package com.nowpose.mril")]
+    [TestCase("file:../nowhere", "is neither a Git URL nor a folder or tarball with the package com.nowpose.mril")]
     public async Task Unity_PackageMissing_Fails(string given, string reason)
     {
         using var project = new UnityProjectFolder(Empty);

@@ -4,7 +4,9 @@ using System.Runtime.InteropServices;
 namespace Nowpose.Tests.Common;
 
 /// <summary>Restores the default action of SIGHUP and SIGINT while a test starts a program. Linux only.</summary>
-/// <remarks>A program started by nohup or in the background of a script ignores these signals, and so do all programs that it starts.</remarks>
+/// <remarks>
+/// A program that is started with nohup, or in the background by a script, ignores these signals, and so do all programs that it starts.
+/// </remarks>
 static class DefaultSignals
 {
     const nint Default = 0, Ignored = 1;

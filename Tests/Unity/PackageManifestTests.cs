@@ -32,7 +32,7 @@ public sealed class PackageManifestTests
     }
 
     [Test]
-    public void PackageManifest_Dependencies_AreExactlyTheExpected()
+    public void PackageManifest_Dependencies_MatchTheExpectedList()
     {
         var others = Dependencies(Manifest).Where(d => !d.Key.StartsWith(ModulePrefix, StringComparison.Ordinal));
 

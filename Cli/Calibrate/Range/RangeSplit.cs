@@ -3,7 +3,7 @@ namespace Nowpose.Cli.Calibrate.Range;
 /// <summary>Splits a sequence of pairs, sorted by render time, where it changes from mostly good to mostly bad pairs.</summary>
 /// <remarks>
 /// A pair is bad with probability p below the split and q beyond it. The split maximises the likelihood, where p is at most 0.2 (misread
-/// pictures, frames behind a slow one) and q is at least 0.7. For the final position, a bad pair counts as three pairs, because a limit
+/// pictures, frames that follow a slow frame) and q is at least 0.7. For the final position, a bad pair counts as three pairs, because a limit
 /// that is too high is worse than one that is too low. A source that reports the render time of an earlier frame mixes good and bad
 /// pairs of the loads around the limit; the weight moves those loads beyond the limit.
 /// </remarks>

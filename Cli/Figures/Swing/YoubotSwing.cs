@@ -85,7 +85,7 @@ sealed class YoubotSwing
     /// <summary>Maximum speed of the tool centre point, mm/s.</summary>
     public double FullSpeed => ToolSpeedAt(MoveSeconds / 2);
 
-    /// <summary>Gets whether the robot moves, and its velocity has been constant for the time span of a prediction.</summary>
+    /// <summary>Returns whether the robot is moving at t and its velocity has been constant for the time span of a prediction.</summary>
     public bool IsSteadyAt(double t) => IsStraightAt(t) && IsStraightAt(t - Span);
 
     /// <summary>Gets whether the robot moves, and its velocity has changed within the time span of a prediction.</summary>

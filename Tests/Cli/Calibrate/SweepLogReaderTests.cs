@@ -48,7 +48,7 @@ public sealed class SweepLogReaderTests
     }
 
     [Test]
-    public void Read_WrittenConditions_ReturnsConditionsOfTheHeader()
+    public void Read_HeaderWithConditions_ReturnsTheConditions()
     {
         var written = new DisplayConditions(
             "HoloLens 2", 60, "Direct3D11", "MultiThreaded", "built-in", false, "PrioritizeRendering", ReprojectionMode.Depth);

@@ -14,7 +14,8 @@ public class DisplayFigureTests
     const double StoredMs = 40, LimitMs = 15.2;
 
     /// <summary>
-    /// Half-widths of a uniform scatter, ms. Still: scatter of the camera. Refresh: scatter over a refresh interval. Between: a value in between.
+    /// Half-widths of the uniform scatter of L_visu, ms. Still: scatter of the camera's readings while L_visu is constant. Refresh: L_visu varies
+    /// over one refresh interval. Between: a value between the two.
     /// </summary>
     const double Still = 1, Refresh = 8.3, Between = 5;
 

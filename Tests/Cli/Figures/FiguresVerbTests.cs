@@ -51,7 +51,7 @@ public partial class FiguresVerbTests
     }
 
     [Test]
-    public void Run_PicturesOption_WritesSvgFilesWithOwnStyles()
+    public void Run_PicturesOption_WritesSvgFilesWithEmbeddedStyles()
     {
         var pictures = Path.Combine(_folder, "images");
 

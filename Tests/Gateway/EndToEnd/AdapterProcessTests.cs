@@ -210,7 +210,7 @@ public class AdapterProcessTests
     [TestCase("frames: [{ frame: part, position: { unit: m, x: { topic: part }, y: 0, z: 0 } }]", false)]
     [TestCase("signals: [{ signal: closed, topic: gripper }]", false)]
     [TestCase("joints: [{ joint: a, topic: a }]\nsignals: [{ signal: closed, topic: gripper }]", true)]
-    public async Task Check_PlantWithObjectsOrSignalsOnly_ExpectsNoJoints(string entries, bool expectsJoints)
+    public async Task Check_PlantWithObjectsOrSignals_ExpectsJointsOnlyIfConfigured(string entries, bool expectsJoints)
     {
         var path = Write($"plant: {{ kind: mqtt, endpoint: mqtt://127.0.0.1 }}\n{entries}\n");
 

@@ -77,7 +77,7 @@ public class BaseAnchorDisplayTests
     }
 
     [Test]
-    public void Look_BaseUncertain_IsStripedWithText()
+    public void Look_BaseUncertain_HasStripesAndStatesTheReason()
     {
         _played.Markers.IsBlind = true;
         _played.PlayOne();

@@ -81,7 +81,7 @@ public sealed class PrefabInstanceTests
     }
 
     [Test]
-    public void Instance_Modified_KeepsOnlyTheModifiedValues()
+    public void Instance_Modified_SavesOnlyTheModifiedValues()
     {
         var arm = NewArm(out var hand);
         var probe = hand.GetComponent<LoaderProbe>();

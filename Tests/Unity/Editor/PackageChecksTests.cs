@@ -43,7 +43,7 @@ public sealed class PackageChecksTests : EditorFixture
     }
 
     [Test]
-    public void Package_TooOld_IsRecommended()
+    public void Package_TooOld_UpdateIsRecommended()
     {
         PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.arfoundation", "4.1.7"));
         PackageInfo.Registered.Add(new PackageInfo("com.microsoft.mixedreality.openxr", "1.11.1-preview"));

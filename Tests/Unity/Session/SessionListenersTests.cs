@@ -88,7 +88,7 @@ public class SessionListenersTests
             var count = 0;
             Listen(heard, () =>
             {
-                // Runs the action twice and not at each event, so that the sequence ends.
+                // Runs the action only for the first two events, so that the sequence ends.
                 if (count++ < 2 && _session != null) Actions[action](_session);
                 Note(label);
             });

@@ -60,7 +60,7 @@ export class SignalOutput {
 
   /** Updates the state of signals that have been silent for too long, and publishes signals that waited for the clock. */
   check(): void {
-    // Checks the silence only if the source confirms unchanged values. Another source is silent until a signal changes.
+    // Checks for silent signals only if the source confirms unchanged values. Any other source sends nothing until a signal changes.
     if (this.silence.unconfirmedMs !== null) this.silence.check();
     this.sender.check();
   }

@@ -21,8 +21,8 @@ namespace Nowpose.Editor.Messages
             + "automatically, which is slower on a HoloLens 2 according to Unity's measurements.";
 
         public const string GraphicsJobs =
-            "Graphics Jobs change when a frame reaches the display, so a calibration of the visualisation latency is valid for one setting only. "
-            + "Calibrate again after every change.";
+            "Graphics Jobs affect the time at which a frame reaches the display, so a calibration of the visualisation latency is valid for one setting "
+            + "only. Calibrate again after every change.";
 
         public const string InputHandling =
             "OpenXR provides the poses of head and hands through the Input System, and MRTK3 needs it. Without it, the camera "

@@ -51,7 +51,7 @@ namespace Nowpose.Editor.Setup
             new PackageOrigin(name, isEditorsChoice ? name : name + "@" + version, version, null, min, below);
 
         /// <summary>Creates the origin of a package that is installed from an address.</summary>
-        /// <param name="address">Address for the Package Manager: a git address, or file: and a path.</param>
+        /// <param name="address">Address for the Package Manager: a Git URL, or file: and a path.</param>
         public static PackageOrigin At(string name, string address, string min = null, string below = null) =>
             new PackageOrigin(name, address, address, null, min, below);
 

@@ -8,13 +8,13 @@ namespace Nowpose.Editor.Setup
     {
         static readonly Regex Plain = new Regex(@"^\d+\.\d+\.\d+(-[\w.-]+)?$", RegexOptions.CultureInvariant);
 
-        // Matches a tag such as #core-v3.3.0 at the end of a git address, or the name of a tarball such as org.example.core-3.3.0.tgz.
+        // Matches a tag such as #core-v3.3.0 at the end of a Git URL, or the name of a tarball such as org.example.core-3.3.0.tgz.
         static readonly Regex InAddress = new Regex(
             @"(?:#(?:[^#]*[-/])?v?(\d+\.\d+\.\d+)(?:-[\w.-]+)?$)|(?:-(\d+\.\d+\.\d+)(?:-[\w.]+)?\.tgz$)", RegexOptions.CultureInvariant);
 
-        /// <summary>Reads the version from the value of a dependency: a version, a git address with a tag, or the name of a tarball.</summary>
+        /// <summary>Reads the version from the value of a dependency: a version, a Git URL with a tag, or the name of a tarball.</summary>
         /// <returns>
-        /// Null if the value does not contain a version, for example because it is the path of a folder or a git address with a commit.
+        /// Null if the value does not contain a version, for example because it is the path of a folder or a Git URL with a commit.
         /// </returns>
         public static Version Read(string reference)
         {

@@ -8,7 +8,7 @@ namespace Nowpose.Messages
         public const string PinMissing =
             "cell code: the certificate pin is missing; only a gateway on the headset's own machine can be used without it; print the code again";
 
-        public const string PinInvalid = "certificate pin is not the base64url of 32 bytes; print the code again";
+        public const string PinInvalid = "certificate pin is not the base64url encoding of 32 bytes; print the code again";
 
         public static string MarkerSize(string min, string max) => $"marker size is not a number; allowed: {min} to {max} m";
 
@@ -56,7 +56,7 @@ namespace Nowpose.Messages
             $"pairing codes: {max} different codes were in view, which is the maximum; further codes are read in {minutes} minutes or after a "
             + "restart";
 
-        public static string TokenInvalid(int bytes) => $"token code: the token is not the base64url of {bytes} bytes; show the code again";
+        public static string TokenInvalid(int bytes) => $"token code: the token is not the base64url encoding of {bytes} bytes; show the code again";
 
         public static string OutOfRange(char key, long value, long min, long max) => $"{key}={value}; allowed: {min} to {max}";
         public static string NotWhole(char key, long min, long max) => $"{key} is not a whole number; allowed: {min} to {max}";

@@ -12,7 +12,7 @@ namespace Nowpose.Network
         /// <summary>Whether the gateway rejected the headset's token, or the headset has no token.</summary>
         public bool IsOfToken { get; private set; }
 
-        /// <summary>Creates an exception from the HTTP status of the answer to the WebSocket request.</summary>
+        /// <summary>Creates an exception from the HTTP status code of the response to the WebSocket upgrade request.</summary>
         internal static GatewayRefusalException OfStatus(int status, Exception innerException = null) =>
             new GatewayRefusalException(WebSocketUpgrade.RefusalOf(status), innerException) { IsOfToken = status == 401 };
 

@@ -74,7 +74,7 @@ namespace Nowpose.Session
         /// <summary>Jerk limit of revolute joints in rad/s³; infinity if unknown.</summary>
         public double JerkLimit { get; }
 
-        /// <summary>Whether the predictor is the hold, the reference for comparisons: the newest samples, without blending and plans.</summary>
+        /// <summary>Whether the predictor is hold, the reference for comparisons: the newest samples, without blending or plans.</summary>
         internal bool IsHold => Predictor == "hold";
 
         internal bool FollowsPlans => FollowPlan && !IsHold;

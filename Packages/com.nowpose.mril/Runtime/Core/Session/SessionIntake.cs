@@ -49,7 +49,8 @@ namespace Nowpose.Session
         }
 
         /// <summary>
-        /// Raised within <see cref="CompensationSession.Tick"/> for each used message, with its L_app; L_app is null while the clock is unknown.
+        /// Raised within <see cref="CompensationSession.Tick"/> for each message that is used, with its L_app; null while the clock offset is
+        /// unknown.
         /// </summary>
         /// <remarks>A handler must be fast, must not throw, and must not call the session. It may keep the message.</remarks>
         public event Action<SampleArrival, TimeSpan?> SampleTaken;
@@ -109,8 +110,8 @@ namespace Nowpose.Session
                 if (!mayBeKept && !HasSampleHandler) _backlog[i].Message.Release();
             }
             _backlog.Clear();
-            // Plans stay queued until the clock is known. Their stamps cannot be validated earlier, and a source may not repeat a dropped plan for a
-            // long time.
+            // Plans stay queued until the clock offset is known. Their stamps cannot be validated earlier, and a source may not repeat a dropped plan
+            // for a long time.
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
         }
 

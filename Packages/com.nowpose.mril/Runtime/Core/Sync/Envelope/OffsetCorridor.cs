@@ -23,7 +23,7 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Number of exchanges added.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Largest lower bound minus the line.</summary>
+        /// <summary>Maximum of the lower bounds, each relative to the line.</summary>
         public double Lower { get; private set; }
 
         /// <summary>Smallest upper bound minus the line.</summary>

@@ -221,7 +221,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
-        public void Diagnostics_JointWithoutData_ContainPoseJointAndShare()
+        public void Diagnostics_JointWithoutData_ContainPoseStateMissingJointAndCurrentShare()
         {
             var simulated = Running();
             var before = DiagnosticsOf(simulated);

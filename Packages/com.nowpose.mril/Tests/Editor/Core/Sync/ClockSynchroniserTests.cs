@@ -83,7 +83,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(50)]
         [TestCase(-50)]
         [TestCase(86_400_000)]
-        public void Step_ControlClock_IsDetectedWithinASecondAndRestarts(int stepMs)
+        public void ControlClock_Steps_SynchronisationRestartsWithinASecond(int stepMs)
         {
             var link = new SimulatedLink(NetworkProfile.Wifi, 3, 20);
             var run = NewRun();

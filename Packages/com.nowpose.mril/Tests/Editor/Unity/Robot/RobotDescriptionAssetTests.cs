@@ -46,7 +46,7 @@ namespace Nowpose.Tests.Unity.Robot
         }
 
         [Test]
-        public void Read_NotARobot_NamesTheAssetAndTheLine()
+        public void Read_InvalidDescription_NamesTheAssetAndTheLine()
         {
             var fault = Assert.Throws<InputException>(() => Asset("<robot name='r'>\n<joint name='j'/>\n</robot>").Read());
 

@@ -34,7 +34,7 @@ namespace Nowpose.Tests.Unity.Setup
         [TestCase("4.0.0-pre.2", "3.0.4", "Missing")]
         [TestCase("4.1.0", "2.6.3", "Missing")]
         [TestCase(null, "3.0.4", "Missing")]
-        public void MrtkGeneration_Versions_AreChecked(string mrtk, string interaction, string state)
+        public void MrtkGeneration_InstalledVersions_DetermineTheState(string mrtk, string interaction, string state)
         {
             var project = new FakeProject();
             if (mrtk != null) project.Installed[Core] = mrtk;

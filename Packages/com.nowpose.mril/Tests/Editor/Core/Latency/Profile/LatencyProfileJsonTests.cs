@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
         [TestCase("visu_ms = 40")]
         [TestCase("{\"visu_ms\": 1e999999}")]
         [TestCase("\0\0\0\0\0\0\0\0")]
-        public void Read_OtherContent_IsRefusedWithAOneLineMessage(string text)
+        public void Read_InvalidContent_IsRefusedWithAOneLineMessage(string text)
         {
             Assert.That(FaultOf(text), Does.StartWith("profile.json: ").And.Not.Contains("\n"));
         }
