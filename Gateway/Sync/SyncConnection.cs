@@ -126,9 +126,10 @@ sealed class SyncConnection
                 return Closure.ByPeer;
             // Reads the time first, because any work before it would count as network latency.
             var t2 = _clock.Now;
+            var bound = _clock.ErrorBound;
             if (!_rate.TryTake())
                 return Closure.TooManyRequests;
-            if (!SyncFrame.TryRead(_frame, out var frame, out _) || !Answer(stream, frame, t2))
+            if (!SyncFrame.TryRead(_frame, out var frame, out _) || !Answer(stream, frame, t2, bound))
                 return Closure.MalformedFrame;
             if (!_isAccepted)
                 continue;
@@ -155,16 +156,18 @@ sealed class SyncConnection
         return TryFill(stream, _frame.AsSpan(begun));
     }
 
-    bool Answer(Stream stream, in SyncFrame frame, ControlTime t2)
+    bool Answer(Stream stream, in SyncFrame frame, ControlTime t2, TimeSpan boundAtT2)
     {
         if (frame.Kind == SyncFrameKind.Token)
             return AnswerToken(stream);
         if (!_isAccepted || frame.Kind != SyncFrameKind.Request)
             return false;
         var synchronised = _clock.IsSynchronised;
-        var bound = _clock.ErrorBound;
+        // The estimate of the plant's clock may have been updated since t2, so the larger of the two bounds applies to both times.
+        var boundNow = _clock.ErrorBound;
+        var bound = boundNow > boundAtT2 ? boundNow : boundAtT2;
         var resolution = (uint)Math.Min(uint.MaxValue, _clock.Resolution.Ticks * 100);
-        // Prevents t3 < t2: the control time steps back by microseconds when the estimate of the plant's clock is updated.
+        // Prevents t3 < t2: the control time may step back when the estimate of the plant's clock is updated.
         var t3 = Math.Max(t2.Nanoseconds, _clock.Now.Nanoseconds);
         SyncFrame.Reply(frame, t2.Nanoseconds, t3, synchronised, bound, resolution).Write(_frame);
         stream.Write(_frame);

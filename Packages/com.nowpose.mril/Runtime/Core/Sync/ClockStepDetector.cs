@@ -55,9 +55,11 @@ namespace Nowpose.Sync
             var hasOtherResolution = IsOther(exchange.Resolution, _resolution);
             if (isContradiction || hasOtherResolution)
             {
-                if (!AgreesWithSuspects(exchange)) ClearSuspects();
+                var isExplained = !hasOtherResolution && envelope.Explains(exchange, line, _margin);
+                // An exchange of another kind begins a new group, so that a single exchange never completes a step.
+                if (isExplained != _isWithinServerError || !AgreesWithSuspects(exchange)) ClearSuspects();
                 _hasContradicted |= isContradiction;
-                _isWithinServerError &= !hasOtherResolution && envelope.Allows(exchange, line, _margin, includeServerError: true);
+                _isWithinServerError = isExplained;
                 return Suspect(exchange);
             }
             ClearSuspects();
@@ -84,7 +86,7 @@ namespace Nowpose.Sync
         }
 
         bool AgreesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0
-            || (_suspected.Allows(exchange, default, _margin, _isWithinServerError) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
+            || (_suspected.Allows(exchange, default, _margin, includeServerError: true) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
 
         // A server may estimate its resolution. Such an estimate varies by less than half of its value, which is not a change. A difference below the
         // margin has no effect.

@@ -109,7 +109,7 @@ namespace Nowpose.Sync
             switch (_detector.Judge(exchange, _estimator.Line, _envelope))
             {
                 case ClockChange.Suspected:
-                    WidenBound(exchange, IsSerious());
+                    WidenBound(exchange, IsSerious(exchange));
                     return SyncVerdict.SetAside;
                 case ClockChange.Resolution:
                 case ClockChange.ServerCorrection:
@@ -152,7 +152,8 @@ namespace Nowpose.Sync
         }
 
         // The estimated error includes the server's error bound, so it remains valid while the server corrects its clock within this bound.
-        bool IsSerious() => _estimator.Line.Exchanges == 0 || (_detector.Suspects.Count >= SuspectsToConverge && !_detector.IsServerCorrection);
+        bool IsSerious(in SyncExchange exchange) => _estimator.Line.Exchanges == 0 || !exchange.ServerSynchronised
+            || (_detector.Suspects.Count >= SuspectsToConverge && !_detector.IsServerCorrection);
 
         // Keeps the previous line, and widens its error bound so that the bound includes the contradiction. If the contradiction is serious, the
         // state becomes converging.

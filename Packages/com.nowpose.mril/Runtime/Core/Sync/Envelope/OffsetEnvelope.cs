@@ -45,6 +45,22 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>
+        /// Returns whether a correction of the server within the error bounds that it stated explains an exchange. Such a correction moves each
+        /// bound by at most the sum of the error bounds, while a step of a clock that is hidden by the round-trip time moves it further.
+        /// </summary>
+        public bool Explains(in SyncExchange exchange, in ClockLine line, TimeSpan margin)
+        {
+            if (!Allows(exchange, line, margin, includeServerError: true)) return false;
+            var bounds = new OffsetBounds(exchange);
+            var (lower, upper) = At(exchange.T4, line, ServerError.Ignored);
+            long maxServerError = 0;
+            for (var i = 0; i < _history.Count; i++) maxServerError = Math.Max(maxServerError, _history[i].ServerErrorBound);
+            var allowed = bounds.HalfResolution + margin.Ticks + bounds.ServerErrorBound + maxServerError
+                + (long)((exchange.T4 - line.Reference).Ticks * Math.Min(SkewErrorOfServer(), ClockLine.MaxSkew));
+            return bounds.Lower - lower <= allowed && upper - bounds.Upper <= allowed;
+        }
+
+        /// <summary>
         /// Returns the maximum distance of the true offset from the line at its reference time, including the server's own error: the
         /// distance to the farther end of the interval.
         /// </summary>
@@ -77,7 +93,9 @@ namespace Nowpose.Sync.Envelope
         (long Lower, long Upper) At(HeadsetTime now, in ClockLine line, ServerError included)
         {
             var skewError = line.Exchanges == 0 ? ClockLine.MaxSkew : 3 * line.SkewError + _skewUncertainty;
-            if (included == ServerError.AsStated) skewError += SkewErrorOfServer();
+            // The line's skew follows the server's errors, but the skew of real clocks is limited.
+            if (included == ServerError.AsStated && line.Exchanges > 0)
+                skewError = Math.Min(skewError + SkewErrorOfServer(), Math.Max(skewError, ClockLine.MaxSkew + Math.Abs(line.Skew)));
             // Uses half of the range of long, so that adding a margin to an end without a bound does not overflow.
             long lower = long.MinValue / 2, upper = long.MaxValue / 2, maxServerError = 0;
             for (var i = 0; i < _history.Count; i++)

@@ -113,6 +113,42 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
+        // The step is larger than the stated error bounds, although a round-trip time of 40 ms hides most of it.
+        [TestCase(41.5)]
+        [TestCase(-41.5)]
+        public void Step_HiddenByALongRoundTripTime_IsCounted(double stepMs)
+        {
+            for (var seed = 90; seed < 94; seed++)
+            {
+                var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+                var link = new SimulatedLink(NetworkProfile.Lan, seed, 40) { Server = s => (0, 1), LongerUpMs = 20, LongerDownMs = 20 };
+                run.Run(link, 0, 60);
+                link.Step = Lengths.Ms(stepMs);
+
+                run.Run(link, 60, 80);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed " + seed);
+            }
+        }
+
+        // The history is short, as after each correction.
+        [Test]
+        public void Step_AfterAShortHistoryAndSilence_IsCounted()
+        {
+            for (var seed = 90; seed < 94; seed++)
+            {
+                var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+                var link = new SimulatedLink(NetworkProfile.Lan, seed, 40) { Server = s => (0, 3) };
+                run.Run(link, 0, 0.3, intervalSeconds: 0.05);
+                run.Run(link, 0.3, 10, exchange: false);
+                link.Step = Lengths.Ms(200);
+
+                run.Run(link, 10, 20);
+
+                Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed " + seed);
+            }
+        }
+
         // Without exchanges, the uncertain skew would explain a step of 10 ms, but the gateway states that its clock is accurate.
         [TestCase(0)]
         [TestCase(0.1)]
