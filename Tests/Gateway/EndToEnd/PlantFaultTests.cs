@@ -83,16 +83,14 @@ public class PlantFaultTests
         Assert.That(Names(seen, "missing_joints"), Is.EqualTo(new[] { Joint }), seen.ToString());
         Assert.That(Text(seen.GetProperty("joints")[0], "state"), Is.EqualTo(state));
         Assert.That(Text(seen.GetProperty("joints")[0], "reason"), Does.Match(reason));
-        // On a busy machine, the samples of other joints or the clock may be late during the same outage, which then has their reason.
-        Assert.That(
-            seen.GetProperty("outages").EnumerateArray(), Has.Some.Matches<JsonElement>(outage => Names(outage, "joints").Contains(Joint)),
-            "outages: " + seen);
+        // A busy machine may delay the samples of the other joints during the same outage.
+        Assert.That(seen.GetProperty("outages").EnumerateArray(), Has.Some.Matches<JsonElement>(
+            outage => Names(outage, "joints").Contains(Joint) && Regex.IsMatch(Text(outage, "reason"), reason)), "outages: " + seen);
         Assert.That(Names(recovered, "missing_joints"), Is.Empty);
         // On a busy machine the pose of the last frame may not be current, so any stretch with a current pose is sufficient. The headset started
         // during the fault, so all stretches are after the repair.
         Assert.That(recovered.GetProperty("stretches").EnumerateArray(), Is.Not.Empty, recovered.ToString());
-        // On a busy machine, the estimate of the plant's clock may be inaccurate for a while.
-        var events = end.Events.Where(one => one.GetProperty("id").GetInt64() > lastEvent && Text(one, "kind") is not ("headset" or "clock")).ToList();
+        var events = end.Events.Where(one => one.GetProperty("id").GetInt64() > lastEvent && Text(one, "kind") != "headset").ToList();
         Assert.That(events.Select(one => Text(one, "which")), Is.All.EqualTo($"{Joint} (plc)"), string.Join("\n", events));
         Assert.That(events, Is.Not.Empty);
         Assert.That(
