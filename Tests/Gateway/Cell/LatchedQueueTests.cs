@@ -80,6 +80,7 @@ public class LatchedQueueTests
 
         var sent = await sending;
 
+        Assert.That(sent[^1], Is.EqualTo("t=9"));
         foreach (var name in "st")
         {
             var values = sent.Where(text => text[0] == name).Select(text => int.Parse(text[2..])).ToList();

@@ -10,6 +10,12 @@ namespace Nowpose.Sync
         /// </summary>
         internal const double MaxSkew = 700e-6;
 
+        /// <summary>Returns the skew of real clocks that is nearest to an estimated skew.</summary>
+        internal static double LimitSkew(double skew) => Math.Max(-MaxSkew, Math.Min(MaxSkew, skew));
+
+        /// <summary>Returns the standard error of an estimated skew about which only <see cref="MaxSkew"/> is known.</summary>
+        internal static double MaxSkewError(double skew) => (MaxSkew + Math.Abs(skew)) / 3;
+
         public ClockLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError, int exchanges)
         {
             Reference = reference;
@@ -31,7 +37,7 @@ namespace Nowpose.Sync
         /// <summary>Standard error of <see cref="Offset"/>; zero while it is unknown.</summary>
         public TimeSpan OffsetError { get; }
 
-        /// <summary>Standard error of <see cref="Skew"/>; a third of the maximum skew while it is unknown.</summary>
+        /// <summary>Standard error of <see cref="Skew"/>; at most <see cref="MaxSkewError"/> while it is unknown.</summary>
         public double SkewError { get; }
 
         /// <summary>Number of exchanges since the start or the last reset. If it is 0, the other values are undefined.</summary>

@@ -24,7 +24,7 @@ namespace Nowpose.Sync
         readonly OffsetShiftWatch _shift = new OffsetShiftWatch();
         readonly List<SyncExchange> _suspects = new List<SyncExchange>(InARowAfterCorrection);
         TimeSpan _resolution;
-        bool _hasContradicted, _isWithinServerError = true;
+        bool _hasContradicted;
 
         /// <param name="skewUncertainty">See <see cref="OffsetEnvelope"/>.</param>
         public ClockStepDetector(TimeSpan margin, double skewUncertainty)
@@ -45,7 +45,7 @@ namespace Nowpose.Sync
         /// Whether the error bounds that the server stated explain all contradictions of the suspected exchanges. True if there are no suspected
         /// exchanges.
         /// </summary>
-        public bool IsServerCorrection => _isWithinServerError;
+        public bool IsServerCorrection { get; private set; } = true;
 
         /// <summary>Classifies an exchange before it is added to the envelope and the line.</summary>
         public ClockChange Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
@@ -57,9 +57,9 @@ namespace Nowpose.Sync
             {
                 var isExplained = !hasOtherResolution && envelope.Explains(exchange, line, _margin);
                 // An exchange of another kind begins a new group, so that a single exchange never completes a step.
-                if (isExplained != _isWithinServerError || !AgreesWithSuspects(exchange)) ClearSuspects();
+                if (isExplained != IsServerCorrection || !AgreesWithSuspects(exchange)) ClearSuspects();
                 _hasContradicted |= isContradiction;
-                _isWithinServerError = isExplained;
+                IsServerCorrection = isExplained;
                 return Suspect(exchange);
             }
             ClearSuspects();
@@ -80,8 +80,8 @@ namespace Nowpose.Sync
         {
             _suspects.Add(exchange);
             _suspected.Add(exchange);
-            if (_suspects.Count < (_isWithinServerError ? InARowAfterCorrection : InARow)) return ClockChange.Suspected;
-            if (_isWithinServerError) return ClockChange.ServerCorrection;
+            if (_suspects.Count < (IsServerCorrection ? InARowAfterCorrection : InARow)) return ClockChange.Suspected;
+            if (IsServerCorrection) return ClockChange.ServerCorrection;
             return _hasContradicted ? ClockChange.LargeStep : ClockChange.Resolution;
         }
 
@@ -101,7 +101,7 @@ namespace Nowpose.Sync
             _suspects.Clear();
             _suspected.Reset();
             _hasContradicted = false;
-            _isWithinServerError = true;
+            IsServerCorrection = true;
         }
     }
 }

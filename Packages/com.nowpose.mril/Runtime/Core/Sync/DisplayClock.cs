@@ -46,7 +46,7 @@ namespace Nowpose.Sync
         {
             IsRestarted = believed.Steps != _shown.Steps || believed.IsKnown != _shown.IsKnown;
             // An early line through two late replies can be so steep that time would go back.
-            var skew = Math.Max(-ClockLine.MaxSkew, Math.Min(ClockLine.MaxSkew, believed.Skew));
+            var skew = ClockLine.LimitSkew(believed.Skew);
             if (!believed.IsKnown || !_shown.IsKnown || believed.Steps != _shown.Steps)
             {
                 _isCatchingUp = false;

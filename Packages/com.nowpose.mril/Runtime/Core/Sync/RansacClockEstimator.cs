@@ -63,11 +63,11 @@ namespace Nowpose.Sync
             var newest = _points[_points.Count - 1];
             // Half the difference from the first offset: the result is the mean of two offsets, or the only offset.
             var change = new TimeSpan((_points[0].Offset - newest.Offset).Ticks / 2);
-            return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.MaxSkew / 3, _exchanges);
+            return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.MaxSkewError(0), _exchanges);
         }
 
         double SkewErrorOf(double skew, double standardError) => _exchanges < MatureExchanges
-            ? Math.Max(standardError, (ClockLine.MaxSkew + Math.Abs(skew)) / 3) : standardError + BurstError;
+            ? Math.Max(standardError, ClockLine.MaxSkewError(skew)) : standardError + BurstError;
 
         FittedLine Fit()
         {

@@ -183,7 +183,7 @@ namespace Nowpose.Sync.Envelope
         {
             var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
             var slope = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
-            var skew = Math.Max(-ClockLine.MaxSkew, Math.Min(ClockLine.MaxSkew, slope));
+            var skew = ClockLine.LimitSkew(slope);
             var passed = _history.Count < 2 ? 0 : ClockTicks.Seconds(reference - _history[1].Received);
             // The time constant is at most half of the elapsed time.
             var share = Math.Min(1, passed / Math.Max(1e-3, Math.Min(SkewTimeConstant, running / 2)));
@@ -193,8 +193,7 @@ namespace Nowpose.Sync.Envelope
             // other end. A third of this error is used as the standard error.
             var hidden = unsampled / Math.Max(1e-3, span) / 3;
             var skewError = Math.Min(
-                (ClockLine.MaxSkew + Math.Abs(skew)) / 3,
-                _fit.SlopeError + Math.Abs(skew - _steadySkew) + Math.Abs(slope - skew) + hidden);
+                ClockLine.MaxSkewError(skew), _fit.SlopeError + Math.Abs(skew - _steadySkew) + Math.Abs(slope - skew) + hidden);
             _steadySkewError += (skewError - _steadySkewError) * share;
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
             var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;

@@ -95,7 +95,7 @@ namespace Nowpose.Sync.Envelope
             var skewError = line.Exchanges == 0 ? ClockLine.MaxSkew : 3 * line.SkewError + _skewUncertainty;
             // The line's skew follows the server's errors, but the skew of real clocks is limited.
             if (included == ServerError.AsStated && line.Exchanges > 0)
-                skewError = Math.Min(skewError + SkewErrorOfServer(), Math.Max(skewError, ClockLine.MaxSkew + Math.Abs(line.Skew)));
+                skewError = Math.Min(skewError + SkewErrorOfServer(), Math.Max(skewError, 3 * ClockLine.MaxSkewError(line.Skew)));
             // Uses half of the range of long, so that adding a margin to an end without a bound does not overflow.
             long lower = long.MinValue / 2, upper = long.MaxValue / 2, maxServerError = 0;
             for (var i = 0; i < _history.Count; i++)
@@ -103,8 +103,13 @@ namespace Nowpose.Sync.Envelope
                 ref readonly var bounds = ref _history[i];
                 // The newest exchange is the first in the history, so this is the maximum over this exchange and all later exchanges.
                 maxServerError = Math.Max(maxServerError, bounds.ServerErrorBound);
-                var margin = bounds.HalfResolution
-                    + (included == ServerError.AsStatedSince ? maxServerError : included == ServerError.AsStated ? bounds.ServerErrorBound : 0);
+                var serverError = included switch
+                {
+                    ServerError.AsStated => bounds.ServerErrorBound,
+                    ServerError.AsStatedSince => maxServerError,
+                    _ => 0,
+                };
+                var margin = bounds.HalfResolution + serverError;
                 lower = Math.Max(lower, Extrapolated(bounds.Lower, now - bounds.Sent, line.Skew, -skewError) - margin);
                 upper = Math.Min(upper, Extrapolated(bounds.Upper, now - bounds.Received, line.Skew, skewError) + margin);
             }
