@@ -90,7 +90,7 @@ sealed class LinkScore
             if (from > _scored[0].Start) yield return (from, from + profile.StallLength);
     }
 
-    // Gets the time until the next frame whose pose is current, or not current, in s. If there is no such frame, gets the time until the last scored
+    // Gets the time until the next frame whose pose is current, or not current, in s. If no such frame follows, gets the time until the last scored
     // frame.
     double FirstAfter(HeadsetTime time, bool isCurrent) =>
         ((_scored.FirstOrDefault(frame => frame.Start >= time && frame.IsCurrent == isCurrent) ?? _scored[^1]).Start - time).TotalSeconds;

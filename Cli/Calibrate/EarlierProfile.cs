@@ -33,7 +33,7 @@ sealed class EarlierProfile
     /// <summary>Reads the profile. Call this method before the measurement, so that an invalid profile is reported early.</summary>
     /// <param name="path">Path of the profile; null if none was given.</param>
     /// <param name="given">Conditions given as options.</param>
-    /// <param name="sweep">Conditions from the sweep's log; null if there is no log.</param>
+    /// <param name="sweep">Conditions from the sweep's log; null without a log.</param>
     /// <exception cref="InputException">The file is not a readable profile, or belongs to another device or display rate.</exception>
     public static EarlierProfile Read(string path, DisplayConditions given, DisplayConditions sweep = null)
     {
@@ -52,7 +52,7 @@ sealed class EarlierProfile
     /// <summary>Returns the page with the warnings about different conditions before its other warnings.</summary>
     public CalibrationPageData WithWarnings(CalibrationPageData page) => page with { Warnings = [.. _warnings, .. page.Warnings] };
 
-    /// <summary>Returns the earlier profile with the given latency for head motion; null if there is no earlier profile.</summary>
+    /// <summary>Returns the earlier profile with the given latency for head motion; null without an earlier profile.</summary>
     public LatencyProfile With(HeadMotionLatency head) => Profile == null ? null : new(
         Profile.Visualisation.Length.TotalMilliseconds, Profile.Spread.TotalMilliseconds, Conditions, Profile.MeasuredUtc, Profile.Method,
         Profile.Measurements, Profile.Range?.Limit.TotalMilliseconds, Profile.RenderTimeSource, Profile.ValidToRenderTime?.TotalMilliseconds, head);

@@ -3,7 +3,7 @@ using Nowpose.Cli.Messages;
 namespace Nowpose.Cli.Demo;
 
 /// <summary>
-/// Creates a row for the table and the report if this machine started more than 1 % of the frames late. Otherwise, there is no row.
+/// Creates a row for the table and the report if this machine started more than 1 % of the frames late. Otherwise, creates none.
 /// </summary>
 /// <remarks>A late frame shows the pose for its actual start time. Samples and sync exchanges can also be late; this is not measured.</remarks>
 sealed class DemoDelayRows(DemoFrames frames)

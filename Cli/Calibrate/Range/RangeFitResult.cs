@@ -38,7 +38,7 @@ sealed class RangeFitResult
 
     /// <summary>
     /// Upper end of the interval in which the limit can lie, ms. Set if no pictures were taken between the last one within the range and
-    /// this value. Null if there is no limit, or if the gap is smaller than 5 %.
+    /// this value. Null without a limit, or if the gap is smaller than 5 %.
     /// </summary>
     public double? OpenToRenderMs { get; }
 }

@@ -46,7 +46,7 @@ sealed class VlcEvaluation
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
-    /// <summary>The pictures with the values of their frames in the sweep; empty if there is no sweep.</summary>
+    /// <summary>The pictures with the values of their frames in the sweep; empty without a sweep.</summary>
     public IReadOnlyList<MeasuredPicture> Pictures { get; } = [];
 
     /// <summary>The profile, or null if there are too few pictures.</summary>

@@ -11,7 +11,7 @@ namespace Nowpose.Cli.Demo.Paper;
 sealed record PaperSwings(double ErrorRatio, double SteadyRatio, IReadOnlyList<double> GapRatios, double Reduction, double LatencyRatio)
 {
     /// <param name="swings">The swings; null if there are none.</param>
-    /// <returns>The values; null if there are no swings.</returns>
+    /// <returns>The values; null without swings.</returns>
     public static PaperSwings Of(SwingFrames swings) => swings == null ? null : new(
         swings.ErrorRatio, swings.SteadyRmsMm / swings.CurvedRmsMm, swings.GapRatios,
         1 - swings.RmsMm(Figure18.IsWithin) / swings.HoldRmsMm(Figure18.IsWithin), swings.LatencyMs / swings.HoldLatencyMs);

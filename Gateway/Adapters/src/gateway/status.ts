@@ -47,7 +47,7 @@ export class AdapterStatus {
 
   /**
    * Sets the state of the connection to the plant.
-   * @param reason The reason and the remedy; empty if there is no error.
+   * @param reason The reason and the remedy; empty without an error.
    */
   enter(state: PlantState, reason = ''): void {
     const clean = this.log.clean(reason);

@@ -3,7 +3,7 @@ import { ofCount, ofFraction, type TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, NS_PER_MS } from '../times';
 
 /**
- * Gets the time of a date from the library with its full resolution; null if there is no date, or if the date means "no time" in OPC UA.
+ * Gets the time of a date from the library with its full resolution; null if the date is missing, or means "no time" in OPC UA.
  * @param picoseconds Fraction of the millisecond: the 100 ns units of the protocol and the picoseconds, if the server sends them.
  */
 export function ofDate(date: Date | null | undefined, picoseconds = 0): Nanoseconds | null {

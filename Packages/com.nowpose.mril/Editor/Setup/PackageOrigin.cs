@@ -41,8 +41,8 @@ namespace Nowpose.Editor.Setup
 
         /// <summary>Creates the origin of a package from Unity's registry.</summary>
         /// <param name="version">Version to write into a manifest.</param>
-        /// <param name="min">Oldest supported version; null if there is no lower bound.</param>
-        /// <param name="below">First version that is no longer supported; null if there is no upper bound.</param>
+        /// <param name="min">Oldest supported version; null without a lower bound.</param>
+        /// <param name="below">First version that is no longer supported; null without an upper bound.</param>
         /// <param name="isEditorsChoice">
         /// Whether the set-up window adds the version that the editor recommends instead of <paramref name="version"/>.
         /// </param>

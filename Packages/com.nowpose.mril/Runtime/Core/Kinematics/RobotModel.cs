@@ -55,7 +55,7 @@ namespace Nowpose.Kinematics
         /// </summary>
         public RobotLink FlangeLink { get; }
 
-        /// <summary>Returns the index of a link in <see cref="Links"/>; -1 if there is no such link.</summary>
+        /// <summary>Returns the index of a link in <see cref="Links"/>; -1 if the robot does not have the link.</summary>
         public int IndexOfLink(string name) => _linkIndices.TryGetValue(name, out var index) ? index : -1;
 
         /// <summary>Returns the index of a joint in <see cref="MovingJoints"/>; -1 if the joint does not exist or is fixed.</summary>

@@ -23,7 +23,7 @@ namespace Nowpose.Messages
             : Warning;
 
         /// <summary>Returns a message about the current display problem. Allocates nothing.</summary>
-        /// <param name="statistics">Statistics of the session; null if there is no session.</param>
+        /// <param name="statistics">Statistics of the session; null without a session.</param>
         /// <returns>Null if nothing is wrong.</returns>
         public static string ProblemOf(SessionStatistics statistics)
         {

@@ -52,7 +52,7 @@ namespace Nowpose.Network
 
         void Dropped(DropReason reason);
 
-        /// <summary>Gets the displayed joints; null if there are no new positions. Called up to twenty times a second.</summary>
+        /// <summary>Gets the displayed joints; null without new positions. Called up to twenty times a second.</summary>
         JointStateMessage Displayed();
 
         /// <summary>Gets the headset's state; null if there is none to publish. Called once a second.</summary>

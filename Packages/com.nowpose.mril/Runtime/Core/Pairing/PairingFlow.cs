@@ -100,7 +100,7 @@ namespace Nowpose.Pairing
             else if (Cells.Find(asked.Used) is PairedCell other) Use(other);
         }
 
-        /// <summary>Answers the question with no. A declined gateway stays declined for this run. Does nothing if there is no question.</summary>
+        /// <summary>Answers the question with no. A declined gateway stays declined for this run. Does nothing without a question.</summary>
         public void Refuse()
         {
             if (_asked == null) return;

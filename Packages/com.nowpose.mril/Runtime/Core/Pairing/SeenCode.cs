@@ -23,7 +23,7 @@ namespace Nowpose.Pairing
         public string Fault { get; }
 
         /// <summary>
-        /// String that identifies the gateway: the same for all markers of a cell that have the same gateway; null if there is no cell code.
+        /// String that identifies the gateway: the same for all markers of a cell that have the same gateway; null without a cell code.
         /// </summary>
         public string Gateway { get; }
 

@@ -128,7 +128,7 @@ namespace Nowpose.Prediction
 
         /// <summary>Returns the planned position, however far ahead, with the joint's delay and offset.</summary>
         /// <param name="time">See <see cref="At"/>.</param>
-        /// <returns>False if there is no plan at that time, or if the joint does not follow it.</returns>
+        /// <returns>False without a plan at that time, or if the joint does not follow it.</returns>
         internal bool TryPlan(double time, out double position)
         {
             position = 0;

@@ -9,8 +9,8 @@ namespace Nowpose.Prediction
     {
         /// <param name="lower">Minimum position, rad or m.</param>
         /// <param name="upper">Maximum position, rad or m.</param>
-        /// <param name="horizonCap">Maximum horizon in s, 0 or more; infinity if there is no maximum.</param>
-        /// <param name="maximumGap">Maximum gap between samples in s, positive; infinity if there is no maximum.</param>
+        /// <param name="horizonCap">Maximum horizon in s, 0 or more; infinity without a maximum.</param>
+        /// <param name="maximumGap">Maximum gap between samples in s, positive; infinity without a maximum.</param>
         /// <param name="velocity">Maximum speed, per second, positive; infinity if it is unknown.</param>
         /// <param name="acceleration">Maximum acceleration, per second squared, positive; infinity if it is unknown.</param>
         /// <param name="jerk">Maximum jerk, per second cubed, positive; infinity if it is unknown.</param>

@@ -29,7 +29,7 @@ namespace Nowpose.Recording
         }
 
         /// <summary>Writes the first line of a gateway's file. It contains only the settings that a prediction uses.</summary>
-        /// <param name="robot">Robot model; null if there is no robot description.</param>
+        /// <param name="robot">Robot model; null without a robot description.</param>
         public static void WriteOfGateway(JsonLine line, string cell, RobotModel robot, DateTime startedUtc)
         {
             line.Begin("session").Add("format", SessionFormat.Name).Add("version", SessionFormat.Version);

@@ -7,7 +7,7 @@ namespace Nowpose.Session
     /// <summary>Describes several joints in one line; groups consecutive joints with the same description.</summary>
     static class JointStatusText
     {
-        /// <summary>Returns for example "joint a1: assumed at rest for 9 s; joints a3, a4: no data for 4 s"; empty if there are no joints.</summary>
+        /// <summary>Returns for example "joint a1: assumed at rest for 9 s; joints a3, a4: no data for 4 s"; empty without joints.</summary>
         /// <param name="describe">Describes one joint without its name; null for <see cref="JointStatus.Description"/>.</param>
         public static string Of(IEnumerable<JointStatus> joints, Func<JointStatus, string> describe = null)
         {

@@ -38,8 +38,8 @@ namespace Nowpose.Session
         /// <param name="range">The constant-latency range of this device; null when it is unknown.</param>
         /// <param name="clockEstimator">Name of the clock estimator, one of <see cref="ClockEstimators.Names"/>.</param>
         /// <param name="profile">
-        /// Profile whose L_visu replaces <paramref name="visualisation"/> and whose range, if it has one, replaces <paramref name="range"/>; null if
-        /// there is no profile.
+        /// Profile whose L_visu replaces <paramref name="visualisation"/> and whose range, if it has one, replaces <paramref name="range"/>; null without
+        /// a profile.
         /// </param>
         /// <param name="outsideRange">How the robot is displayed while the render time is outside the range.</param>
         /// <param name="rewriteBeforeRender">Value of <see cref="RewriteBeforeRender"/>; calibrate L_visu with the same setting.</param>

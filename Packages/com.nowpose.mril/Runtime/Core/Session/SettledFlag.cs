@@ -8,7 +8,7 @@ namespace Nowpose.Session
         bool _isRising;
         HeadsetTime _since;
 
-        /// <param name="value">Initial value, which is not reported as a change; null if there is no initial value.</param>
+        /// <param name="value">Initial value, which is not reported as a change; null without an initial value.</param>
         public SettledFlag(bool? value)
         {
             Value = value;

@@ -42,7 +42,7 @@ namespace Nowpose.Sync
         public TimeSpan Suspicion => _shift.Suspicion;
 
         /// <summary>
-        /// Whether the error bounds that the server stated explain all contradictions of the suspected exchanges. True if there are no suspected
+        /// Whether the error bounds that the server stated explain all contradictions of the suspected exchanges. Also true without suspected
         /// exchanges.
         /// </summary>
         public bool IsServerCorrection { get; private set; } = true;

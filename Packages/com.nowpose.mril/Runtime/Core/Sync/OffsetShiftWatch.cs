@@ -27,7 +27,7 @@ namespace Nowpose.Sync
         readonly OffsetShift _rise = new OffsetShift(1), _fall = new OffsetShift(-1);
 
         /// <summary>
-        /// Maximum violation of a bound by recent exchanges, caused by a step or by a path that has become shorter; zero if there is no violation.
+        /// Maximum violation of a bound by recent exchanges, caused by a step or by a path that has become shorter; zero without a violation.
         /// </summary>
         public TimeSpan Suspicion => ClockTicks.Span(Math.Max(_rise.Broken, _fall.Broken));
 

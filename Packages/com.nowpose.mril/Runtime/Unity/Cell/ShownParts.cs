@@ -31,7 +31,7 @@ namespace Nowpose.Unity.Cell
         public int FaultCount => _faults.Count;
 
         /// <summary>
-        /// Summary of the parts, such as "3 current" or, if some parts are not current, "! 2 not current"; empty if there are no parts. It is the
+        /// Summary of the parts, such as "3 current" or, if some parts are not current, "! 2 not current"; empty without parts. It is the
         /// same string object until a fault or the number of parts changes.
         /// </summary>
         public string Summary { get; private set; } = "";

@@ -37,7 +37,7 @@ namespace Nowpose.Unity.Status
             return _note;
         }
 
-        /// <summary>Returns the description of a problem with the base, with an instruction to the user; null if there is no problem.</summary>
+        /// <summary>Returns the description of a problem with the base, with an instruction to the user; null without a problem.</summary>
         /// <param name="anchor">The anchor of the base; null if there is none.</param>
         public string FaultOf(BaseAnchor anchor)
         {

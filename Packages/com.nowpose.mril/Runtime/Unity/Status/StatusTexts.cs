@@ -68,7 +68,7 @@ namespace Nowpose.Unity.Status
             Update(null, null, null, null);
         }
 
-        /// <summary>Whether the message shows the error reduction of each joint while there is no other message.</summary>
+        /// <summary>Whether the message shows the error reduction of each joint while no other message is shown.</summary>
         public bool ShowsJointErrors { get; set; }
 
         public static string LabelOf(StatusRow row) => Labels[(int)row];

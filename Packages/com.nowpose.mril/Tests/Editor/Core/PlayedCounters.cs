@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Core
         public ICounter Counter { get; }
         public ICounter Stopwatch { get; }
 
-        /// <summary>Function that returns the duration in s of the pause after the reading with the given index; 0 if there is no pause.</summary>
+        /// <summary>Function that returns the duration in s of the pause after the reading with the given index; 0 for no pause.</summary>
         public Func<int, double> PauseAfter { get; set; } = _ => 0;
 
         public int Readings { get; private set; }

@@ -35,7 +35,7 @@ namespace Nowpose.Anchoring.Tracking
             else Pose = PoseNumbers.Between(pose, target, PartOf(passed));
         }
 
-        /// <summary>Advances the time while there is no pose to follow.</summary>
+        /// <summary>Advances the time while no pose is available to follow.</summary>
         public void Rest(HeadsetTime now) => _last = now;
 
         double PartOf(TimeSpan passed)

@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Forecasting
         /// </summary>
         public abstract int Samples { get; }
 
-        /// <summary>Maximum time of a forecast after the newest sample, in s; infinite if there is no maximum.</summary>
+        /// <summary>Maximum time of a forecast after the newest sample, in s; infinite without a maximum.</summary>
         public virtual double Span => double.PositiveInfinity;
 
         /// <summary>Fits the forecaster to the newest samples.</summary>

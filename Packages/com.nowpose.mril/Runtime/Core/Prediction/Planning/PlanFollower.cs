@@ -64,7 +64,7 @@ namespace Nowpose.Prediction.Planning
         /// <param name="newest">
         /// Time of the newest sample. A plan that ends at rest is used after its end until a sample from more than 0.1 s after the end arrives.
         /// </param>
-        /// <returns>False if there is no plan at that time, or if the joint does not follow the plan.</returns>
+        /// <returns>False without a plan at that time, or if the joint does not follow the plan.</returns>
         public bool IsFollowedAt(double time, double newest)
         {
             var (plan, at) = (PlanAt(time), time - _delay.Delay);

@@ -30,7 +30,7 @@ namespace Nowpose.Session.Hindcast
             _held.Add(sample.HeldSquared);
         }
 
-        /// <returns>Null if there is no sample.</returns>
+        /// <returns>Null without a sample.</returns>
         public DisplayedError? Read() => _sums.Count == 0 ? (DisplayedError?)null : Of(_sums, _displayed, _held, _batches.AsSpan(0, _count));
 
         public void Reset()

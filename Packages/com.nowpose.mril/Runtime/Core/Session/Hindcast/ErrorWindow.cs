@@ -26,7 +26,7 @@ namespace Nowpose.Session.Hindcast
             slot.Add(sample);
         }
 
-        /// <returns>Null if there is no sample in the ten seconds before <paramref name="now"/>.</returns>
+        /// <returns>Null without a sample in the ten seconds before <paramref name="now"/>.</returns>
         public DisplayedError? Read(ControlTime now)
         {
             var oldest = SecondOf(now) - Seconds + 1;
