@@ -16,6 +16,13 @@ namespace Nowpose.Sync
         /// <summary>Returns the standard error of an estimated skew about which only <see cref="MaxSkew"/> is known.</summary>
         internal static double MaxSkewError(double skew) => (MaxSkew + Math.Abs(skew)) / 3;
 
+        /// <summary>
+        /// Returns the standard error of a skew due to the server's own error: its clock may have been wrong by the error bound that it stated in the
+        /// oldest exchange, and by the opposite of the one that it stated in the newest exchange. A third of this error is used.
+        /// </summary>
+        internal static double ServerSkewError(TimeSpan oldestBound, TimeSpan newestBound, TimeSpan span) =>
+            (oldestBound + newestBound).Ticks / (3.0 * Math.Max(1, span.Ticks));
+
         public ClockLine(HeadsetTime reference, ClockOffset offset, double skew, TimeSpan offsetError, double skewError, int exchanges)
         {
             Reference = reference;

@@ -57,23 +57,34 @@ namespace Nowpose.Sync
             {
                 var isExplained = !hasOtherResolution && envelope.Explains(exchange, line, _margin);
                 // An exchange of another kind begins a new group, so that a single exchange never completes a step.
-                if (isExplained != IsServerCorrection || !AgreesWithSuspects(exchange)) ClearSuspects();
+                if (isExplained != IsServerCorrection || !AgreesWithSuspects(exchange)) ForgetSuspects();
                 _hasContradicted |= isContradiction;
                 IsServerCorrection = isExplained;
                 return Suspect(exchange);
             }
-            ClearSuspects();
+            ForgetSuspects();
             if (!_shift.Judge(exchange, line, envelope)) return ClockChange.None;
             _suspects.AddRange(_shift.Since);
-            return Suspicion > envelope.ServerErrorBound() + exchange.ServerErrorBound ? ClockChange.SmallStep : ClockChange.ServerCorrection;
+            return Suspicion > envelope.MaxServerErrorBound() + exchange.ServerErrorBound ? ClockChange.SmallStep : ClockChange.ServerCorrection;
         }
 
         /// <summary>Makes the suspected exchanges the reference for later exchanges.</summary>
         public void Reset()
         {
             _resolution = _suspects[_suspects.Count - 1].Resolution;
-            ClearSuspects();
+            ForgetSuspects();
             _shift.Reset();
+        }
+
+        /// <summary>
+        /// Discards the suspected exchanges, for example after a long time without exchanges: exchanges before and after it indicate no change.
+        /// </summary>
+        public void ForgetSuspects()
+        {
+            _suspects.Clear();
+            _suspected.Reset();
+            _hasContradicted = false;
+            IsServerCorrection = true;
         }
 
         ClockChange Suspect(in SyncExchange exchange)
@@ -94,14 +105,6 @@ namespace Nowpose.Sync
         {
             var apart = (one - other).Duration();
             return apart > _margin && apart.Ticks > Math.Max(one.Ticks, other.Ticks) / 2;
-        }
-
-        void ClearSuspects()
-        {
-            _suspects.Clear();
-            _suspected.Reset();
-            _hasContradicted = false;
-            IsServerCorrection = true;
         }
     }
 }

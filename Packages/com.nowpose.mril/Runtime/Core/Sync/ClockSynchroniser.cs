@@ -53,11 +53,12 @@ namespace Nowpose.Sync
         public TimeSpan OffsetError => _estimate.Line.OffsetError;
 
         /// <summary>
-        /// Number of exchanges that the model is based on: all since the start, the last step, or the last long time without exchanges.
+        /// Number of exchanges that the model is based on: all since the start, the last step or correction of the control clock, or the last long
+        /// time without exchanges.
         /// </summary>
         public int Exchanges => _estimate.Line.Exchanges;
 
-        /// <summary>Whether recent exchanges indicate a step that only further exchanges can confirm.</summary>
+        /// <summary>Whether recent exchanges indicate a step or a correction that only further exchanges can confirm.</summary>
         public bool IsStepSuspected => _estimate.IsStepSuspected;
 
         /// <summary>Raised for each exchange with its verdict, in order, by <see cref="Add"/> on the same thread.</summary>
@@ -104,7 +105,11 @@ namespace Nowpose.Sync
             fault = exchange.T4 <= _newest?.T4 ? SyncExchangeFault.NotNewer : SyncExchangeRules.Check(exchange);
             if (fault != SyncExchangeFault.None) return SyncVerdict.Dropped;
 
-            if (exchange.T4 - _newest?.T4 > _settings.RestartAfter) ResetLine(SkewUncertaintyAfterSilence);
+            if (exchange.T4 - _newest?.T4 > _settings.RestartAfter)
+            {
+                ResetLine(SkewUncertaintyAfterSilence);
+                _detector.ForgetSuspects();
+            }
             _newest = exchange;
             switch (_detector.Judge(exchange, _estimator.Line, _envelope))
             {

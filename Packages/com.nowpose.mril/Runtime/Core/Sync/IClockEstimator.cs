@@ -14,7 +14,7 @@ namespace Nowpose.Sync
         /// <param name="exchange">An exchange that has passed <see cref="SyncExchangeRules.Check"/> and is newer than all previous exchanges.</param>
         void Add(in SyncExchange exchange);
 
-        /// <summary>Removes the estimate of the offset after a clock step or a long time without exchanges.</summary>
+        /// <summary>Removes the estimate of the offset after a step or correction of a clock, or a long time without exchanges.</summary>
         /// <param name="skewUncertainty">
         /// Standard deviation of the change of the skew, dimensionless; small if the clocks still belong to the same machines. An estimator
         /// may ignore it.

@@ -51,7 +51,7 @@ namespace Nowpose.Sync
 
         public void Add(in SyncExchange exchange)
         {
-            _points.Add(new OffsetPoint(exchange.T4, exchange.Offset));
+            _points.Add(new OffsetPoint(exchange));
             if (_points.Count > _settings.History)
                 _points.RemoveAt(0);
             _exchanges++;
@@ -66,8 +66,14 @@ namespace Nowpose.Sync
             return new ClockLine(newest.At, newest.Offset + change, 0, TimeSpan.Zero, ClockLine.MaxSkewError(0), _exchanges);
         }
 
-        double SkewErrorOf(double skew, double standardError) => _exchanges < MatureExchanges
-            ? Math.Max(standardError, ClockLine.MaxSkewError(skew)) : standardError + BurstError;
+        double SkewErrorOf(double skew, double standardError)
+        {
+            var max = Math.Max(standardError, ClockLine.MaxSkewError(skew));
+            if (_exchanges < MatureExchanges) return max;
+            var (oldest, newest) = (_points[0], _points[_points.Count - 1]);
+            var server = ClockLine.ServerSkewError(oldest.ServerErrorBound, newest.ServerErrorBound, newest.At - oldest.At);
+            return Math.Min(max, standardError + BurstError + server);
+        }
 
         FittedLine Fit()
         {
@@ -114,14 +120,16 @@ namespace Nowpose.Sync
 
         readonly struct OffsetPoint
         {
-            public OffsetPoint(HeadsetTime at, ClockOffset offset)
+            public OffsetPoint(in SyncExchange exchange)
             {
-                At = at;
-                Offset = offset;
+                At = exchange.T4;
+                Offset = exchange.Offset;
+                ServerErrorBound = exchange.ServerErrorBound;
             }
 
             public HeadsetTime At { get; }
             public ClockOffset Offset { get; }
+            public TimeSpan ServerErrorBound { get; }
         }
     }
 }

@@ -26,7 +26,9 @@ namespace Nowpose.Sync
         /// <summary>The data is not a protocol frame: wrong magic, version or kind. Ends the connection.</summary>
         NotAFrame,
 
-        /// <summary>The exchange contradicts recent exchanges: a possible clock step, or an inconsistent server. It is set aside.</summary>
+        /// <summary>
+        /// The exchange contradicts recent exchanges: a possible step or correction of a clock, or an inconsistent server. It is set aside.
+        /// </summary>
         Contradiction,
 
         /// <summary>t4 is not after the t4 of the previous exchange. The lines of a log are out of order, or a line is repeated.</summary>

@@ -2,17 +2,35 @@ using System;
 
 namespace Nowpose.Sync.Envelope
 {
-    /// <summary>Bounds of the newest exchanges, newest first, limited by count and age. Allocates nothing after construction.</summary>
+    /// <summary>
+    /// Bounds of the newest exchanges, newest first, limited by count, age, and the server's error bound. Allocates nothing after construction.
+    /// </summary>
+    /// <remarks>
+    /// A server that follows another clock corrects its clock whenever it knows that clock better, and states a smaller error bound from then on. The
+    /// exchanges before the corrections would tilt a line, so the oldest exchanges expire if their error bounds are much larger than the newest one.
+    /// </remarks>
     sealed class BoundsHistory
     {
+        /// <summary>Minimum number of exchanges that remain when the server's error bound decreases, so that the clock remains coarse.</summary>
+        const int MinCount = ClockSynchroniser.ExchangesToBeCoarse;
+
+        /// <summary>
+        /// An old exchange expires if its server error bound exceeds ServerErrorRatio times the newest one plus ServerErrorMargin, in ticks. Smaller
+        /// corrections move a line by less than the typical error of a network.
+        /// </summary>
+        const long ServerErrorRatio = 2, ServerErrorMargin = TimeSpan.TicksPerMillisecond;
+
         readonly OffsetBounds[] _ring;
         readonly TimeSpan _oldest;
+        readonly bool _expiresByServerError;
         int _newest;
 
         /// <param name="most">Maximum number of exchanges.</param>
         /// <param name="oldest">Maximum age of an exchange relative to the newest exchange.</param>
-        public BoundsHistory(int most, TimeSpan oldest)
+        /// <param name="expiresByServerError">Whether exchanges expire when the server's error bound has decreased.</param>
+        public BoundsHistory(int most, TimeSpan oldest, bool expiresByServerError = false)
         {
+            _expiresByServerError = expiresByServerError;
             _ring = new OffsetBounds[most];
             _oldest = oldest;
         }
@@ -28,6 +46,9 @@ namespace Nowpose.Sync.Envelope
             _ring[_newest] = bounds;
             if (Count < _ring.Length) Count++;
             while (bounds.Received - this[Count - 1].Received > _oldest) Count--;
+            if (!_expiresByServerError) return;
+            var maxServerError = ServerErrorRatio * bounds.ServerErrorBound + ServerErrorMargin;
+            while (Count > MinCount && this[Count - 1].ServerErrorBound > maxServerError) Count--;
         }
 
         /// <summary>Moves the bounds of one exchange; the amounts are in ticks.</summary>

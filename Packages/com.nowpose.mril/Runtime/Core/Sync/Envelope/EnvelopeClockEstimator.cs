@@ -55,7 +55,7 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const double SkewTimeConstant = 60;
 
-        readonly BoundsHistory _history = new BoundsHistory(History, ClockTicks.Span(HistorySeconds));
+        readonly BoundsHistory _history = new BoundsHistory(History, ClockTicks.Span(HistorySeconds), expiresByServerError: true);
         readonly EnvelopeSide _below = new EnvelopeSide(1, History);
         readonly EnvelopeSide _above = new EnvelopeSide(-1, History);
         readonly EnvelopeFit _fit;
@@ -192,8 +192,11 @@ namespace Nowpose.Sync.Envelope
             // Error of the slope if the offset is wrong by half of the unsampled part at one end of the history and by the opposite amount at the
             // other end. A third of this error is used as the standard error.
             var hidden = unsampled / Math.Max(1e-3, span) / 3;
+            var oldest = _history[_history.Count - 1];
+            var server = ClockLine.ServerSkewError(
+                new TimeSpan(oldest.ServerErrorBound), new TimeSpan(_history[0].ServerErrorBound), reference - oldest.Received);
             var skewError = Math.Min(
-                ClockLine.MaxSkewError(skew), _fit.SlopeError + Math.Abs(skew - _steadySkew) + Math.Abs(slope - skew) + hidden);
+                ClockLine.MaxSkewError(skew), _fit.SlopeError + Math.Abs(skew - _steadySkew) + Math.Abs(slope - skew) + hidden + server);
             _steadySkewError += (skewError - _steadySkewError) * share;
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
             var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;

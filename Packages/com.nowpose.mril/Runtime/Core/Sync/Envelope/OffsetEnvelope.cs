@@ -53,10 +53,7 @@ namespace Nowpose.Sync.Envelope
             if (!Allows(exchange, line, margin, includeServerError: true)) return false;
             var bounds = new OffsetBounds(exchange);
             var (lower, upper) = At(exchange.T4, line, ServerError.Ignored);
-            long maxServerError = 0;
-            for (var i = 0; i < _history.Count; i++) maxServerError = Math.Max(maxServerError, _history[i].ServerErrorBound);
-            var allowed = bounds.HalfResolution + margin.Ticks + bounds.ServerErrorBound + maxServerError
-                + (long)((exchange.T4 - line.Reference).Ticks * Math.Min(SkewErrorOfServer(), ClockLine.MaxSkew));
+            var allowed = bounds.HalfResolution + margin.Ticks + bounds.ServerErrorBound + MaxServerErrorBound().Ticks;
             return bounds.Lower - lower <= allowed && upper - bounds.Upper <= allowed;
         }
 
@@ -82,6 +79,14 @@ namespace Nowpose.Sync.Envelope
             return new TimeSpan(Math.Max(_history[0].ServerErrorBound, (long)(sum / _history.Count)));
         }
 
+        /// <summary>Returns the maximum error bound that the server stated in the recent exchanges.</summary>
+        public TimeSpan MaxServerErrorBound()
+        {
+            long max = 0;
+            for (var i = 0; i < _history.Count; i++) max = Math.Max(max, _history[i].ServerErrorBound);
+            return new TimeSpan(max);
+        }
+
         /// <summary>Replaces the contents of a corridor with the bounds relative to the line, without the bounds of the newest exchanges.</summary>
         /// <param name="newest">Number of newest exchanges to omit; the result may be empty.</param>
         public void Fill(OffsetCorridor corridor, in ClockLine line, int newest)
@@ -93,9 +98,6 @@ namespace Nowpose.Sync.Envelope
         (long Lower, long Upper) At(HeadsetTime now, in ClockLine line, ServerError included)
         {
             var skewError = line.Exchanges == 0 ? ClockLine.MaxSkew : 3 * line.SkewError + _skewUncertainty;
-            // The line's skew follows the server's errors, but the skew of real clocks is limited.
-            if (included == ServerError.AsStated && line.Exchanges > 0)
-                skewError = Math.Min(skewError + SkewErrorOfServer(), Math.Max(skewError, 3 * ClockLine.MaxSkewError(line.Skew)));
             // Uses half of the range of long, so that adding a margin to an end without a bound does not overflow.
             long lower = long.MinValue / 2, upper = long.MaxValue / 2, maxServerError = 0;
             for (var i = 0; i < _history.Count; i++)
@@ -129,14 +131,6 @@ namespace Nowpose.Sync.Envelope
             /// been as large at the time of the exchange.
             /// </summary>
             AsStatedSince,
-        }
-
-        // The server's clock may have been wrong by its error bound at the oldest exchange, and by the opposite amount at the newest exchange.
-        double SkewErrorOfServer()
-        {
-            if (_history.Count < 2) return 0;
-            var error = _history[0].ServerErrorBound + _history[_history.Count - 1].ServerErrorBound;
-            return error / (double)(_history[0].Received - _history[_history.Count - 1].Received).Ticks;
         }
 
         static long Extrapolated(long bound, TimeSpan age, double skew, double widening) =>

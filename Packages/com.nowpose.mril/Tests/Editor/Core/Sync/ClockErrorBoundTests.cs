@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Simulation;
 using Nowpose.Sync;
@@ -30,9 +31,7 @@ namespace Nowpose.Tests.Core.Sync
 
                         var known = run.Instants.Where(i => i.Model.State == ClockState.Synchronised || i.Model.State == ClockState.Coarse).ToList();
                         var label = network.Name + " " + firstMs + " ms, seed " + seed;
-                        Assert.That(known.Count(i => Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0), label);
-                        var beyond = known.Count(i => Math.Abs(i.ErrorMs) > i.Model.EstimatedError.TotalMilliseconds);
-                        Assert.That(beyond, Is.LessThanOrEqualTo(0.01 * known.Count), label);
+                        RequireWithinBounds(known, label);
                         Assert.That(known.Count, Is.GreaterThan(0.95 * run.Instants.Count()), label);
                         Assert.That(run.PercentileMs(85, 1), Is.LessThan(1), label);
                     }
@@ -68,12 +67,53 @@ namespace Nowpose.Tests.Core.Sync
         public void Steps_ServerCorrectsItsClockRepeatedly_StayZero()
         {
             RequireUsable(ClockEstimators.Default, "back and forth", s => (s % 20 < 10 ? 2 : -2, 2.5), run => { });
-            RequireUsable(ClockEstimators.Default, "by chance", s => (6 * new Random((int)s).NextDouble() - 3, 3.5), run => { });
+            RequireUsable(ClockEstimators.Default, "by chance each second", s => (6 * Uniform(s) - 3, 3.5), run => { });
+            RequireUsable(ClockEstimators.Default, "by chance every 5 s", s => (6 * Uniform(s / 5) - 3, 3.5), run => { });
+        }
+
+        // Simulates a gateway that has just started and estimates the plant's clock over a busy path: every 4 s, it states a smaller error bound, and
+        // its clock is wrong by any amount within the bound.
+        [Test]
+        public void ErrorBound_ServerErrorBoundDecreasesInSteps_Holds()
+        {
+            foreach (var network in new[] { NetworkProfile.Lan, NetworkProfile.Wifi, NetworkProfile.BusyWifi })
+                for (var seed = 100; seed < 104; seed++)
+                {
+                    var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+                    double MaxMs(double s) => 8 * Math.Pow(0.6, Math.Floor(s / 4));
+                    double AheadMs(double s) => (2 * Uniform(s / 4 + 1000 * seed) - 1) * MaxMs(s);
+
+                    var link = new SimulatedLink(network, seed, 40) { Server = s => (AheadMs(s), MaxMs(s) + 0.1) };
+                    run.Run(link, 0, 90);
+
+                    var label = network.Name + ", seed " + seed;
+                    Assert.That(run.Clock.Steps, Is.EqualTo(0), label);
+                    RequireWithinBounds(run.Instants.Where(i => i.At > 3).ToList(), label);
+                    Assert.That(run.PercentileMs(85, 1), Is.LessThan(2), label);
+                    Assert.That(run.Instants.Where(i => i.At > 60).Select(i => i.Model.State), Has.None.EqualTo(ClockState.Converging), label);
+                }
+        }
+
+        // Returns a value from 0 to 1 that changes with the integer part of its argument.
+        static double Uniform(double at)
+        {
+            var value = (ulong)(long)Math.Floor(at) * 0x9E3779B97F4A7C15;
+            value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9;
+            return (value >> 11) / (double)(1L << 53);
+        }
+
+        static void RequireWithinBounds(IReadOnlyCollection<(double At, double ErrorMs, ClockModel Model)> instants, string label)
+        {
+            Assert.That(instants.Count(i => Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0), label);
+            var beyond = instants.Count(i => Math.Abs(i.ErrorMs) > i.Model.EstimatedError.TotalMilliseconds);
+            Assert.That(beyond, Is.LessThanOrEqualTo(0.01 * instants.Count), label);
         }
 
         static void RequireUsable(string estimator, string name, Func<double, (double AheadMs, double StatedMs)> server, Action<SyncRun> require)
         {
-            foreach (var network in new[] { NetworkProfile.Lan, NetworkProfile.Wifi })
+            var networks = new[] { NetworkProfile.Lan, NetworkProfile.Wifi, NetworkProfile.BusyWifi };
+            // RANSAC does not include such a change in its standard error on a busy network.
+            foreach (var network in networks.Take(estimator == ClockEstimators.Default ? 3 : 2))
                 for (var seed = 70; seed < 74; seed++)
                 {
                     var run = new SyncRun(ClockEstimators.Create(estimator));
@@ -85,11 +125,26 @@ namespace Nowpose.Tests.Core.Sync
                     var later = run.Instants.Where(i => i.At > 3).ToList();
                     Assert.That(
                         later.Select(i => i.Model.State).Distinct(), Is.SubsetOf(new[] { ClockState.Synchronised, ClockState.Coarse }), label);
-                    Assert.That(later.Count(i => Math.Abs(i.ErrorMs) > i.Model.ErrorBound.TotalMilliseconds), Is.EqualTo(0), label);
-                    var beyond = later.Count(i => Math.Abs(i.ErrorMs) > i.Model.EstimatedError.TotalMilliseconds);
-                    Assert.That(beyond, Is.LessThanOrEqualTo(0.01 * later.Count), label);
+                    RequireWithinBounds(later, label);
                     require(run);
                 }
+        }
+
+        [Test]
+        public void Step_SuspectedBeforeALongSilence_IsForgotten()
+        {
+            var run = new SyncRun(ClockEstimators.Create(ClockEstimators.Default));
+            var link = new SimulatedLink(NetworkProfile.Lan, 95, 40);
+            run.Run(link, 0, 10);
+            link.Step = Lengths.Ms(500);
+            run.Run(link, 10, 10.39);
+            run.Run(link, 10.39, 80, exchange: false);
+            run.Run(link, 80, 80.19);
+            link.Step = TimeSpan.Zero;
+
+            run.Run(link, 80.19, 90);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(0));
         }
 
         // While a gateway suspects a step of the plant's clock, it states an error bound that includes the step.
