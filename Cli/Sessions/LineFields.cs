@@ -35,7 +35,14 @@ readonly struct LineFields(string place, JsonElement fields)
             ? number : throw Wrong(name, SessionFileMessages.NotWhole(Shown(value)));
     }
 
-    public long WholeOr(string name, long otherwise) => Has(name) ? Whole(name) : otherwise;
+    /// <summary>Gets a duration in nanoseconds; zero if the field is missing.</summary>
+    /// <param name="maxNs">Maximum duration, ns.</param>
+    public TimeSpan NanosecondsOrZero(string name, long maxNs)
+    {
+        var value = Has(name) ? Whole(name) : 0;
+        return value >= 0 && value <= maxNs
+            ? new TimeSpan(value / TimeSpan.NanosecondsPerTick) : throw Wrong(name, SessionFileMessages.Nanoseconds(value, maxNs));
+    }
 
     public double Number(string name)
     {

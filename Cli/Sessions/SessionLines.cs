@@ -10,7 +10,8 @@ namespace Nowpose.Cli.Sessions;
 /// <summary>Reads the fields of lines of version 1, as specified in <c>session-file.md</c>.</summary>
 static class SessionLines
 {
-    const int NanosecondsPerTick = 100;
+    /// <summary>The maximum values that a sync reply can state.</summary>
+    const long MaxResolutionNs = uint.MaxValue, MaxServerBoundNs = uint.MaxValue * 1000L;
 
     public static SessionHeader ReadHeader(LineFields line)
     {
@@ -78,7 +79,7 @@ static class SessionLines
         return new SyncLine(t4, new SyncExchange(
             HeadsetTime.FromNanoseconds(line.Whole("t1_ns")), ControlTime.FromNanoseconds(line.Whole("t2_ns")),
             ControlTime.FromNanoseconds(line.Whole("t3_ns")), HeadsetTime.FromNanoseconds(t4),
-            new TimeSpan(line.WholeOr("resolution_ns", 0) / NanosecondsPerTick), new TimeSpan(line.WholeOr("server_bound_ns", 0) / NanosecondsPerTick),
+            line.NanosecondsOrZero("resolution_ns", MaxResolutionNs), line.NanosecondsOrZero("server_bound_ns", MaxServerBoundNs),
             line.FlagOr("server_synchronised", true)));
     }
 
@@ -98,7 +99,7 @@ static class SessionLines
         var points = new List<JointTrajectoryPoint>();
         foreach (var point in line.Objects("points"))
         {
-            var time = new TimeSpan(point.Whole("time_from_start_ns") / NanosecondsPerTick);
+            var time = new TimeSpan(point.Whole("time_from_start_ns") / TimeSpan.NanosecondsPerTick);
             if (time < TimeSpan.Zero || (points.Count > 0 && time <= points[^1].TimeFromStart))
                 throw point.Wrong("time_from_start_ns", SessionFileMessages.PointOrder(points.Count + 1));
             points.Add(new JointTrajectoryPoint(

@@ -88,6 +88,8 @@ public class SessionFileReaderTests
     [TestCase("{\"kind\":\"sample\",\"arrival_ns\":1,\"stamp_ns\":1,\"names\":\"a\",\"position\":[1]}", "field 'names' must be an array")]
     [TestCase("{\"kind\":\"frame\",\"start_ns\":1,\"joints\":7}", "field 'joints' must be an array")]
     [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":99999999999999999999,\"t3_ns\":1,\"t4_ns\":1}", "field 't2_ns' is 99999999999999999999; it must be a whole number (64 bits)")]
+    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":1,\"t3_ns\":1,\"t4_ns\":1,\"server_bound_ns\":-1}", "field 'server_bound_ns' is -1 ns; it must be from 0 to 4294967295000 ns")]
+    [TestCase("{\"kind\":\"sync\",\"t1_ns\":1,\"t2_ns\":1,\"t3_ns\":1,\"t4_ns\":1,\"resolution_ns\":5000000000}", "field 'resolution_ns' is 5000000000 ns; it must be from 0 to 4294967295 ns")]
     public void Line_Invalid_NamesTheField(string line, string expected)
     {
         var fault = Assert.Throws<InputException>(() => Read(Header + "\n" + Sample + "\n" + line + "\n" + Sample + "\n"));
