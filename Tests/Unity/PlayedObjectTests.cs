@@ -81,8 +81,7 @@ public class PlayedObjectTests : PlayedParts
         var lid = Below<TrackedObject>("lid", anchor.transform);
         void Send(double t) => SendPose("fixture", "lid", t, Along(0.05));
         Run(1, Send);
-        _session.Parts.Update();
-        Assert.That(_session.Parts.Faults, Does.Contain("object fixture: not placed; place it by hand, or publish its frame on /tf_static"));
+        Assert.That(FaultsNow(), Does.Contain("object fixture: not placed; place it by hand, or publish its frame on /tf_static"));
         var look = fixture.GetComponent<PoseAppearance>().Look;
         Assert.That((look.Words, look.IsDrawn, look.IsHatched), Is.EqualTo(("not placed", true, true)));
 
@@ -226,8 +225,7 @@ public class PlayedObjectTests : PlayedParts
 
         Assert.That(grip.Fault, Does.Match("^the robot '.+' has no link 'hand'; correct Link$"));
         Assert.That(_cell.Messages, Has.Exactly(1).Matches("grip by reach 'grip': the robot '.+' has no link 'hand'"));
-        _session.Parts.Update();
-        Assert.That(_session.Parts.Faults, Does.Contain("gripper grip: " + grip.Fault));
+        Assert.That(FaultsNow(), Does.Contain("gripper grip: " + grip.Fault));
     }
 
     [Test]

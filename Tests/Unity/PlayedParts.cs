@@ -40,6 +40,14 @@ public abstract class PlayedParts
         Directory.Delete(_folder, true);
     }
 
+    // Returns titles and faults of the shown parts that are not current.
+    private protected string FaultsNow()
+    {
+        var parts = _session.Parts;
+        parts.Update();
+        return string.Join("; ", Enumerable.Range(0, parts.FaultCount).Select(i => parts.FaultyTitle(i) + ": " + parts.FaultOf(i)));
+    }
+
     // Returns the control time of a scene time: the headset clock starts at 1000 s, and the control clock is 300 s ahead.
     protected static ControlTime At(double seconds) => ControlTime.FromSeconds(1300 + seconds);
 

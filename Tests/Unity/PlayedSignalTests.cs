@@ -218,22 +218,32 @@ public class PlayedSignalTests : PlayedParts
         var text = RobotFiles.LoadText("youbot");
         var rig = Second(text);
         var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
-        void Send(double t)
+        void Send(double t, bool isBaseSent = true)
         {
             _session.Session.Listener.Received(
                 new JointStateMessage(At(t), joints, joints.Select(_ => 0.003).ToArray()), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
-            SendPose("world", "arm2/arm_link_0", t, Along(0.1 * t));
+            if (isBaseSent) SendPose("world", "arm2/arm_link_0", t, Along(0.1 * t));
         }
-        Run(2, Send);
+        Run(2, t => Send(t));
 
         Assert.That(rig.IsFollowing, Is.True);
         Assert.That(rig.Joints[0], Is.EqualTo(0.003).Within(1e-6));
         AssertAt(rig.transform, _session.transform, Along(0.1 * (_cell.Now + Visu)), 1e-3);
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
 
+        Assert.That(FaultsNow(), Is.Empty);
+        Run(1, t => Send(t, isBaseSent: false));
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "the robot is not where its base was");
+        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: its base is not current"));
+        Run(2, t => Send(t));
+        Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Current));
+
         Run(1);
         Assert.That(rig.StateIn(_session.Frame), Is.EqualTo(PoseState.Held), "only the robot whose source has ended is held");
+        Assert.That(FaultsNow(), Is.EqualTo("robot arm2: too few recent samples"));
         Assert.That(_session.Frame.State, Is.EqualTo(PoseState.Current));
+        rig.gameObject.SetActive(false);
+        Assert.That(FaultsNow(), Is.Empty, "a robot that is not shown has no row");
     }
 
     RobotRig Second(string urdf)
@@ -278,23 +288,19 @@ public class PlayedSignalTests : PlayedParts
         var parts = _session.Parts;
         Run(6, t => SendPose("world", "part", t, Along(0.1 * t)));
 
-        parts.Update();
-        Assert.That((parts.Summary, parts.FirstFault), Is.EqualTo(("! 1 not current", "object lid: no pose received")));
+        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("object lid: no pose received", "! 1 not current")));
 
         SendPose("world", "lid", _cell.Now - Latency, Along(1));
         Run(2);
 
-        parts.Update();
+        Assert.That(FaultsNow(), Is.EqualTo("object part: no new poses arrive; object lid: no new poses arrive"));
         Assert.That(parts.Summary, Is.EqualTo("! 2 not current"));
-        Assert.That(parts.Faults, Is.EqualTo("object part: no new poses arrive; object lid: no new poses arrive"));
         var signal = Below<CellSignal>("closed", _session.transform);
         _session.transform.Find("part").gameObject.SetActive(false);
         Run(0.1);
-        parts.Update();
-        Assert.That(parts.Faults, Is.EqualTo("object lid: no new poses arrive; signal closed: " + signal.Fault), "a hidden object is not shown");
+        Assert.That(FaultsNow(), Is.EqualTo("object lid: no new poses arrive; signal closed: " + signal.Fault), "a hidden object is not shown");
         Run(1, t => SendPose("world", "lid", t, Along(1)));
         signal.gameObject.SetActive(false);
-        parts.Update();
-        Assert.That((parts.Summary, parts.Faults), Is.EqualTo(("1 current", (string)null)));
+        Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("", "1 current")));
     }
 }

@@ -24,6 +24,7 @@ namespace Nowpose.Editor
         {
             ("Robot Cell", RobotCell), ("Robot Cell UR5", RobotCellUr5), ("Virtual Gripper", VirtualGripper), ("Another Robot", AnotherRobot),
             ("Tracked Object", TrackedObject), ("Stationary Object", StationaryObject), ("Signal", Signal), ("Actuated Part", ActuatedPart),
+            ("Grip by Reach", GripByReach), ("Planned Path", PlannedPath),
         };
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
@@ -47,8 +48,25 @@ namespace Nowpose.Editor
         [MenuItem(Folder + "Actuated Part", false, Priority)]
         static void ActuatedPart(MenuCommand command) => CreateOnce<ActuatedPart>("Actuated Part", command);
 
+        [MenuItem(Folder + "Grip by Reach", false, Priority)]
+        static void GripByReach(MenuCommand command) => CreateOnce<GripByReach>("Grip by Reach", command);
+
+        [MenuItem(Folder + "Planned Path", false, Priority)]
+        static void PlannedPath(MenuCommand command) =>
+            CreateOnce<PlannedPath>("Planned Path", command, path => path.GetComponent<LineRenderer>().sharedMaterial = Hologram);
+
+        // A robot that is not current must look different, so it gets a Pose Appearance and a material that can fade.
         [MenuItem(Folder + "Another Robot", false, Priority)]
-        static void AnotherRobot(MenuCommand command) => CreateOnce<RobotRig>("Robot", command);
+        static void AnotherRobot(MenuCommand command) => CreateOnce<RobotRig>("Robot", command, rig =>
+        {
+            rig.gameObject.AddComponent<PoseAppearance>();
+            var serialized = new SerializedObject(rig);
+            serialized.FindProperty("_armMaterial").objectReferenceValue = Hologram;
+            serialized.FindProperty("_toolMaterial").objectReferenceValue = Hologram;
+            serialized.ApplyModifiedProperties();
+        });
+
+        static Material Hologram => PackageAsset.Hologram.Load<Material>();
 
         // Unity calls a menu item of the Hierarchy once for each selected object. Only the call for the active object adds the prefab.
         static void PlaceOnce(PackageAsset prefab, MenuCommand command)
@@ -56,10 +74,14 @@ namespace Nowpose.Editor
             if (IsOnce(command)) Place(prefab, command);
         }
 
-        static void CreateOnce<T>(string name, MenuCommand command)
+        /// <param name="setUp">Completes the new component; null if its default values are complete.</param>
+        static void CreateOnce<T>(string name, MenuCommand command, Action<T> setUp = null)
             where T : MonoBehaviour
         {
-            if (IsOnce(command)) Put(new GameObject(name).AddComponent<T>().gameObject, command);
+            if (!IsOnce(command)) return;
+            var made = new GameObject(name).AddComponent<T>();
+            setUp?.Invoke(made);
+            Put(made.gameObject, command);
         }
 
         static bool IsOnce(MenuCommand command) => command.context == null || command.context == Selection.activeObject;

@@ -34,6 +34,9 @@ public sealed class CellMenuTests : EditorFixture
     [TestCase("Signal", typeof(CellSignal))]
     [TestCase("Actuated Part", typeof(ActuatedPart))]
     [TestCase("Another Robot", typeof(RobotRig))]
+    [TestCase("Another Robot", typeof(PoseAppearance))]
+    [TestCase("Grip by Reach", typeof(GripByReach))]
+    [TestCase("Planned Path", typeof(PlannedPath))]
     public void MenuItem_ForAComponent_CreatesAndSelectsAnObjectWithUndo(string item, Type component)
     {
         Choose("GameObject/Nowpose/" + item);

@@ -141,6 +141,9 @@ public sealed class SetupWindowTests : EditorFixture
     [TestCase("Signal", typeof(CellSignal))]
     [TestCase("Actuated Part", typeof(ActuatedPart))]
     [TestCase("Another Robot", typeof(RobotRig))]
+    [TestCase("Another Robot", typeof(PoseAppearance))]
+    [TestCase("Grip by Reach", typeof(GripByReach))]
+    [TestCase("Planned Path", typeof(PlannedPath))]
     public void Click_OnAPart_CreatesItBelowTheSelectedObject(string part, Type component)
     {
         var parent = Keep(new GameObject("base"));

@@ -248,7 +248,7 @@ public class StatusPanelTests
     }
 
     [Test]
-    public void LateUpdate_ObjectWithoutPose_HasARowAndIsNamedInTheMessage()
+    public void LateUpdate_ObjectWithoutPose_HasARowOfItsOwn()
     {
         var lid = new GameObject("lid");
         lid.transform.SetParent(_played.Session.transform, false);
@@ -258,8 +258,9 @@ public class StatusPanelTests
 
         Assert.That(_played.Row("Pose").Value, Is.EqualTo("current"));
         Assert.That(_played.Row("Objects").Value, Is.EqualTo("! 1 not current"));
-        Assert.That(_played.Row("Objects").Note, Does.StartWith("object lid: no"));
-        Assert.That(_played.Text("Message 0").Replace('\n', ' '), Is.EqualTo("! object lid: no pose received"));
+        Assert.That(_played.Text("FirstPart 1"), Is.EqualTo("! object lid"));
+        Assert.That(_played.Text("FirstPart 2"), Is.EqualTo("no pose received"));
+        Assert.That(_played.Text("SecondPart 1"), Is.Empty);
         UnityEngine.Object.DestroyImmediate(lid);
         _played.Run(1);
         Assert.That(_played.Texts.Select(text => text.text), Has.None.EqualTo("Objects"));

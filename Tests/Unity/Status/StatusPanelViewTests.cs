@@ -159,6 +159,12 @@ public sealed class StatusPanelViewTests(string scene)
             var statistics = new SessionStatistics { Pose = PoseState.Current };
             texts.Update(statistics, Network, "youbot", null, parts: parts);
             yield return ($"{count} objects that are not current", texts);
+            foreach (var words in new[] { 1, 10, 20, 40, 60, 80, 200 })
+            {
+                texts = new StatusTexts();
+                texts.Update(statistics, Network, "youbot", string.Join(" ", Enumerable.Repeat("WORD", words)), parts: parts);
+                yield return ($"{count} objects that are not current and a message of {words} words", texts);
+            }
         }
         foreach (var problem in new[] { "settings: missing", string.Join(" ", Enumerable.Repeat("the gateway at 192.168.100.200:47010", 30)) })
         {

@@ -19,6 +19,7 @@ namespace Nowpose.Editor.Inspectors
         {
             var model = Target.Model;
             EditorGUILayout.LabelField("Robot", model == null ? LiveText.Unknown : model.Name);
+            EditorGUILayout.LabelField("State", Target.Fault ?? "current");
             if (model == null) return;
             for (var i = 0; i < Target.Joints.Length; i++)
                 EditorGUILayout.LabelField(model.MovingJoints[i].Name, LiveText.Position(model.MovingJoints[i], Target.Joints[i]));
@@ -35,8 +36,11 @@ namespace Nowpose.Editor.Inspectors
             if (GUILayout.Button("Build '" + description.name + "' here")) Build(description);
         }
 
+        // A robot in a namespace has its own description; the session's own robot has that of the session.
         RobotDescriptionAsset Description()
         {
+            if (Target.RobotNamespace.Length > 0)
+                return serializedObject.FindProperty("_description").objectReferenceValue as RobotDescriptionAsset;
             var session = serializedObject.FindProperty("_session").objectReferenceValue as MrilSession;
             if (session == null) session = Target.gameObject.GetComponentInParent<MrilSession>(true);
             return session == null ? null : session.RobotAsset;

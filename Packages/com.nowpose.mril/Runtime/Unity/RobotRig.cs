@@ -67,11 +67,14 @@ namespace Nowpose.Unity
         /// <summary>The robot in the session of the last frame; null while it is unknown or the rig is disabled.</summary>
         internal SessionRobot Robot => _source != null ? _robot.Robot : null;
 
+        /// <summary>Reason why the robot's pose is not current, in one line; null if it is current.</summary>
+        internal string Fault => _source == null ? "no session" : _robot.Fault;
+
         /// <summary>Returns the state of the shown robot's pose in a frame of the session.</summary>
         internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.State : _robot.StateIn(frame);
 
         /// <summary>Whether this rig is enabled and bound to the robot that its session moves.</summary>
-        public bool IsFollowing => _source != null && Model != null && Model == _robot.ModelIn(_source);
+        public bool IsFollowing => _source != null && Model != null && Model == _robot.Model;
 
         public RigPose Shows => _shows;
 
@@ -133,7 +136,7 @@ namespace Nowpose.Unity
         {
             _source = this.SessionOr(_session);
             if (_source == null) return;
-            _robot = new RigRobot(this, RobotNamespace, _description, CellPlace.WorldOf(this, _source));
+            _robot = new RigRobot(this, RobotNamespace, _description, _source);
             _source.Shown += Show;
         }
 
@@ -141,6 +144,7 @@ namespace Nowpose.Unity
         {
             if (_source is null) return;
             _source.Shown -= Show;
+            _robot.Leave();
             _source = null;
         }
 
@@ -169,7 +173,7 @@ namespace Nowpose.Unity
         // Must not be called in OnEnable, because Unity does not allow the removal of children while it enables objects.
         void FollowRobot()
         {
-            var robot = _robot.ModelIn(_source);
+            var robot = _robot.Model;
             if (robot == null || robot == _refused || (robot == Model && _hierarchy.IsWhole)) return;
             _refused = null;
             try

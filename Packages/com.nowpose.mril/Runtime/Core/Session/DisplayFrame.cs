@@ -43,6 +43,9 @@ namespace Nowpose.Session
 
         public PoseState State { get; private set; }
 
+        /// <summary>Whether the robot's moving base, and not one of its joints, is the reason for <see cref="State"/>.</summary>
+        internal bool IsLimitedByBase { get; private set; }
+
         /// <summary>Whether the render time of the previous frames is in the constant-latency range, in which the display time is known.</summary>
         public RangeState Range { get; private set; }
 
@@ -85,10 +88,18 @@ namespace Nowpose.Session
             ClockState = moment.Clock.State;
             ClockError = moment.Clock.EstimatedError;
             State = state;
+            IsLimitedByBase = false;
             Range = moment.Range;
             ErrorWithheld = moment.ErrorWithheld;
             IsDisplayTimeInconsistent = moment.IsInconsistent;
             IsDisplayTimeImplausible = moment.IsImplausible;
+        }
+
+        /// <summary>Sets the state of the robot's moving base. A robot whose base is not current is not displayed at its real position.</summary>
+        internal void SetBase(PoseState state)
+        {
+            IsLimitedByBase = state < State;
+            if (IsLimitedByBase) State = state;
         }
     }
 }

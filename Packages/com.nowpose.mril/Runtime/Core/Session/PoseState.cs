@@ -6,7 +6,9 @@ namespace Nowpose.Session
     /// </summary>
     public enum PoseState
     {
-        /// <summary>A joint between base and tool has not received a sample yet and is shown at zero.</summary>
+        /// <summary>
+        /// A joint between base and tool has not received a sample yet and is shown at zero, or the parent of a moving base is unknown.
+        /// </summary>
         Incomplete,
 
         /// <summary>
@@ -18,7 +20,7 @@ namespace Nowpose.Session
         /// <summary>
         /// A joint between base and tool is held: its samples are older than the horizon cap, later than the display time, or too few for
         /// a prediction. The state is also used if the gateway reports that a joint of the robot has no data, which the gateway may detect
-        /// before the samples are too old.
+        /// before the samples are too old, and if the pose of a moving base is not current.
         /// </summary>
         Held,
 

@@ -36,6 +36,7 @@ namespace Nowpose.Session
             FillLatency(into);
             FillError(into);
             into.Pose = _frame.State;
+            into.IsLimitedByBase = _frame.IsLimitedByBase;
             into.OutsideRange = _frame.OutsideRange;
         }
 

@@ -59,7 +59,7 @@ namespace Nowpose.Session
         public DisplayFrame Frame => _computer.Frame;
 
         /// <summary>Displayed pose of the root link in the cell; the identity if no frame of the cell has the root link's name.</summary>
-        public RigidTransform RootPose { get; set; } = RigidTransform.Identity;
+        public RigidTransform RootPose { get; private set; } = RigidTransform.Identity;
 
         public bool IsCurrent => Frame.State == PoseState.Current;
 
@@ -77,6 +77,14 @@ namespace Nowpose.Session
         {
             _computer.Compute(moment, Joints.IsAnyReportedMissing(moment.Start));
             Hindcast.Shown(Frame, moment.Clock.ErrorBound);
+        }
+
+        /// <summary>Places the root link in the cell. Call it after <see cref="Show"/>.</summary>
+        /// <param name="state">State of the root link's pose.</param>
+        public void PlaceRoot(in RigidTransform pose, PoseState state)
+        {
+            RootPose = pose;
+            Frame.SetBase(state);
         }
 
         /// <summary>Discards all samples, because their times are no longer valid.</summary>

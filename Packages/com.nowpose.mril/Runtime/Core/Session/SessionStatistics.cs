@@ -135,6 +135,9 @@ namespace Nowpose.Session
 
         public PoseState Pose { get; internal set; }
 
+        /// <inheritdoc cref="DisplayFrame.IsLimitedByBase"/>
+        internal bool IsLimitedByBase { get; set; }
+
         /// <summary>Fraction of the frames of the last ten seconds that had a current pose, 0 to 1; null before the first frame.</summary>
         public double? CurrentShare { get; internal set; }
 

@@ -9,31 +9,49 @@ namespace Nowpose.Unity.Cell
     /// <summary>
     /// The robot of a session that a rig shows: the session's own robot, or a robot in a namespace, which this class adds to each session.
     /// </summary>
-    sealed class RigRobot
+    sealed class RigRobot : IShownPart
     {
         readonly RobotRig _rig;
         readonly string _name;
         readonly RobotDescriptionAsset _description;
         readonly Transform _world;
+        readonly MrilSession _source;
         CompensationSession _session;
         SessionRobot _robot;
 
         /// <param name="name">Namespace of the robot; empty for the session's own robot.</param>
         /// <param name="description">Description of a robot in a namespace; not used for the session's own robot.</param>
-        /// <param name="world">Frame <c>world</c> of the cell.</param>
-        public RigRobot(RobotRig rig, string name, RobotDescriptionAsset description, Transform world)
+        /// <param name="source">The component that has the session. It lists a robot in a namespace among its parts; its own robot is always shown.</param>
+        public RigRobot(RobotRig rig, string name, RobotDescriptionAsset description, MrilSession source)
         {
+            _source = source;
+            _world = CellPlace.WorldOf(rig, source);
+            Title = "robot " + name;
             _rig = rig;
             _name = name;
             _description = description;
-            _world = world;
+            if (IsListed) source.Parts.Add(this);
         }
+
+        public string Title { get; }
+
+        public string Fault
+        {
+            get
+            {
+                if (_robot == null) return _session == null ? "no session" : RigMessages.NotAdded;
+                var frame = _robot.Frame;
+                return frame.State == PoseState.Current ? null : StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase);
+            }
+        }
+
+        // A rig that shows the newest samples for comparison is never current.
+        bool IsListed => !IsOwn && _rig.Shows == RigPose.Displayed;
 
         bool IsOwn => string.IsNullOrEmpty(_name);
 
         /// <summary>Returns the model of the robot; null while it is unknown.</summary>
-        /// <param name="source">The component that has the session.</param>
-        public RobotModel ModelIn(MrilSession source) => IsOwn ? source.Robot : _robot?.Robot;
+        public RobotModel Model => IsOwn ? _source.Robot : _robot?.Robot;
 
         /// <summary>The robot in the session of the last frame; null while the session has no such robot.</summary>
         public SessionRobot Robot => _robot;
@@ -53,6 +71,9 @@ namespace Nowpose.Unity.Cell
             }
             return IsOwn ? frame : _robot?.Frame;
         }
+
+        /// <summary>Removes the robot from the session's parts.</summary>
+        public void Leave() => _source.Parts.Remove(this);
 
         /// <summary>Moves the rig to the robot's base if the cell has a frame with the name of the robot's root link.</summary>
         public void PlaceBase()

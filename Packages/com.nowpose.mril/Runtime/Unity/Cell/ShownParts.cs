@@ -1,9 +1,8 @@
 using System.Collections.Generic;
-using System.Text;
 
 namespace Nowpose.Unity.Cell
 {
-    /// <summary>An object or signal of the cell that a component shows.</summary>
+    /// <summary>An object, signal or further robot of the cell that a component shows.</summary>
     interface IShownPart
     {
         /// <summary>Kind and name of the part, such as "object workpiece_1".</summary>
@@ -13,12 +12,11 @@ namespace Nowpose.Unity.Cell
         string Fault { get; }
     }
 
-    /// <summary>Lists the objects and signals of the cell that components show, with the faults of the parts that are not current.</summary>
+    /// <summary>Lists the objects, signals and further robots of the cell that components show, with the faults of the parts that are not current.</summary>
     sealed class ShownParts
     {
         readonly List<IShownPart> _parts = new List<IShownPart>();
         readonly List<string> _objects = new List<string>();
-        readonly List<(string Title, string Fault)> _described = new List<(string, string)>();
         readonly List<(string Title, string Fault)> _faults = new List<(string, string)>();
         int _count = -1;
 
@@ -32,17 +30,16 @@ namespace Nowpose.Unity.Cell
 
         /// <summary>
         /// Summary of the parts, such as "3 current" or, if some parts are not current, "! 2 not current"; empty without parts. It is the
-        /// same string object until a fault or the number of parts changes.
+        /// same string object until one of these numbers changes.
         /// </summary>
         public string Summary { get; private set; } = "";
 
-        /// <summary>
-        /// Title and fault of each part that is not current; null if all are current. It is the same string object until a fault changes.
-        /// </summary>
-        public string Faults { get; private set; }
+        /// <summary>Title of a part that was not current at the last <see cref="Update"/>.</summary>
+        /// <param name="index">0 to <see cref="FaultCount"/> − 1.</param>
+        public string FaultyTitle(int index) => _faults[index].Title;
 
-        /// <summary>Title and fault of the first part that is not current; empty if all are current.</summary>
-        public string FirstFault { get; private set; } = "";
+        /// <summary>Reason why this part was not current, in one line.</summary>
+        public string FaultOf(int index) => _faults[index].Fault;
 
         public void Add(IShownPart part) => _parts.Add(part);
 
@@ -61,34 +58,16 @@ namespace Nowpose.Unity.Cell
             _objects.Remove(frame);
         }
 
-        /// <summary>Reads the faults of all parts. Allocates only when a fault or the number of parts has changed.</summary>
+        /// <summary>Reads the faults of all parts. Allocates only when their number or the number of parts has changed.</summary>
         public void Update()
         {
+            var former = _faults.Count;
             _faults.Clear();
             foreach (var part in _parts)
                 if (part.Fault is string fault) _faults.Add((part.Title, fault));
-            if (_count == _parts.Count && IsSame()) return;
+            if (_count == _parts.Count && former == _faults.Count) return;
             _count = _parts.Count;
-            _described.Clear();
-            _described.AddRange(_faults);
             Summary = _count == 0 ? "" : _faults.Count == 0 ? _count + " current" : "! " + _faults.Count + " not current";
-            FirstFault = _faults.Count == 0 ? "" : _faults[0].Title + ": " + _faults[0].Fault;
-            Faults = _faults.Count == 0 ? null : Described();
-        }
-
-        bool IsSame()
-        {
-            if (_described.Count != _faults.Count) return false;
-            for (var i = 0; i < _faults.Count; i++)
-                if (_described[i] != _faults[i]) return false;
-            return true;
-        }
-
-        string Described()
-        {
-            var text = new StringBuilder();
-            foreach (var (title, fault) in _faults) text.Append(text.Length == 0 ? "" : "; ").Append(title).Append(": ").Append(fault);
-            return text.ToString();
         }
     }
 }

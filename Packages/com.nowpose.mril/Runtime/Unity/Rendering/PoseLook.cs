@@ -1,6 +1,5 @@
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
-using Nowpose.Unity.Status;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
@@ -48,7 +47,7 @@ namespace Nowpose.Unity.Rendering
         /// <param name="outsideRange">Response of the session outside the constant-latency range.</param>
         public static PoseLook Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
         {
-            var reason = StatusTexts.ReasonOf(pose);
+            var reason = StatusMessages.ReasonOf(pose);
             switch (pose)
             {
                 case PoseState.Current: return new PoseLook("", reason, 0, isHatched: false);

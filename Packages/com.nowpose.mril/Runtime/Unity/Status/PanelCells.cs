@@ -63,6 +63,9 @@ namespace Nowpose.Unity.Status
         /// <summary>Maximum width of a note.</summary>
         public static float NoteWidth => Columns[3] - Columns[2];
 
+        /// <summary>Maximum width of a value.</summary>
+        public static float ValueWidth => Columns[2] - Columns[1];
+
         /// <summary>Removes the text objects that an earlier instance of this class has created below a panel.</summary>
         public static void RemoveFrom(Transform panel)
         {

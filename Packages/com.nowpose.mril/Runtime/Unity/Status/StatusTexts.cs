@@ -29,7 +29,8 @@ namespace Nowpose.Unity.Status
 
         static readonly string[] Labels =
         {
-            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "Base", "Objects", "",
+            "Pose", "Clock", "L_app", "L_visu", "Horizon", "Render time", "Range", "Error reduction", "Error left", "Gateway", "Robot", "Base", "Objects",
+            "", "", "", "", "", "", "",
         };
 
         static readonly string[] Poses = WordsOfPoses();
@@ -53,7 +54,10 @@ namespace Nowpose.Unity.Status
         readonly BaseTexts _base = new BaseTexts();
         readonly JointStatusLine _missingJoints, _restingJoints;
         bool _isLocal;
-        string _message, _robot, _robotNote, _part, _partNote;
+        readonly (string Of, string Text)[] _partValues = new (string, string)[StatusRow.Message - StatusRow.FirstPart];
+        readonly (string Of, string Text)[] _partNotes = new (string, string)[StatusRow.Message - StatusRow.FirstPart];
+        (int Of, string Text) _further;
+        string _message, _robot, _robotNote;
 
         /// <summary>Number of lines of the message; 0 if there is none.</summary>
         public int MessageLines { get; private set; }
@@ -104,23 +108,24 @@ namespace Nowpose.Unity.Status
             }
             if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
             parts?.Update();
-            Set(StatusRow.Objects, parts?.Summary ?? "", NoteOf(parts));
+            Set(StatusRow.Objects, parts?.Summary ?? "", "");
             var isPairing = pairing != null;
             // Problems with the pairing have priority, because the connections and the base depend on the pairing.
             var obstacle = problem ?? (isPairing ? pairing.Obstacle : null);
             var guidance = obstacle == null && isPairing ? pairing.Guidance : null;
-            var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? FaultOf(parts, statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
+            var fault = obstacle ?? FaultOf(statistics) ?? _missingJoints.Of(statistics) ?? _base.FaultOf(anchor) ?? (isPairing ? pairing.Problem : null)
                 ?? DisplayMessages.ProblemOf(statistics) ?? statistics?.VersionMismatch;
             if (guidance != null) SetMessage(guidance, "");
             else if (fault != null) SetMessage(fault, "! ");
             else SetMessage(_restingJoints.Of(statistics) ?? (ShowsJointErrors && statistics != null ? _joints.Of(statistics.JointErrors) : null), "");
+            UpdateParts(parts, statistics);
         }
 
         void UpdateTimes(SessionStatistics statistics)
         {
             var clock = statistics.Clock;
             var isCoarse = statistics.Pose == PoseState.Current && statistics.IsClockCoarse;
-            Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError) : ReasonOf(statistics.Pose));
+            Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError) : StatusMessages.ReasonOf(statistics.Pose, statistics.IsLimitedByBase));
             Set(StatusRow.Clock, ClockOf(clock.State), clock.IsKnown ? Bounds.Of(clock.EstimatedError) : "");
             Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");
         }
@@ -154,17 +159,36 @@ namespace Nowpose.Unity.Status
             return _robotNote ?? "";
         }
 
-        // Shortens the fault, because it contains a name that may have any length.
-        string NoteOf(ShownParts parts)
+        // Lists the parts that are not current, unless all are affected because the time is not known or the render time is outside its range; the row
+        // of the pose then reports the cause. A longer message leaves less space, so that the panel stays in view.
+        void UpdateParts(ShownParts parts, SessionStatistics statistics)
         {
-            var fault = parts?.FirstFault ?? "";
-            if (fault != _part) _partNote = WrappedText.Of(fault, PanelCells.NoteWidth, lines: 1);
-            _part = fault;
-            return _partNote ?? "";
+            var isCommon = statistics?.Pose == PoseState.Unsynchronised || statistics?.Pose == PoseState.OutsideRange;
+            var faults = parts == null || isCommon ? 0 : parts.FaultCount;
+            var rows = Math.Min(StatusRow.Message - StatusRow.FirstPart, MaxMessageLines - 1 - MessageLines);
+            for (var row = StatusRow.FirstPart; row <= StatusRow.LastPart; row++)
+            {
+                var i = row - StatusRow.FirstPart;
+                if (i >= Math.Min(faults, rows)) Set(row, "", "");
+                else if (i == rows - 1 && faults > rows) Set(row, Further(faults - i), "");
+                else Set(row, Shortened(parts.FaultyTitle(i), "! ", ref _partValues[i], PanelCells.ValueWidth),
+                    Shortened(parts.FaultOf(i), "", ref _partNotes[i], PanelCells.NoteWidth));
+            }
         }
 
-        // Faults of objects are shown only while the robot's pose is current. Otherwise, the row of the pose already reports the cause.
-        static string FaultOf(ShownParts parts, SessionStatistics statistics) => statistics?.Pose == PoseState.Current ? parts?.Faults : null;
+        string Further(int count)
+        {
+            if (_further.Of != count) _further = (count, StatusMessages.FurtherParts(count));
+            return _further.Text;
+        }
+
+        // Shortens a string of any length to one line. Keeps the result until the string changes.
+        static string Shortened(string text, string mark, ref (string Of, string Text) kept, float width)
+        {
+            if (!ReferenceEquals(text, kept.Of) && text != kept.Of) kept.Text = WrappedText.Of(mark + text, width, lines: 1);
+            kept.Of = text;
+            return kept.Text;
+        }
 
         // Reads the address only if the settings have changed, because reading allocates.
         void Follow(SessionSettings settings)
@@ -199,19 +223,6 @@ namespace Nowpose.Unity.Status
             for (var pose = PoseState.Incomplete; pose < PoseState.Current; pose++) words[(int)pose] = "! " + PoseMessages.Of(pose);
             words[(int)PoseState.Current] = PoseMessages.Of(PoseState.Current);
             return words;
-        }
-
-        /// <summary>Returns the reason why a pose is not current; empty if it is current.</summary>
-        public static string ReasonOf(PoseState pose)
-        {
-            switch (pose)
-            {
-                case PoseState.Current: return "";
-                case PoseState.OutsideRange: return StatusMessages.RenderingTooLong;
-                case PoseState.Held: return StatusMessages.TooFewSamples;
-                case PoseState.Unsynchronised: return "time not known";
-                default: return StatusMessages.JointWithoutSamples;
-            }
         }
 
         static string ClockOf(ClockState state)

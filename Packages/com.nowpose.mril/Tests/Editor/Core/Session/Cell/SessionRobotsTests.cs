@@ -100,6 +100,34 @@ namespace Nowpose.Tests.Core.Session.Cell
             });
         }
 
+        // A robot at the last known place of its base would look right although the base has moved on.
+        [Test]
+        public void State_PosesOfTheMovingBaseEnd_IsHeld()
+        {
+            var cell = new CellSession();
+            cell.Session.Robots.Add("cart", TestRobot.Model);
+            var isBaseSent = true;
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, 0, 0);
+                cell.SendJoints(t, 0, 0, "cart");
+                if (!isBaseSent) return;
+                foreach (var name in new[] { "base", "cart/base" }) cell.Send("world", name, t, RigidTransform.FromXyzRpy(0.3 * t, 2, 0, 0, 0, 0));
+            };
+            cell.Run(2);
+            var before = cell.Session.Robots.Select(robot => robot.Frame.State).ToArray();
+
+            isBaseSent = false;
+            cell.Run(1);
+            var stopped = cell.Session.Robots.Select(robot => robot.Frame.State).ToArray();
+            isBaseSent = true;
+            cell.Run(2);
+
+            Assert.That(before, Is.All.EqualTo(PoseState.Current));
+            Assert.That(stopped, Is.All.EqualTo(PoseState.Held));
+            Assert.That(cell.Session.Robots.Select(robot => robot.Frame.State), Is.All.EqualTo(PoseState.Current));
+        }
+
         [TestCase("")]
         [TestCase("1st")]
         [TestCase("arm 2")]
