@@ -10,8 +10,8 @@ namespace Nowpose.Gateway.Status;
 /// and active events.
 /// </summary>
 /// <remarks>
-/// The number of label values is bounded: states are a fixed set, and the numbers of joints, adapters, reasons and headsets are limited where
-/// they are received.
+/// The number of label values is bounded: states are a fixed set, and the numbers of joints, sources of a joint, adapters, reasons and headsets
+/// are limited where they are received.
 /// </remarks>
 static class JointMetrics
 {

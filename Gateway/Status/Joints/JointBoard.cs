@@ -7,10 +7,11 @@ namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>The state of each joint per source, from the adapters' reports and the received samples. Thread-safe; bounded.</summary>
 /// <remarks>
-/// A joint in an adapter's configuration stays listed until the adapter reports without this joint. Any other joint is removed when its source
-/// has ended normally and no sample has arrived for <see cref="ForgottenAfter"/>. If its source has ended in another way, the joint stays
-/// listed as failed until samples arrive again. An arm joint of the described robot that no source publishes is listed as missing as soon as a
-/// source publishes another arm joint.
+/// A joint in an adapter's configuration stays listed until the adapter reports without this joint. Beyond <see cref="MaxSources"/>, the sources of
+/// a joint that have been gone for the longest time are removed, so that an adapter that changes its name does not add sources without limit. The
+/// joint stays listed with its other sources. Any other joint is removed when its source has ended normally and no sample has arrived for
+/// <see cref="ForgottenAfter"/>. If its source has ended in another way, the joint stays listed as failed until samples arrive again. An arm joint
+/// of the described robot that no source publishes is listed as missing as soon as a source publishes another arm joint.
 /// </remarks>
 /// <param name="time">Time source.</param>
 /// <param name="robot">Returns the described robot; null if no robot is described.</param>
@@ -18,6 +19,9 @@ namespace Nowpose.Gateway.Status.Joints;
 sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action<string> log = null)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;
+
+    /// <summary>Maximum number of sources of one joint: the source that publishes the joint, and others that are refused or gone.</summary>
+    internal const int MaxSources = 4;
 
     /// <summary>Time without samples after which a joint is stale, unless its adapter reports another state.</summary>
     internal static readonly TimeSpan StaleAfter = TimeSpan.FromSeconds(1.8);
@@ -155,7 +159,7 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
     {
         public string Name => name;
         public SampleFlow Flow { get; } = new(time);
-        public List<JointRow> Rows { get; } = [];
+        public List<JointRow> Rows { get; private set; } = [];
         public bool IsConfigured => Rows.Exists(row => row.IsConfigured);
         public bool IsRefused => Rows.Exists(row => row.IsRefused);
         public bool IsOnlyRefused => !IsConfigured && !Flow.HasAny;
@@ -177,6 +181,10 @@ sealed class JointBoard(TimeProvider time, Func<RobotModel> robot = null, Action
         {
             var owner = Flow.HasAny ? OwnerRow(time) : null;
             Rows.RemoveAll(row => !row.IsConfigured && !row.IsRefused && row != owner);
+            // Keeps the source that publishes the joint, then those that were present last. The sort is stable, so a new source does not replace one
+            // that is still present.
+            if (Rows.Count > MaxSources)
+                Rows = [.. Rows.OrderByDescending(row => row == owner).ThenByDescending(row => row.LastPresent).Take(MaxSources)];
             return Rows.Select(row => row.Judge(row == owner ? Flow : null));
         }
 

@@ -21,6 +21,14 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     /// <summary>Whether the gateway has recently refused a sample of the joint.</summary>
     public bool IsRefused => _refusal != null && time.GetElapsedTime(_refusedAt) < JointBoard.StaleAfter;
 
+    /// <summary>
+    /// Time at which the source last reported or sent a refused sample; the maximum value if its report is still valid or its samples are being
+    /// refused.
+    /// </summary>
+    public long LastPresent => IsReportFresh || IsRefused ? long.MaxValue : Math.Max(_reportedAt, _refusedAt);
+
+    bool IsReportFresh => IsConfigured && time.GetElapsedTime(_reportedAt) < AdapterReport.Validity;
+
     public void Report(in AdapterReport report)
     {
         (_report, _reportedAt, IsConfigured) = (report, time.GetTimestamp(), true);
@@ -57,7 +65,7 @@ sealed class JointRow(string joint, string source, TimeProvider time)
     {
         var isFlowing = flow is { IsFlowing: true };
         if (IsRefused && !isFlowing) return (JointDataState.Refused, null, _refusal);
-        var isReportFresh = IsConfigured && time.GetElapsedTime(_reportedAt) < AdapterReport.Validity;
+        var isReportFresh = IsReportFresh;
         if (isReportFresh && _report.State != JointDataState.Live) return (_report.State, _report.Since, _report.Reason);
         if (isFlowing) return (JointDataState.Live, null, "");
         if (flow is not { HasAny: true }) return (JointDataState.Missing, null, isReportFresh

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Status.Joints;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
@@ -141,6 +142,57 @@ public class ReportedJointTests
         _joints.Time.Advance(TimeSpan.FromHours(1));
 
         Assert.That(_joints.Board.Read().Select(joint => joint.State), Is.EqualTo(isSameRun ? [] : new[] { JointDataState.Stale }));
+    }
+
+    [Test]
+    public void Read_AdapterWithManyNames_ListsTheNamesThatWerePresentLast()
+    {
+        const int Names = 1500;
+        for (var i = 0; i < Names; i++)
+        {
+            _joints.Report($"x{i}", ("a", "live", ""), ("b", "live", ""));
+            _joints.Time.Advance(TimeSpan.FromSeconds(1));
+        }
+
+        _joints.Time.Advance(TimeSpan.FromHours(1));
+
+        var rows = _joints.Board.Read();
+        var newest = Enumerable.Range(Names - JointBoard.MaxSources, JointBoard.MaxSources).Select(i => $"x{i}");
+        foreach (var joint in new[] { "a", "b" })
+            Assert.That(rows.Where(row => row.Name == joint).Select(row => row.Source), Is.EquivalentTo(newest), joint);
+        Assert.That(rows.Select(row => row.State), Is.All.EqualTo(JointDataState.Missing));
+    }
+
+    [Test]
+    public void Read_AdapterWithManyNames_KeepsTheSourcesThatArePresent()
+    {
+        _joints.Source.Name = "publisher";
+        string[] present = ["present 1", "present 2"];
+        for (var i = 0; i < 100; i++)
+        {
+            _joints.Send(1, "a");
+            foreach (var name in present) _joints.Report(name, ("a", "live", ""));
+            _joints.Report($"x{i}", ("a", "live", ""));
+            Assert.That(_joints.Board.Read(), Has.Count.LessThanOrEqualTo(JointBoard.MaxSources));
+        }
+
+        Assert.That(_joints.Board.Read().Select(row => row.Source), Is.SupersetOf((string[])["publisher", .. present]));
+        Assert.That(_joints.Joint("a", "publisher").State, Is.EqualTo(JointDataState.Live));
+    }
+
+    [Test]
+    public void Read_MoreSourcesPresentThanTheMaximum_ListsTheSameSourcesEachTime()
+    {
+        string[] names = [.. Enumerable.Range(0, 2 * JointBoard.MaxSources).Select(i => $"x{i}")];
+        var listed = new HashSet<string>();
+        for (var i = 0; i < 100; i++)
+        {
+            _joints.Report(names[i % names.Length], ("a", "refused", "another source publishes it"));
+            _joints.Time.Advance(TimeSpan.FromMilliseconds(100));
+            listed.UnionWith(_joints.Board.Read().Select(row => row.Source));
+        }
+
+        Assert.That(listed, Has.Count.EqualTo(JointBoard.MaxSources));
     }
 
     [Test]
