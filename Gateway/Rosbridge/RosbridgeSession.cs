@@ -241,10 +241,10 @@ sealed class RosbridgeSession : IDisposable
         _isRos2 = _form == RosTimeForm.Sec;
     }
 
-    // Warns of an unsupported option. The request is served without the option.
+    // Warns of each unsupported option. The request is served without these options.
     void Warn(RosbridgeMessage message)
     {
-        if (Unsupported.In(_text) is { } unsupported) Warn(message, unsupported);
+        foreach (var unsupported in Unsupported.In(_text)) Warn(message, unsupported);
     }
 
     void Warn(RosbridgeMessage message, string text)

@@ -6,28 +6,28 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <summary>Finds options of a rosbridge request that the gateway does not support and ignores.</summary>
 static class Unsupported
 {
-    /// <summary>Gets the warning for the client; null if the request has no unsupported option.</summary>
+    /// <summary>Gets one warning for the client for each unsupported option of the request.</summary>
     /// <param name="text">The complete request, valid JSON.</param>
-    public static string In(ReadOnlyMemory<byte> text)
+    public static IReadOnlyList<string> In(ReadOnlyMemory<byte> text)
     {
         try
         {
             using var message = JsonDocument.Parse(text);
-            return In(message.RootElement);
+            return [.. In(message.RootElement)];
         }
         catch (Exception e) when (e is JsonException or InvalidOperationException)
         {
             // The text contains NaN or an unpaired surrogate, which the gateway's own reader accepts in fields that it does not read.
-            return null;
+            return [];
         }
     }
 
-    static string In(JsonElement root)
+    static IEnumerable<string> In(JsonElement root)
     {
         if (root.TryGetProperty("compression", out var compression) && !IsNone(compression))
-            return RequestMessages.Compression(Short(compression));
-        return root.TryGetProperty("fragment_size", out var size) && size.ValueKind != JsonValueKind.Null
-            ? RequestMessages.FragmentSize(Short(size)) : null;
+            yield return RequestMessages.Compression(Short(compression));
+        if (root.TryGetProperty("fragment_size", out var size) && size.ValueKind != JsonValueKind.Null)
+            yield return RequestMessages.FragmentSize(Short(size));
     }
 
     static bool IsNone(JsonElement compression) => compression.ValueKind == JsonValueKind.Null

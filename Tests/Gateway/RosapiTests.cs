@@ -57,6 +57,19 @@ public class RosapiTests
         await client.RoundTripAsync();
     }
 
+    [Test]
+    public async Task Subscribe_TwoUnsupportedOptions_ReceivesAWarningForEach()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync("""{"op":"subscribe","topic":"/joint_states","compression":"png","fragment_size":1000}""");
+
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("compression png is not supported"));
+        Assert.That((await client.ReceiveAsync()).Text, Does.Contain("fragment_size 1000 is not supported"));
+        await client.RoundTripAsync();
+    }
+
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"none","type":"sensor_msgs/msg/JointState"}""")]
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"","fragment_size":null}""")]
     [TestCase("""{"op":"set_level","level":"error"}\n{"op":"subscribe","topic":"/joint_states","compression":"png"}""")]
