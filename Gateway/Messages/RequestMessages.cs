@@ -19,6 +19,13 @@ static class RequestMessages
     public static string NotPublished(string topics) =>
         $"receives no messages, because the gateway never publishes this topic. Its topics: {topics}";
 
+    /// <param name="id">The id of the request, if the client has other subscriptions to the topic; null otherwise.</param>
+    public static string NotSubscribed(string id) => id == null
+        ? "has no effect, because this client has no subscription to this topic; use the topic of the subscription"
+        : $"has no effect, because this client has no subscription to this topic with the id {id}; use the id of the subscription, or no id";
+
+    public const string NotAdvertised = "has no effect, because this client has not advertised this topic; use the topic of the advertisement";
+
     public static string UnknownOperation(string operation, string allowed) => $"Unknown operation: {operation}. Allowed operations: {allowed}";
 
     public static string Dropped(string source, string trouble, DropReason reason) =>

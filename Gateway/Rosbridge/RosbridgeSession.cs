@@ -84,7 +84,8 @@ sealed class RosbridgeSession : IDisposable
 
     void Do(RosbridgeMessage message, long count)
     {
-        if (message.Topic?.StartsWith('/') == false && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Advertise or RosbridgeOp.Publish)
+        if (message.Topic?.StartsWith('/') == false && message.Op is RosbridgeOp.Subscribe or RosbridgeOp.Unsubscribe or RosbridgeOp.Advertise
+            or RosbridgeOp.Unadvertise or RosbridgeOp.Publish)
         {
             Drop(message, DropReason.UnknownTopic, rule: RequestMessages.NoSlash(Short(message.Topic)));
             return;
@@ -99,7 +100,7 @@ sealed class RosbridgeSession : IDisposable
         switch (message.Op)
         {
             case RosbridgeOp.Subscribe: Subscribe(message); break;
-            case RosbridgeOp.Unsubscribe: _subscriptions.Remove(message.Topic, message.Id); break;
+            case RosbridgeOp.Unsubscribe: Unsubscribe(message); break;
             case RosbridgeOp.Advertise: Advertise(message); break;
             case RosbridgeOp.Unadvertise: Unadvertise(message); break;
             case RosbridgeOp.Publish: Publish(message); break;
@@ -130,6 +131,12 @@ sealed class RosbridgeSession : IDisposable
         _subscriptions.Add(message.Topic, message.Id, SubscriptionTerms.Of(message));
     }
 
+    void Unsubscribe(RosbridgeMessage message)
+    {
+        if (!_subscriptions.Remove(message.Topic, message.Id))
+            Warn(message, RequestMessages.NotSubscribed(_subscriptions.Topics.Contains(message.Topic) ? Short(message.Id) : null));
+    }
+
     void Advertise(RosbridgeMessage message)
     {
         var reason = Allowance(message.RobotTopic);
@@ -150,7 +157,12 @@ sealed class RosbridgeSession : IDisposable
 
     void Unadvertise(RosbridgeMessage message)
     {
-        if (!_advertised.Remove(message.Topic)) return;
+        if (!_advertised.Remove(message.Topic))
+        {
+            Warn(message, RequestMessages.NotAdvertised);
+            return;
+        }
+
         _source.Release(message.Topic);
         if (message.RobotTopic.Kind == RosTopics.JointStates && !_advertised.Any(topic => RobotTopic.Parse(topic).Kind == RosTopics.JointStates))
             _source.Leave();

@@ -21,13 +21,13 @@ sealed class SubscriptionSet(MessageHub hub, int queueLength, DropCounters drops
     /// <summary>Removes one or all subscriptions to a topic.</summary>
     /// <param name="topic">Name of the topic.</param>
     /// <param name="id">Id of the subscription; null removes all subscriptions to the topic.</param>
-    public void Remove(string topic, string id)
+    /// <returns>False if there is no such subscription.</returns>
+    public bool Remove(string topic, string id)
     {
-        if (!_topics.TryGetValue(topic, out var present))
-            return;
-        var removed = present.Wishes.RemoveAll(wish => id == null || wish.Id == id);
-        if (removed > 0)
-            Renew(topic, present.Wishes, present.Live);
+        if (!_topics.TryGetValue(topic, out var present) || present.Wishes.RemoveAll(wish => id == null || wish.Id == id) == 0)
+            return false;
+        Renew(topic, present.Wishes, present.Live);
+        return true;
     }
 
     public void Dispose()

@@ -44,6 +44,10 @@ public class RosapiTests
     [TestCase("""{"op":"advertise","topic":"/joint_states","type":"std_msgs/String"}""", "error",
         "advertise /joint_states dropped: /joint_states has the type sensor_msgs/JointState, not std_msgs/String")]
     [TestCase("""{"op":"subscribe"}""", "error", "subscribe dropped: a field is missing or empty")]
+    [TestCase("""{"op":"unsubscribe","topic":"joint_states"}""", "error", "must begin with a slash: use /joint_states")]
+    [TestCase("""{"op":"unsubscribe","topic":"/joint_states"}""", "warning", "unsubscribe /joint_states has no effect, because this client has no subscription to this topic")]
+    [TestCase("""{"op":"unadvertise","topic":"joint_states"}""", "error", "must begin with a slash: use /joint_states")]
+    [TestCase("""{"op":"unadvertise","topic":"/joint_states"}""", "warning", "has not advertised this topic")]
     public async Task Request_Unsupported_ReceivesAStatusWithItsId(string request, string level, string part)
     {
         await using var gateway = await Gateways.StartAsync();
@@ -70,7 +74,24 @@ public class RosapiTests
         await client.RoundTripAsync();
     }
 
+    [TestCase("subscribe", "unsubscribe", "no subscription to this topic with the id 2")]
+    [TestCase("advertise", "unadvertise", null)]
+    public async Task Withdraw_OtherId_ReceivesAWarningOnlyForASubscription(string op, string withdrawal, string part)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SendAsync($$"""{"op":"{{op}}","topic":"/joint_states","type":"sensor_msgs/JointState","id":"1"}""");
+
+        await client.SendAsync($$"""{"op":"{{withdrawal}}","topic":"/joint_states","id":"2"}""");
+
+        if (part != null) Assert.That((await client.ReceiveAsync()).Text, Does.Contain(part));
+        await client.RoundTripAsync();
+    }
+
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"none","type":"sensor_msgs/msg/JointState"}""")]
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","id":"1"}\n{"op":"unsubscribe","topic":"/joint_states","id":"1"}""")]
+    [TestCase("""{"op":"subscribe","topic":"/joint_states","id":"1"}\n{"op":"unsubscribe","topic":"/joint_states"}""")]
+    [TestCase("""{"op":"advertise","topic":"/joint_states","type":"sensor_msgs/JointState"}\n{"op":"unadvertise","topic":"/joint_states"}""")]
     [TestCase("""{"op":"subscribe","topic":"/joint_states","compression":"","fragment_size":null}""")]
     [TestCase("""{"op":"set_level","level":"error"}\n{"op":"subscribe","topic":"/joint_states","compression":"png"}""")]
     public async Task Request_Supported_ReceivesNoStatus(string requests)
