@@ -39,7 +39,7 @@ static class Rosapi
         ["node_details"] = ("NodeDetails", call => NodeDetails(call, call.Argument("node") == Node)),
         ["get_param_names"] = ("GetParamNames", call => new() { ["names"] = List(call.DescribedRobots.Select(robot => RobotTopic.NameOf(robot, Description))) }),
         ["has_param"] = ("HasParam", call => new() { ["exists"] = Value(call) != null }),
-        ["get_param"] = ("GetParam", call => new() { ["value"] = Value(call) ?? call.Argument("default") ?? "null" }),
+        ["get_param"] = ("GetParam", call => new() { ["value"] = Value(call) ?? call.Argument("default", 1) ?? "null" }),
         ["get_ros_version"] = ("GetROSVersion", call => new() { ["version"] = call.IsRos2 ? 2 : 1, ["distro"] = "" }),
     };
 

@@ -33,7 +33,9 @@ sealed class RosapiCall : IDisposable
     public string DescriptionOf(string robot) => _hub.DescriptionOf(robot);
 
     /// <summary>Gets a string argument; null if it is missing.</summary>
-    public string Argument(string name) => _text.RootElement.TryGetProperty("args", out var args) ? Text(args, name) : null;
+    /// <param name="position">Index of the argument among the fields of the request, for arguments without names, which rosbridge accepts.</param>
+    public string Argument(string name, int position = 0) =>
+        _text.RootElement.TryGetProperty("args", out var args) ? Text(args, name, position) : null;
 
     public void Dispose() => _text.Dispose();
 
@@ -50,12 +52,17 @@ sealed class RosapiCall : IDisposable
         }
     }
 
-    static string Text(JsonElement element, string name)
+    static string Text(JsonElement element, string name, int position = 0)
     {
         try
         {
-            return element.ValueKind == JsonValueKind.Object && element.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.String
-                ? value.GetString() : null;
+            var value = element.ValueKind switch
+            {
+                JsonValueKind.Object when element.TryGetProperty(name, out var named) => named,
+                JsonValueKind.Array when position < element.GetArrayLength() => element[position],
+                _ => default,
+            };
+            return value.ValueKind == JsonValueKind.String ? value.GetString() : null;
         }
         catch (InvalidOperationException)
         {

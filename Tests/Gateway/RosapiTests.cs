@@ -112,6 +112,13 @@ public class RosapiTests
     [TestCase("topics_for_type", """{"type":"diagnostic_msgs/DiagnosticArray"}""", """{"topics":["/nowpose/diagnostics","/nowpose/joint_status","/nowpose/signal_status"]}""")]
     [TestCase("topic_type", """{"topic":"/none"}""", """{"type":""}""")]
     [TestCase("topic_type", "[]", """{"type":""}""")]
+    [TestCase("topic_type", """["/joint_states"]""", """{"type":"sensor_msgs/JointState"}""")]
+    [TestCase("topics_for_type", """["std_msgs/String"]""", """{"topics":["/robot_description","/nowpose/version"]}""")]
+    [TestCase("service_type", """["/rosapi/get_time"]""", """{"type":"rosapi/GetTime"}""")]
+    [TestCase("has_param", """["/robot_description"]""", """{"exists":true}""")]
+    [TestCase("get_param", """["/none","5"]""", """{"value":"5"}""")]
+    [TestCase("get_param", """["/none"]""", """{"value":"null"}""")]
+    [TestCase("topic_type", "[5]", """{"type":""}""")]
     [TestCase("service_type", """{"service":"/rosapi/get_time"}""", """{"type":"rosapi/GetTime"}""")]
     [TestCase("get_ros_version", "{}", """{"version":1,"distro":""}""")]
     public async Task Call_RosapiService_ReturnsItsValues(string service, string args, string values)
