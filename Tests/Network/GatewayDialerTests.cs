@@ -33,6 +33,52 @@ public sealed class GatewayDialerTests
         Assert.ThrowsAsync<SocketException>(() => Dialer("localhost").OpenAsync(port, default).Bounded());
     }
 
+    [Test]
+    public async Task Open_FirstAttemptGetsNoAnswer_ConnectsWithTheSecondAndClosesTheFirst()
+    {
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        var attempts = new List<TcpClient>();
+        var dialer = new GatewayDialer(new ConnectionSettings("127.0.0.1"), (tcp, address, port) =>
+        {
+            attempts.Add(tcp);
+            return attempts.Count == 1 ? new TaskCompletionSource().Task : tcp.ConnectAsync(address, port);
+        });
+
+        using var stream = await dialer.OpenAsync(((IPEndPoint)listener.LocalEndpoint).Port, default).Bounded();
+
+        using var accepted = await listener.AcceptTcpClientAsync().Bounded();
+        await stream.WriteAsync(new byte[] { 42 });
+        Assert.That(accepted.GetStream().ReadByte(), Is.EqualTo(42));
+        Assert.That(attempts, Has.Count.EqualTo(2));
+        Assert.That(() => attempts[0].GetStream(), Throws.TypeOf<ObjectDisposedException>(), "the first attempt is closed");
+    }
+
+    [Test]
+    public async Task Open_BothAttemptsConnect_ClosesOneOfThem()
+    {
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        var connected = 0;
+        var both = new TaskCompletionSource();
+        var dialer = new GatewayDialer(new ConnectionSettings("127.0.0.1"), async (tcp, address, port) =>
+        {
+            await tcp.ConnectAsync(address, port);
+            if (Interlocked.Increment(ref connected) == 2) both.SetResult();
+            await both.Task;
+        });
+
+        using var stream = await dialer.OpenAsync(((IPEndPoint)listener.LocalEndpoint).Port, default).Bounded();
+
+        TcpClient[] accepted = [await listener.AcceptTcpClientAsync().Bounded(), await listener.AcceptTcpClientAsync().Bounded()];
+        var ends = accepted.Select(one => one.GetStream().ReadAsync(new byte[1]).AsTask()).ToArray();
+        var closed = await Task.WhenAny(ends).Bounded();
+        await stream.WriteAsync(new byte[] { 42 });
+        Assert.That(await closed, Is.Zero, "the connection that was not used");
+        Assert.That(await ends.Single(end => end != closed).Bounded(), Is.EqualTo(1), "the connection in use");
+        foreach (var one in accepted) one.Dispose();
+    }
+
     static async Task ReachesAsync(IPAddress listening, string host)
     {
         var listener = new TcpListener(listening, 0);

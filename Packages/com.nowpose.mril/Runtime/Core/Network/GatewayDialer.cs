@@ -15,13 +15,22 @@ namespace Nowpose.Network
     /// <summary>Opens a byte stream to the gateway: TCP with NoDelay, inside TLS if the settings require it.</summary>
     sealed class GatewayDialer
     {
+        /// <summary>
+        /// Time without a connection after which a second attempt starts. Longer than the round-trip time in a local network, so that a second
+        /// attempt is rare unless a packet was lost.
+        /// </summary>
+        static readonly TimeSpan SecondAttempt = TimeSpan.FromMilliseconds(300);
+
         readonly ConnectionSettings _settings;
         readonly ServerTrust _trust;
+        readonly Func<TcpClient, IPAddress, int, Task> _connect;
 
-        public GatewayDialer(ConnectionSettings settings)
+        /// <param name="connect">Connects a client to an address and a port; null for a TCP connection.</param>
+        public GatewayDialer(ConnectionSettings settings, Func<TcpClient, IPAddress, int, Task> connect = null)
         {
             _settings = settings;
             _trust = new ServerTrust(settings.Pin);
+            _connect = connect ?? ((tcp, address, port) => tcp.ConnectAsync(address, port));
         }
 
         /// <exception cref="GatewayRefusalException">
@@ -78,14 +87,12 @@ namespace Nowpose.Network
 
         async Task<Stream> OpenAsync(IPAddress address, int port, CancellationToken cancel)
         {
-            // The address family is explicit, because without it a client supports only IPv4 under Mono and IL2CPP.
-            var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
+            var tcp = await ConnectAsync(address, port, cancel).ConfigureAwait(false);
             try
             {
                 // Closing the socket is the only way to cancel a connection attempt or a TLS handshake on .NET Standard 2.1.
                 using (cancel.Register(tcp.Dispose))
                 {
-                    await tcp.ConnectAsync(address, port).ConfigureAwait(false);
                     var plain = tcp.GetStream();
                     return _settings.Security == TransportSecurity.Plain ? plain : await SecureAsync(plain).ConfigureAwait(false);
                 }
@@ -95,6 +102,53 @@ namespace Nowpose.Network
                 tcp.Dispose();
                 throw;
             }
+        }
+
+        // The system repeats a lost packet of a connection attempt only after a second. A second attempt replaces it sooner. The attempt that ends
+        // first decides, because a refusal applies to both.
+        async Task<TcpClient> ConnectAsync(IPAddress address, int port, CancellationToken cancel)
+        {
+            using (var stop = CancellationTokenSource.CreateLinkedTokenSource(cancel))
+            {
+                var first = AttemptAsync(address, port, stop.Token);
+                var ended = first;
+                await Task.WhenAny(first, Task.Delay(SecondAttempt, stop.Token)).ConfigureAwait(false);
+                if (!first.IsCompleted)
+                {
+                    var second = AttemptAsync(address, port, stop.Token);
+                    ended = await Task.WhenAny(first, second).ConfigureAwait(false);
+                    _ = (ended == first ? second : first).ContinueWith(
+                        DisposeResult, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
+                }
+
+                // Ends the other attempt and the delay.
+                stop.Cancel();
+                return await ended.ConfigureAwait(false);
+            }
+        }
+
+        async Task<TcpClient> AttemptAsync(IPAddress address, int port, CancellationToken cancel)
+        {
+            // The address family is explicit, because without it a client supports only IPv4 under Mono and IL2CPP.
+            var tcp = new TcpClient(address.AddressFamily) { NoDelay = true };
+            try
+            {
+                using (cancel.Register(tcp.Dispose))
+                    await _connect(tcp, address, port).ConfigureAwait(false);
+                return tcp;
+            }
+            catch
+            {
+                tcp.Dispose();
+                throw;
+            }
+        }
+
+        // Reads the exception of a failed attempt, so that it is not reported as unobserved.
+        static void DisposeResult(Task<TcpClient> attempt)
+        {
+            if (attempt.Status == TaskStatus.RanToCompletion) attempt.Result.Dispose();
+            else _ = attempt.Exception;
         }
 
         async Task<Stream> SecureAsync(Stream plain)
