@@ -4,9 +4,16 @@ using System.Threading.Channels;
 namespace Nowpose.Headless.Tests.Autobahn;
 
 /// <summary>The other end of a WebSocket at the level of bytes. Sends the chunks of a script, and reads frames until the connection ends.</summary>
+/// <remarks>
+/// Answers pings, as RFC 6455 requires (5.5.2). The gateway sends messages only slowly to a client that does not answer, and then closes its
+/// connection.
+/// </remarks>
+/// <param name="isMasked">Whether the pongs have a mask, as the frames of a client do.</param>
 /// <param name="goodbye">Called after a close frame has been received; ends the sending direction. Null to leave it open.</param>
-sealed class FramedPeer(Stream stream, Action goodbye = null)
+sealed class FramedPeer(Stream stream, bool isMasked, Action goodbye = null)
 {
+    // Held while a script is sent, so that a pong is not sent within a frame that is sent in pieces.
+    readonly SemaphoreSlim _sending = new(1);
     readonly Channel<(int Opcode, byte[] Payload)> _frames = Channel.CreateUnbounded<(int, byte[])>();
 
     /// <summary>Received frames. The channel is completed when the connection ends.</summary>
@@ -14,6 +21,7 @@ sealed class FramedPeer(Stream stream, Action goodbye = null)
 
     public async Task SendAsync(CaseScript script)
     {
+        await _sending.WaitAsync();
         try
         {
             foreach (var chunk in script.Chunks)
@@ -26,6 +34,10 @@ sealed class FramedPeer(Stream stream, Action goodbye = null)
         catch (Exception end) when (end is IOException or ObjectDisposedException)
         {
             // The other side has already closed the connection, which some cases expect.
+        }
+        finally
+        {
+            _sending.Release();
         }
     }
 
@@ -42,14 +54,23 @@ sealed class FramedPeer(Stream stream, Action goodbye = null)
                 var mask = (header[1] & 0x80) != 0 ? await ReadAsync(4) : new byte[4];
                 var payload = await ReadAsync(length);
                 for (var i = 0; i < length; i++) payload[i] ^= mask[i & 3];
-                _frames.Writer.TryWrite((header[0] & 0x0F, payload));
-                if ((header[0] & 0x0F) == CaseScript.CloseFrame) goodbye?.Invoke();
+                var opcode = header[0] & 0x0F;
+                _frames.Writer.TryWrite((opcode, payload));
+                if (opcode == CaseScript.Ping) await AnswerAsync(payload);
+                if (opcode == CaseScript.CloseFrame) goodbye?.Invoke();
             }
         }
         catch (Exception end) when (end is IOException or ObjectDisposedException)
         {
             _frames.Writer.Complete();
         }
+    }
+
+    Task AnswerAsync(byte[] ping)
+    {
+        var pong = new CaseScript(isMasked, "", "");
+        pong.Frame(CaseScript.Pong, ping);
+        return SendAsync(pong);
     }
 
     async Task<byte[]> ReadAsync(int count)

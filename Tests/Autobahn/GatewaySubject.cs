@@ -13,7 +13,7 @@ sealed class GatewaySubject : IAutobahnSubject
     GatewaySubject(Gateway.RawWebSocket raw)
     {
         _raw = raw;
-        Peer = new FramedPeer(raw.Stream, raw.EndSending);
+        Peer = new FramedPeer(raw.Stream, isMasked: true, raw.EndSending);
     }
 
     public FramedPeer Peer { get; }

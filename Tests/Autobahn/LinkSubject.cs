@@ -33,7 +33,7 @@ sealed class LinkSubject : IAutobahnSubject
         var opening = subject._link.OpenAsync(CancellationToken.None);
         var stream = await subject._server.AcceptStreamAsync(certificate);
         // The server must close the TCP connection first, because .NET's client waits for it.
-        subject.Peer = new FramedPeer(stream, stream.Dispose);
+        subject.Peer = new FramedPeer(stream, isMasked: false, stream.Dispose);
         await opening.Bounded();
         return subject;
     }

@@ -45,7 +45,7 @@ public class SocketFuzzTests
             using var raw = await RawWebSocket.OpenAsync(gateway);
             var script = new CaseScript(true, "{\"op\":\"call_service\",\"service\":\"/rosapi/get_time\",\"id\":\"", "\"}");
             for (var n = 0; n < FramesEach; n++) Spoil(script, random);
-            await new FramedPeer(raw.Stream).SendAsync(script);
+            await new FramedPeer(raw.Stream, isMasked: true).SendAsync(script);
             // Ends the connection, because the last frame may be incomplete. Any other malformed frame has already ended the connection.
             raw.EndSending();
             await raw.ExpectEndAsync();
