@@ -74,6 +74,62 @@ describe('end of data', () => {
       assert.ok(found >= 190, `${found} of 200`);
     });
 
+  for (const [amplitude, hertz, interval] of [[0.4, 0.5, 0.1], [0.1, 1, 0.05], [0.1, 0.5, 0.1]])
+    for (const jitter of [0, 0.1])
+      it(`Verdict_SineOf${amplitude}RadAt${hertz}HzEvery${1000 * interval}MsWithJitter${jitter}CutAtItsHighestSpeed_DetectsTheEndOfData`, () => {
+        const sine = { position: t => amplitude * Math.sin(2 * Math.PI * hertz * t) };
+        for (let i = 0; i < 40; i++) {
+          // Without jitter, the samples coincide with the turning points, so the steps there are as large as possible. The last sample is at the
+          // highest speed.
+          const random = seeded(SEED + i), until = (3 + i % 4) / (2 * hertz) + 0.6 * interval;
+
+          const judge = judgeOf(changes(sine, jitter === 0 ? () => 0 : random, { interval, from: 0, until, jitter }));
+
+          assert.notEqual(judge.verdict(interval, true), null, `seed ${SEED + i}, cut at ${until} s`);
+        }
+      });
+
+  /** Counts the detected ends of sines with a number of samples per period, if a stop needs at least `ratio` times the highest deceleration. */
+  function cutSines({ from, to, ratio, runs = 1500, ...source }) {
+    const random = seeded(SEED), count = { found: 0, all: 0 };
+    for (let i = 0; i < runs; i++) {
+      const interval = INTERVALS[i % INTERVALS.length], samples = from + (to - from) * random(), omega = 2 * Math.PI / (samples * interval);
+      const amplitude = logarithmic(random, 0.05, 1), phase = 2 * Math.PI * random(), period = samples * interval;
+      const sine = { position: t => amplitude * Math.sin(omega * t + phase) };
+      const sent = [...changes(sine, random, { interval, from: 0, until: period * (2 + 2 * random()), ...source })], [before, last] = sent.slice(-2);
+      const needed = Math.abs(last.value - before.value) / (last.time - before.time) / interval;
+      if (needed < ratio * amplitude * omega * omega) continue;
+      count.all++;
+      if (judgeOf(sent).verdict(interval, true) !== null) count.found++;
+    }
+    return count;
+  }
+
+  for (const [name, source] of Object.entries({ Exact: {}, Quantised: { quantum: 1e-5 }, WithJitter: { jitter: 0.2, quantum: 1e-5 }, Noisy: { noise: 1e-4, quantum: 1e-4 } }))
+    for (const [from, to, ratio, share] of [[8, 16, 1.5, 0.85], [8, 16, 2, 0.99], [16, 24, 1.5, 0.95], [24, 40, 1.5, 0.95]])
+      it(`Verdict_${name}SineWith${from}To${to}SamplesPerPeriodThatNeeds${ratio}TimesItsDeceleration_DetectsTheEndOfData`, () => {
+        const { found, all } = cutSines({ from, to, ratio, ...source });
+
+        assert.ok(all >= 50 && found >= share * all, `${found} of ${all}, seed ${SEED}`);
+      });
+
+  it('Verdict_CutAfterASingleSpeedSinceTheStart_DetectsTheEndOfData', () => {
+    for (let i = 0; i < 40; i++) {
+      const random = seeded(SEED + i);
+
+      const judge = judgeOf(changes({ position: t => 0.8 * t }, random, { interval: 0.02, from: 0, until: 1, jitter: 0.1, quantum: 1e-5 }));
+
+      assert.notEqual(judge.verdict(0.02), null, `seed ${SEED + i}`);
+    }
+  });
+
+  it('Verdict_QuantisedValueMovingOneStepPerLook_CountsAsAtRest', () => {
+    // 0.002 rad per 10 ms: a stop within the step explains the end of the data, although all steps are equal.
+    const judge = judgeOf([...Array(30).keys()].map(i => ({ time: 0.01 * i, value: 0.002 * i })));
+
+    assert.equal(judge.verdict(0.01), null);
+  });
+
   it('Verdict_ConstantSpeed_RequiresSpeedDividedByInterval', () => {
     const judge = judgeOf(changes(trapezoid({ v: 1, a: 2, brakeAt: 100, brake: 1 }), () => 0, { interval: 0.02, until: 2 }));
 

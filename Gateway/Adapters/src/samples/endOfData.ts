@@ -1,4 +1,5 @@
 import { type Nanoseconds, NS_PER_S } from '../times';
+import { NOISE_INTERVALS, type Point, positionNoise } from './positionNoise';
 
 /** Maximum number of stored samples of the current motion, and minimum number of samples for a decision about its end. */
 const WINDOW = 24;
@@ -8,11 +9,12 @@ const MIN_SAMPLES = 4;
 const GAP_S = 0.3;
 const GAP_INTERVALS = 6;
 
-/** Number of newest second differences that are searched for braking, and number of those from which the resolution is estimated. */
+/** Number of newest second differences that are searched for braking. */
 const BRAKING = 2;
-const RESIDUALS = 12;
 
-/** A motion is steady if no earlier speed was below STEADY times the newest speed. Steps are equal within the relative tolerance EQUAL. */
+/**
+ * A motion is steady if no earlier speed was below STEADY times the newest speed. Steps are equal if the noise is below EQUAL times the smallest step.
+ */
 const STEADY = 0.7;
 const EQUAL = 1e-9;
 
@@ -25,14 +27,22 @@ const RECENT = 5;
 /** Minimum number of consecutive second differences against the motion that count as a deceleration. Noise changes its sign more often. */
 const SUSTAINED = 3;
 
-/** Maximum ratio of the deceleration of a stop to the deceleration in its last samples, which show only a part of a short stop. */
+/**
+ * BRAKING_MARGIN: maximum ratio of the deceleration of a stop to the increase of the deceleration in the last samples, which show only a part of a
+ * short stop. SEEN_MARGIN: factor on an observed deceleration, because the deceleration between samples may be larger.
+ */
 const BRAKING_MARGIN = 4;
+const SEEN_MARGIN = 1.5;
 
-/** Number of resolutions q to subtract for a deadband: one for the motion after the last sample, one for the error of the previous sample. */
+/** Number of resolutions q to subtract for the errors of the positions. */
 const RESOLUTION_MARGIN = 2;
 
-/** Factor on the largest observed deceleration, because the deceleration between samples may be larger. */
-const SEEN_MARGIN = 1.5;
+/**
+ * Number of deadbands to subtract. One is the motion that the source does not send after the last sample; the rest is a reserve. If the limit is the
+ * floor, more are necessary, because a deadband can also hide the braking: with 3, none of 30 000 emergency stops with a deadband exceeds the floor.
+ */
+const DEADBAND_MARGIN = 1.5;
+const FLOOR_DEADBAND_MARGIN = 3;
 
 /** A joint continues to move if its newest sample is more than GOES_ON_S seconds later, and at least GOES_ON_STEPS steps all have one direction. */
 const GOES_ON_S = 0.3;
@@ -47,13 +57,6 @@ const FLOOR_LINEAR = 3;
 
 export const decelerationFloor = (isLinear = false): number => (isLinear ? FLOOR_LINEAR : FLOOR_ROTARY);
 
-interface Point {
-  /** Seconds since the first sample of the joint. */
-  time: number;
-  /** rad or m. */
-  position: number;
-}
-
 /** Origin of a deceleration limit: the configuration, the joint's samples, or the assumed floor. */
 export type LimitBasis = 'configured' | 'observed' | 'assumed';
 
@@ -65,14 +68,14 @@ export type LimitBasis = 'configured' | 'observed' | 'assumed';
  * next interval h₂. The means belong to the middles of the intervals, which are (h₁ + h₂) / 2 apart. By the mean value theorem for divided
  * differences, the deceleration was therefore, at some instant, at least
  *
- *   a = (|v| − 2 (q/h₁ + q/h₂)) / ((h₁ + h₂) / 2)      in rad/s² or m/s²
+ *   a = (|v| − 2q/h₁ − max(2q, 1.5d)/h₂) / ((h₁ + h₂) / 2)      in rad/s² or m/s²
  *
- * where q is the resolution of the positions (quantisation or deadband). If a is above the limit, the joint cannot have stopped, so the data ended
- * during its motion. The limit is the configured one or, without it, the largest of three values: the floor, 1.5 times the largest observed
- * deceleration, and 4 times the deceleration in the last samples. The factor 4 is sufficient: a constant deceleration that lasts 0.4 h or longer
- * appears with at least a / 4 in the last samples. For a shorter one of size A, a ≤ 0.32 A, so the floor admits each stop with A up to 3 times the
- * floor. The floor allows for emergency stops, which stop all joints. It is therefore left out while another joint continues to move, if a
- * deceleration of this joint has been observed.
+ * where q is the resolution of the positions and d is the deadband, within which the source does not send the motion. If a is above the limit, the
+ * joint cannot have stopped, so the data ended during its motion. The limit is the configured one or, without it, the largest of four values: the
+ * floor, 1.5 times the largest observed deceleration, 1.5 times the deceleration in the last samples, and 4 times the increase of the deceleration in
+ * the last samples. The last two are sufficient: for a constant deceleration that lasts 0.4 h or longer, a does not exceed them. For a shorter one of
+ * size A, a ≤ 0.32 A, so the floor admits each stop with A up to 3 times the floor. The floor allows for emergency stops, which stop all joints. It is
+ * therefore left out while another joint continues to move, if a deceleration of this joint has been observed.
  */
 export class EndOfData {
   readonly #points: Point[] = [];
@@ -146,7 +149,7 @@ export class EndOfData {
     if (this.#points.length < MIN_SAMPLES) return null;
     const isFloorLeftOut = areOthersMoving && this.#largestSeen > 0;
     const observed = this.#observed();
-    const required = this.#required(samplingS);
+    const required = this.#required(samplingS, isFloorLeftOut ? DEADBAND_MARGIN : FLOOR_DEADBAND_MARGIN);
     const limit = this.configured ?? (isFloorLeftOut ? observed : Math.max(this.floor, observed));
     const basis = this.configured !== null ? 'configured' : limit === observed ? 'observed' : 'assumed';
     return required > limit ? { required, limit, basis } : null;
@@ -155,13 +158,16 @@ export class EndOfData {
   /** Gets the deceleration required for a stop at the last sample if it is above all observed decelerations; null otherwise. */
   unobserved(samplingS: number): number | null {
     if (this.#points.length < MIN_SAMPLES || this.configured !== null) return null;
-    const required = this.#required(samplingS);
+    const required = this.#required(samplingS, FLOOR_DEADBAND_MARGIN);
     return required > this.#observed() ? required : null;
   }
 
   /** Gets the deceleration that the joint is capable of according to its samples. */
   #observed(): number {
-    return Math.max(SEEN_MARGIN * this.#largestSeen, BRAKING_MARGIN * Math.max(...this.#decelerations(BRAKING)));
+    const decelerations = this.#decelerations(BRAKING + 1).reverse();
+    const newest = decelerations.slice(0, BRAKING);
+    const increases = newest.map((deceleration, i) => deceleration - (decelerations[i + 1] ?? 0));
+    return Math.max(SEEN_MARGIN * Math.max(this.#largestSeen, ...newest), BRAKING_MARGIN * Math.max(...increases));
   }
 
   /** Updates the largest observed deceleration if the joint starts again at its last position, because it has stopped there. */
@@ -169,32 +175,34 @@ export class EndOfData {
     if (this.#points.length < MIN_SAMPLES) return;
     const [before, last] = this.#points.slice(-2);
     if (Math.abs(position - last.position) <= STOPPED_NEAR * Math.abs(last.position - before.position))
-      this.#largestSeen = Math.max(this.#largestSeen, this.#required(0));
+      this.#largestSeen = Math.max(this.#largestSeen, this.#required(0, DEADBAND_MARGIN));
   }
 
   #secondsOf(stamp: Nanoseconds): number {
     return Number(stamp - this.#start!) / Number(NS_PER_S);
   }
 
-  #required(samplingS: number): number {
-    const intervals = this.#intervals();
-    const h1 = intervals.at(-1)!;
+  #required(samplingS: number, deadbandMargin: number): number {
+    const h1 = this.#intervals().at(-1)!;
     const h2 = Math.max(samplingS, this.interval);
     const [before, last] = this.#points.slice(-2);
     const speed = Math.abs(last.position - before.position) / h1;
-    const q = this.#resolution(speed, h1 < EACH_LOOK * Math.max(samplingS, Math.min(...intervals)));
-    return (speed - RESOLUTION_MARGIN * (q / h1 + q / h2)) / ((h1 + h2) / 2);
+    const q = this.#resolution(samplingS);
+    // The deadband is at most the smallest step. A joint that has only moved at a single speed has no small step, so no deadband is assumed.
+    const deadband = this.#smallestSpeed > STEADY * speed ? q : this.#smallestStep;
+    const [error, hidden] = [RESOLUTION_MARGIN * q, deadbandMargin * deadband];
+    return (speed - error / h1 - Math.max(error, hidden) / h2) / ((h1 + h2) / 2);
   }
 
   /**
-   * Gets the resolution of the positions, which is the smallest step so far. A joint that moved at a single speed, and in every sampling interval,
-   * has no small step. The resolution is then twice the deviation of its positions from a line, unless all steps are equal, as for a quantised value.
+   * Gets the resolution of the positions, which is at most the smallest step so far. If the source sent a sample at each look, the noise of the
+   * positions is also a maximum, unless all steps are equal, as for a quantised value that moves by one step per look.
    */
-  #resolution(speed: number, isAtEachLook: boolean): number {
-    const differences = this.#differences(RESIDUALS);
-    const residual = Math.max(...differences.map(difference => Math.abs(difference.residual)));
-    const isSteady = isAtEachLook && differences.length === RESIDUALS && this.#smallestSpeed > STEADY * speed;
-    return isSteady && residual > EQUAL * this.#smallestStep ? Math.min(this.#smallestStep, 2 * residual) : this.#smallestStep;
+  #resolution(samplingS: number): number {
+    const intervals = this.#intervals().slice(-NOISE_INTERVALS);
+    const look = Math.max(samplingS, Math.min(...intervals));
+    const noise = intervals.every(interval => interval < EACH_LOOK * look) ? positionNoise(this.#points) : null;
+    return noise === null || noise <= EQUAL * this.#smallestStep ? this.#smallestStep : Math.min(this.#smallestStep, noise);
   }
 
   /** Gets the decelerations from the newest second differences; 0 for an acceleration. */
@@ -207,7 +215,8 @@ export class EndOfData {
     return newest.length < SUSTAINED ? 0 : Math.min(...newest);
   }
 
-  #differences(count: number): { acceleration: number; residual: number; direction: number }[] {
+  /** Gets the newest second differences. */
+  #differences(count: number): { acceleration: number; direction: number }[] {
     return this.#points.slice(-count - 2).flatMap((last, i, points) => {
       if (i < 2) return [];
       const [first, middle] = [points[i - 2], points[i - 1]];
@@ -215,7 +224,7 @@ export class EndOfData {
       const h2 = last.time - middle.time;
       const v1 = (middle.position - first.position) / h1;
       const v2 = (last.position - middle.position) / h2;
-      return [{ acceleration: (v2 - v1) / ((h1 + h2) / 2), residual: (v2 - v1) * h2, direction: Math.sign(v1 + v2) }];
+      return [{ acceleration: (v2 - v1) / ((h1 + h2) / 2), direction: Math.sign(v1 + v2) }];
     });
   }
 
