@@ -47,7 +47,7 @@ export class JointStates {
     // ROS does not confirm the position of a joint whose publisher is silent.
     silence.unconfirmedMs = null;
     const others = silence.endOf;
-    silence.endOf = joint => others(joint) ?? (this.#hasEnded(joint) ? silenceMessages.ended : null);
+    silence.endOf = (joint, silentMs) => others(joint, silentMs) ?? (this.#hasEnded(joint, silentMs) ? silenceMessages.ended : null);
     this.#rule = new StampRule(MAX_JOINTS, oldest);
   }
 
@@ -101,13 +101,13 @@ export class JointStates {
     return refusal === null;
   }
 
-  #hasEnded(joint: string): boolean {
-    if (this.#judged.has(joint)) return false;
-    this.#judged.add(joint);
+  #hasEnded(joint: string, silentMs: number): boolean {
     const end = this.#ends.get(joint);
-    const newest = end?.newest ?? null;
+    if (end === undefined || silentMs < end.overdueMs || this.#judged.has(joint)) return false;
+    this.#judged.add(joint);
+    const { newest } = end;
     const areOthersMoving = newest !== null && [...this.#ends.values()].some(other => other !== end && other.goesOnAfter(newest));
-    return end !== undefined && end.verdict(0, areOthersMoving) !== null;
+    return end.verdict(0, areOthersMoving) !== null;
   }
 }
 

@@ -24,6 +24,9 @@ const EACH_LOOK = 1.6;
 /** Number of newest intervals whose median predicts the next interval. With a median, a single late sample does not hide the end of the data. */
 const RECENT = 5;
 
+/** Time after the last sample at which the next sample of a moving joint is overdue, as a multiple of the joint's usual interval. */
+const OVERDUE_INTERVALS = 2;
+
 /** Minimum number of consecutive second differences against the motion that count as a deceleration. Noise changes its sign more often. */
 const SUSTAINED = 3;
 
@@ -94,6 +97,11 @@ export class EndOfData {
     readonly floor: number,
     readonly configured: number | null = null,
   ) {}
+
+  /** Time after the last sample at which the next sample of a moving joint is overdue, in ms. */
+  get overdueMs(): number {
+    return 1000 * OVERDUE_INTERVALS * this.interval;
+  }
 
   /** Median interval between the newest samples of the motion, in seconds; zero before the second sample. */
   get interval(): number {

@@ -51,9 +51,6 @@ const REPETITION: Nanoseconds = 50n * NS_PER_MS;
 /** Time after the last sample of a joint at which it is clear whether the other joints have also stopped, as in an emergency stop. */
 const OTHERS_KNOWN: Nanoseconds = 500n * NS_PER_MS;
 
-/** Minimum time without changes after which a sample is repeated, as a multiple of the joint's sampling interval. */
-const SILENT_INTERVALS = 2;
-
 interface Publisher {
   publish(topic: string, msg: object): void;
 }
@@ -93,7 +90,11 @@ export class JointOutput {
     this.#ends = joints.map(joint => new EndOfData(decelerationFloor(joint.isLinear), joint.maxDeceleration ?? null));
     const limits = new Map(joints.map(joint => [joint.joint, joint.faultAfterMs ?? null]));
     this.silence = new Silence(status, joint => (limits.has(joint) ? limits.get(joint) : options.faultAfterMs) ?? null, counter);
-    this.silence.endOf = name => this.#endOf(joints.findIndex(({ joint }) => joint === name));
+    this.silence.endOf = (name, silentMs) =>
+      this.#endOf(
+        joints.findIndex(({ joint }) => joint === name),
+        silentMs,
+      );
   }
 
   /** Publishes values that arrived together. Several values of one joint are sorted, the oldest first. */
@@ -167,8 +168,8 @@ export class JointOutput {
   /** Gets the minimum time without changes after which a joint's sample is repeated; if it has been repeated already, the repetition interval. */
   #silenceOf(joint: number, silence: Nanoseconds): Nanoseconds {
     if (this.#repeated.has(joint)) return REPETITION;
-    const intervals = ofMilliseconds(1000 * SILENT_INTERVALS * this.#ends[joint].interval);
-    return [SILENCE, silence, intervals].reduce((longest, each) => (each > longest ? each : longest));
+    const overdue = ofMilliseconds(this.#ends[joint].overdueMs);
+    return [SILENCE, silence, overdue].reduce((longest, each) => (each > longest ? each : longest));
   }
 
   /** Determines, once after the last sample, whether the joint's data ended during a motion. */
@@ -188,8 +189,9 @@ export class JointOutput {
   }
 
   /** Gets the reason why the data of a joint without samples ended during a motion; null if they did not. */
-  #endOf(joint: number): string | null {
-    if (joint < 0 || !this.#hasEnded(joint, this.clock.now ?? this.#ends[joint].newest ?? 0n)) return null;
+  #endOf(joint: number, silentMs: number): string | null {
+    if (joint < 0 || silentMs < this.#ends[joint].overdueMs) return null;
+    if (!this.#hasEnded(joint, this.clock.now ?? this.#ends[joint].newest ?? 0n)) return null;
     return this.status.joints.reasonOf(this.joints[joint].joint) ?? null;
   }
 

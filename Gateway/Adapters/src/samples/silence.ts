@@ -16,10 +16,10 @@ export class Silence {
   /** Time in ms without a confirmation after which a joint has a fault; null if the control system does not confirm values. */
   unconfirmedMs: number | null = 1500;
   /**
-   * Gets the reason why a joint's data ended during a motion; null if they did not. Called for a joint without samples if the control system does not
-   * confirm values.
+   * Gets the reason why a joint's data ended during a motion; null if they did not, or if this is not known yet. Called for a joint without samples,
+   * with the time since its last sample, if the control system does not confirm values.
    */
-  endOf: (joint: string) => string | null = () => null;
+  endOf: (joint: string, silentMs: number) => string | null = () => null;
   readonly #heard = new Map<string, Heard>();
   /** Joints whose state another gateway reports. Their silence is not evaluated. */
   readonly #reported = new Set<string>();
@@ -101,8 +101,8 @@ export class Silence {
     }
     if (this.unconfirmedMs !== null && unconfirmed > this.unconfirmedMs) this.#fault(joint, silenceMessages.notConfirmed(this.unconfirmedMs));
     else if (this.unconfirmedMs === null && silent >= REST_MS) {
-      // Skips this check if a limit is configured, because the source may then be silent up to the limit.
-      const end = limit === null ? this.endOf(joint) : null;
+      // This check also applies before a configured limit, because a joint that moved in its last samples is not at rest.
+      const end = this.endOf(joint, silent);
       if (end !== null) this.#fault(joint, end);
       else this.#rest(joint, heard, silenceMessages.noValue, limit === null ? uncertainty : '');
     }
