@@ -24,12 +24,25 @@ for (const name of names)
 const withRobot = names.map(name => [name, parse(readFileSync(join(folder, name), 'utf8'))]).filter(([, { robot }]) => robot !== undefined);
 
 it('Examples_OfControlSystems_ContainARobot', () =>
-  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads.yaml', 'mqtt.yaml', 'opcua.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
+  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads-cell.yaml', 'ads.yaml', 'mqtt-cell.yaml', 'mqtt.yaml', 'opcua-cell.yaml', 'opcua.yaml', 'ros-cell.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
 
-for (const [name, { robot, joints }] of withRobot)
-  it(`Example_${name}_ContainsAllJointsOfItsArm`, () => {
-    const turning = [...robotOf({ path: join(folder, name) }, ['robot'], robot).matchAll(/<joint\s+name="([^"]+)"\s+type="(?:revolute|continuous)"/g)].map(m => m[1]);
+for (const [name, { robot, robots = {}, joints }] of withRobot)
+  for (const [prefix, description] of [['', robot], ...Object.entries(robots).map(([namespace, each]) => [`${namespace}/`, each])])
+    it(`Example_${name}_ContainsAllJointsOfItsArm${prefix.replace('/', '')}`, () => {
+      const urdf = robotOf({ path: join(folder, name) }, ['robot'], description);
+      const turning = [...urdf.matchAll(/<joint\s+name="([^"]+)"\s+type="(?:revolute|continuous)"/g)].map(m => prefix + m[1]);
 
-    assert.ok(turning.length >= 5);
-    assert.deepEqual(turning.filter(joint => !joints.some(entry => entry.joint === joint)), []);
+      assert.ok(turning.length >= 5);
+      assert.deepEqual(turning.filter(joint => !joints.some(entry => entry.joint === joint)), []);
+    });
+
+for (const kind of ['opcua', 'ads', 'mqtt', 'ros'])
+  it(`Example_OfACellWith${kind}_ContainsANamespaceBothFormsOfAPoseAndBothKindsOfSignals`, () => {
+    const { plant, robots, frames, signals } = parse(readFileSync(join(folder, `${kind}-cell.yaml`), 'utf8'));
+
+    assert.equal(plant.kind, kind);
+    assert.deepEqual(signals.map(({ signal }) => signal), ['gripper_closed', kind === 'ros' ? 'force' : 'belt_speed']);
+    // A pose of ROS is always a message with a quaternion, and a file for ROS describes one robot.
+    if (kind === 'ros') assert.deepEqual([plant.namespace, frames.length], ['arm2', 2]);
+    else assert.deepEqual([Object.keys(robots), frames.map(({ quaternion, angles }) => [quaternion !== undefined, angles !== undefined])], [['arm2'], [[true, false], [false, true]]]);
   });

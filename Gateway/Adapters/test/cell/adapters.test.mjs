@@ -126,6 +126,36 @@ signals:
     for (const [stamp, value] of changes(bridge)) assert.equal(value, opening(stamp) > 0.005 ? 1 : 0);
   });
 
+  it('Ads_JointsOfTwoRobots_ArePublishedInTheirNamespaces', async t => {
+    const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
+    t.after(() => server.close());
+    const joints = `  - { joint: arm1/elbow_joint, symbol: "GVL.aJoints[0]" }
+  - { joint: arm2/elbow_joint, symbol: "GVL.aJoints[1]" }
+robots: { arm1: ur5e, arm2: ur5e }
+frames:
+  - frame: part
+    parent: arm2/tool0
+    position: { unit: mm, x: { symbol: MAIN.fGripper }, y: 0, z: 0 }
+    quaternion: { x: 0, y: 0, z: 0, w: 1 }
+`;
+    const { bridge } = await adapterFor(t, url => adsConfiguration({ port, url, joints }));
+
+    for (const [robot, joint] of [['arm1', 0], ['arm2', 1]]) {
+      const states = await until(() => bridge.published(`/${robot}/joint_states`).length > 10 && bridge.published(`/${robot}/joint_states`),
+        () => JSON.stringify(bridge.state));
+      for (const { header, name, position } of states) {
+        assert.deepEqual(name, ['elbow_joint']);
+        assert.ok(Math.abs(position[0] - angle(joint, nanoseconds(header.stamp))) < 1e-9);
+      }
+      assert.match(bridge.published(`/${robot}/robot_description`)[0].data, /<robot/);
+    }
+    assert.deepEqual(bridge.jointStates, []);
+    for (const pose of await posesOf(bridge, 'part', 10)) {
+      assert.equal(pose.header.frame_id, 'arm2/tool0');
+      assertPoseMatches(pose, opening, () => 0, 1e-6);
+    }
+  });
+
   it('Ads_BoolAsPosition_IsRefusedWithItsLineInTheFile', async t => {
     const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
     t.after(() => server.close());

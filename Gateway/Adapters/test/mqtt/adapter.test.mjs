@@ -60,6 +60,37 @@ describe('mqtt', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(bridge.heard.filter(({ op }) => op === 'advertise_service'), []);
   });
 
+  it('Fields_OfTwoRobots_ArePublishedInTheirNamespaces', async t => {
+    const rest = `robots: { arm1: ur5e, arm2: ur5e }
+joints:
+  - { joint: arm1/elbow_joint, topic: cell/arm1, field: position.2, unit: deg }
+  - { joint: arm2/elbow_joint, topic: cell/arm2, field: position.2, unit: deg }
+frames:
+  - frame: part
+    parent: arm2/tool0
+    position: { unit: mm, x: { topic: cell/part, field: x }, y: 0, z: 0 }
+    quaternion: { x: 0, y: 0, z: { topic: cell/part, field: qz }, w: { topic: cell/part, field: qw } }
+`;
+    const { bridge, send, now } = await cell(t, { plant: TIME, rest }), ms = now() / MS;
+
+    await send('cell/arm1', { t: Number(ms), position: [0, 0, 90] });
+    await send('cell/arm2', { t: Number(ms) + 10, position: [0, 0, -90] });
+    await send('cell/part', { t: Number(ms), x: 100, qz: 0.6, qw: 0.8 });
+
+    for (const [robot, later, angle] of [['arm1', 0n, Math.PI / 2], ['arm2', 10n, -Math.PI / 2]]) {
+      const [{ header, name, position }] = await until(() => bridge.published(`/${robot}/joint_states`).length > 0 && bridge.published(`/${robot}/joint_states`),
+        () => JSON.stringify(bridge.state));
+      assert.deepEqual([nanoseconds(header.stamp), name], [(ms + later) * MS, ['elbow_joint']]);
+      assert.ok(Math.abs(position[0] - angle) < 1e-12);
+      assert.match(bridge.published(`/${robot}/robot_description`)[0].data, /<robot/);
+      await until(() => bridge.joint(`${robot}/elbow_joint`)?.state === 'live', () => JSON.stringify(bridge.state));
+    }
+    const [seen] = await until(() => poses(bridge, 'part').length > 0 && poses(bridge, 'part'), () => JSON.stringify(bridge.state));
+    assert.deepEqual([seen.parent, seen.position], ['arm2/tool0', [0.1, 0, 0]]);
+    assert.ok(Math.hypot(seen.rotation[2] - 0.6, seen.rotation[3] - 0.8) < 1e-12);
+    assert.deepEqual(bridge.jointStates, []);
+  });
+
   it('Numbers_WithoutTime_AreStampedWithTheirArrivalTimeOnTheGatewaysClock', async t => {
     const { bridge, send, now } = await cell(t, { plant: TIME, rest: REST });
     const before = now();
