@@ -159,7 +159,8 @@ namespace Nowpose.Frames
             (_newestTime, _newestOrder, _newest) = (time, order, position);
             _recent.Add(time, position);
             foreach (var polynomial in _polynomials) polynomial.Solve(_recent);
-            Expect(time + Main.Horizon, interval);
+            // All forecasts from a single sample are equal to it.
+            if (_recent.Count > 1) Expect(time + Main.Horizon, interval);
         }
 
         // The weights that result from noise at rest do not suit a first move. After one horizon, they include the errors of this move.

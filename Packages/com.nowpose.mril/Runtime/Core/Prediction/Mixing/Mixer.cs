@@ -110,7 +110,7 @@ namespace Nowpose.Prediction.Mixing
             snapshot.WasStill = motion.Rest.StillSamples > 0;
             _forecasters.Fill(motion, _tables, _points);
             FillMixture(motion);
-            snapshot.Store(_tables, _points, FillCandidates(motion));
+            snapshot.Store(_tables, _points, FillCandidates(motion) | (motion.ConnectedSamples < 2 ? 0 : 1u << Mixture));
             Array.Copy(_tables, Select(snapshot) * ForecastTable.Points, _section, 0, _points);
         }
 
@@ -187,11 +187,13 @@ namespace Nowpose.Prediction.Mixing
             }
         }
 
-        // Updates the weights with the errors of all forecasters. Errors across a change point are not used, because no forecaster can predict it.
+        // Updates the weights with the errors of all forecasters. Errors across a change point are not used, because no forecaster can predict it. Errors
+        // of forecasts from a single sample are not used either: all forecasts equal this sample, and as the largest errors of a motion, they would hide
+        // the differences between the forecasters for seconds.
         void Learn(MotionState motion, ForecastSnapshots.Snapshot snapshot, double forgettingFactor)
         {
             var ahead = motion.Samples.NewestTime - snapshot.Time;
-            if (snapshot.ChangePoints != motion.ChangePoints.Count || !IsInTable(ahead)) return;
+            if (!snapshot.HasForecast(Mixture) || snapshot.ChangePoints != motion.ChangePoints.Count || !IsInTable(ahead)) return;
             var (time, truth, threshold) = (new TableTime(ahead), motion.Samples.NewestPosition, _weights.Threshold);
             for (var i = 0; i < Mixture; i++)
             {

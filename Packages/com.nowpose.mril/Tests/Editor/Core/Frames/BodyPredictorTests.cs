@@ -66,6 +66,28 @@ namespace Nowpose.Tests.Core.Frames
             AssertPose(predictor.At(time), PoseOf(motion(time)), 1e-5);
         }
 
+        // The object is seen for the first time while it moves, as on a conveyor. The noise of the samples is uniform, 0.1 mm RMS.
+        [Test]
+        public void At_MotionWithoutAStart_IsAccurateAfterOneSecond()
+        {
+            double early = 0, late = 0;
+            for (var seed = 0; seed < 10; seed++)
+            {
+                var (body, random) = (new BodyPredictor("adaptive", PredictionLimits.Unlimited), new Random(seed));
+                double Noise() => 3.5e-4 * (random.NextDouble() - 0.5);
+                for (var k = 0; k < 300; k++)
+                {
+                    var (time, shown) = (k * Interval, k * Interval + 0.13);
+                    body.Add(new PoseSample(time, new Vector3D(0.3 * time + Noise(), Noise(), Noise()), UnitQuaternion.Identity), shown);
+                    var error = Math.Pow(body.At(shown).X - 0.3 * shown, 2);
+                    if (time > 1 && time < 3) early += error / 2;
+                    if (time > 10) late += error / 5;
+                }
+            }
+
+            Assert.That(Math.Sqrt(early / late), Is.LessThan(2));
+        }
+
         [Test]
         public void At_LinearWithTwoSamples_EqualsSlerp()
         {

@@ -42,6 +42,28 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(Math.Abs(predictor.At(t).Position - 0.4 * t * t), Is.LessThan(0.2 * Math.Abs(line.At(t).Position - 0.4 * t * t)));
         }
 
+        // The joint already moves at the first sample. The forecast from this sample alone has a large error, which is equal for all forecasters and
+        // must not hide their differences. The noise of the samples is uniform, 0.1 mm RMS.
+        [Test]
+        public void At_MotionWithoutAStart_IsAccurateAfterOneSecond()
+        {
+            double early = 0, late = 0;
+            for (var seed = 0; seed < 10; seed++)
+            {
+                var (predictor, random) = (Predictors.Create("adaptive", new PredictionLimits()), new Random(seed));
+                for (var k = 0; k < 300; k++)
+                {
+                    var (time, shown) = (k * Interval, k * Interval + 0.13);
+                    predictor.Add(new JointSample(time, 0.3 * time + 3.5e-4 * (random.NextDouble() - 0.5)), shown);
+                    var error = Math.Pow(predictor.At(shown).Position - 0.3 * shown, 2);
+                    if (time > 1 && time < 3) early += error / 2;
+                    if (time > 10) late += error / 5;
+                }
+            }
+
+            Assert.That(Math.Sqrt(early / late), Is.LessThan(4));
+        }
+
         [Test]
         public void At_Standstill_IsExactlyTheSample()
         {
