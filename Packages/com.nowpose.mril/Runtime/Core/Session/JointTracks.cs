@@ -76,6 +76,7 @@ namespace Nowpose.Session
         {
             var time = SecondsOf(message.Stamp);
             var reason = DropReason.UnknownJoint;
+            var hasRestarted = false;
             for (var i = 0; i < joints.Length; i++)
             {
                 var joint = joints[i];
@@ -84,9 +85,25 @@ namespace Nowpose.Session
                 var each = _joints[joint].Add(Sample(time, message, i), _displayed);
                 if (each == DropReason.None) _limits.Add(joint, message.Positions[i]);
                 if (reason != DropReason.None) reason = each;
-                if (_joints[joint].Restarts != restarts) Restarted?.Invoke(joint);
+                if (_joints[joint].Restarts == restarts) continue;
+                hasRestarted = true;
+                Restarted?.Invoke(joint);
             }
+            if (hasRestarted) RestartOthers(time, message, joints);
             return reason;
+        }
+
+        // All joints of a message have the same clock. The positions of a moving joint show first that it went back; those of a joint at rest do not.
+        void RestartOthers(double time, JointStateMessage message, ReadOnlySpan<int> joints)
+        {
+            for (var i = 0; i < joints.Length; i++)
+            {
+                var joint = joints[i];
+                if (joint < 0 || !(_joints[joint].NewestTime > time)) continue;
+                _joints[joint].Reset();
+                _joints[joint].Add(Sample(time, message, i), _displayed);
+                Restarted?.Invoke(joint);
+            }
         }
 
         /// <summary>Applies a plan of the control system. Allocates nothing.</summary>

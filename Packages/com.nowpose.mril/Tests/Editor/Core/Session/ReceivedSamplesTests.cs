@@ -45,6 +45,24 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(session.Statistics(default).Samples, Is.EqualTo(5), "1.0 to 1.4");
         }
 
+        // The positions of the moving joint contradict the earlier ones; those of the joint at rest do not.
+        [TestCase(0.13)]
+        [TestCase(0.2)]
+        [TestCase(0.23)]
+        public void Add_ClockWentBack_RestartsAllJointsOfTheMessage(double back)
+        {
+            var tracks = new JointTracks(TestRobot.Model, PredictionSettings.Default);
+            var joints = new[] { Shoulder, TestRobot.Model.IndexOfMovingJoint("elbow") };
+            void Add(double time, double stamp) => tracks.Add(
+                new JointStateMessage(ControlTime.FromSeconds(100 + stamp), new[] { "shoulder", "elbow" }, new[] { Math.Sin(3 * time), 0.5 }), joints);
+            for (var k = 0; k < 60; k++) Add(0.05 * k, 0.05 * k);
+
+            for (var k = 60; k < 63; k++) Add(0.05 * k, 0.05 * k - back);
+
+            var newest = ControlTime.FromSeconds(100 + 3.1 - back);
+            foreach (var joint in joints) Assert.That((tracks.NewestOf(joint) - newest).Value.TotalMilliseconds, Is.Zero.Within(0.01));
+        }
+
         [Test]
         public void Received_UnusedLateSample_DoesNotAffectTheNextSample()
         {
