@@ -1,3 +1,4 @@
+using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
@@ -63,6 +64,17 @@ public class PaperRunTests
         Assert.That(intervals.Count(ms => Math.Abs(ms - 200) < 20), Is.GreaterThan(0.9 * intervals.Count), "the interval is 200 ms, except after late replies");
         Assert.That(run.Run.Settings.Estimator, Is.EqualTo("ransac"));
         Assert.That(run.Swings.Phases, Has.Count.InRange(3, 5), "only whole swings from 10 s on are evaluated");
+    }
+
+    // The workpieces of the demo follow the demo's own motion, so they would not fit the swing.
+    [Test]
+    public void Paper_SettingsWithWorkpieces_HasNoWorkpiecesAndNoResultsOfThem()
+    {
+        var run = PaperScene.Play(1, seconds: 12).Run;
+
+        Assert.That(PaperScene.Given(1).Work, Is.Not.Null);
+        Assert.That((run.Settings.Work, run.Bodies), Is.EqualTo(((object)null, (object)null)));
+        Assert.That(new DemoScore(run).Result().Bodies, Is.Null);
     }
 
     [TestCase("lan", true)]

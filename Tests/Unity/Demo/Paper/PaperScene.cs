@@ -2,10 +2,12 @@ using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Demo.Virtual;
 using Nowpose.Cli.Figures.Swing;
+using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Motion;
 using Nowpose.Simulation;
+using Nowpose.Simulation.Work;
 
 namespace Nowpose.Unity.Tests.Demo.Paper;
 
@@ -41,10 +43,17 @@ static class PaperScene
         return new PaperRun(1, VirtualStage.Play(settings, hasScene: true, sampled, TimeSpan.FromMilliseconds(clockErrorMs)), Swing);
     }
 
-    static DemoSettings Given(int seed) => new()
+    /// <summary>Creates the settings that <c>demo</c> has without <c>--paper</c>: the robot picks and places workpieces.</summary>
+    public static DemoSettings Given(int seed)
     {
-        Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
-    };
+        var robot = RobotFiles.Load("youbot");
+        var motion = new PickAndPlaceMotion(robot);
+        return new()
+        {
+            Network = NetworkProfile.Wifi, Acquisition = new(55, 105), VisualisationMs = VisuMs, Seed = seed,
+            Robot = robot, Motion = motion, Work = new CellWork(robot, motion),
+        };
+    }
 
     public static IReadOnlyList<PaperClaim> Claims(PaperRun run) => PaperClaims.Of([PaperMeasures.Of(run)]);
 

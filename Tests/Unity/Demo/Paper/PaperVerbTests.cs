@@ -34,7 +34,9 @@ public class PaperVerbTests
         foreach (var file in new[] { "figure-8.csv", "frames.csv", "exchanges.csv", "calibration.html", "session.jsonl" })
             Assert.That(new FileInfo(Path.Combine(_folder, file)), Has.Length.GreaterThan(100), file);
         Assert.That(File.ReadAllText(Path.Combine(_folder, "report.html")), Does.Contain("About 80 % of the error is removed"));
-        Assert.That(run.Output, Does.Contain("About 80 %").And.Contain("holds"));
+        Assert.That(run.Output, Does.Contain("About 80 %").And.Contain("holds").And.Not.Contain("workpieces"));
+        Assert.That(Json("result.json").GetProperty("bodies").ValueKind, Is.EqualTo(JsonValueKind.Null), "the swing moves no workpieces");
+        Assert.That(File.ReadAllText(Path.Combine(_folder, "session.jsonl")), Does.Not.Contain("\"kind\":\"pose\""));
     }
 
     [TestCase(new[] { "--robot", "ur5", "--load", "100000" }, "--robot, --load: cannot be combined with --paper")]
