@@ -25,7 +25,7 @@ static class Figure13Texts
     public const string Within50Ms = "at each error up to ±50 ms";
     public const string OverSamplingError = "Interpolating polynomials with an error in the time stamps";
     public const string OverSamplingErrorClaim = "The quadratic and the cubic are sensitive to errors of the assumed t_k.";
-    public const string LineBest = "With a latency error of ±10 ms, the line is the best of the three.";
+    public const string LineBest = "With a time stamp error of ±10 ms, the line is the best of the three.";
 
     public static string BestIsCurved(string where) => $"The best of the three is the quadratic or the cubic {where}.";
     public static string LineBetter(string values) => $"the line is better than both at {values}";

@@ -95,6 +95,14 @@ public class SweepClaimsTests
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }
 
+    [Test]
+    public void Figure13d_Criteria_NameTheErrorOfTheTimeStamps()
+    {
+        var criteria = Figure13.D.Criteria(Polynomials([0, 5, 10], [8, 8, 9], [5, 8, 14], [5, 20, 40]));
+
+        Assert.That(criteria.Select(criterion => criterion.Statement), Is.All.Contains("time stamp error").And.None.Contains("latency"));
+    }
+
     [TestCase(new double[] { 6, 6 }, new double[] { 7, 7 }, "holds")]
     [TestCase(new double[] { 6, 4 }, new double[] { 7, 7 }, "holds partly")]
     [TestCase(new double[] { 6, 4 }, new double[] { 5, 5 }, "does not hold")]
