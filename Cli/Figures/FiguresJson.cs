@@ -53,7 +53,7 @@ static class FiguresJson
         figure.Title,
         figure.Claim,
         Verdict = figure.Verdict.Words(),
-        Criteria = figure.Criteria.Select(c => new { c.Statement, c.IsMet, c.Measured }),
+        Criteria = figure.Criteria.Select(c => new { c.Statement, c.IsMet, c.IsUndecided, c.Measured }),
         figure.Beyond,
         figure.Conditions,
         File = figure.FileName,

@@ -10,6 +10,7 @@ static class VerdictNames
         Verdict.Holds => "holds",
         Verdict.HoldsPartly => "holds partly",
         Verdict.NotMeasured => "not measured",
+        Verdict.Undecided => "undecided",
         _ => "does not hold",
     };
 }

@@ -1,4 +1,5 @@
 using System.Text.Json.Serialization;
+using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo.Paper;
 
@@ -9,10 +10,15 @@ namespace Nowpose.Cli.Demo.Paper;
 /// <param name="Measured">Mean of the measured values over all repeats; null if it could not be measured.</param>
 /// <param name="Uncertainty">Half of the 95 % confidence interval of the mean; null for a single repeat.</param>
 /// <param name="Unit">Unit of the values: <c>ms</c>, or <c>share</c> for a ratio.</param>
+/// <param name="Holds">Whether the criterion is met for the mean and for its complete confidence interval.</param>
 sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Measured, double? Uncertainty, string Unit, bool Holds)
 {
     /// <summary>Reason why some or all of the repeats have no value; null if all have one.</summary>
     public string NotMeasured { get; init; }
+
+    /// <summary>Whether the criterion is met for a part of the confidence interval only.</summary>
+    [JsonIgnore]
+    public bool IsUndecided { get; init; }
 
     /// <summary>Text of the measured value with its unit and uncertainty.</summary>
     [JsonIgnore]
@@ -20,8 +26,9 @@ sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Mea
         : (Uncertainty is double half ? $"{Text(value)} ± {Text(half)}" : Text(value)) + (NotMeasured == null ? "" : $" ({NotMeasured})");
 
     /// <summary>Text of the verdict.</summary>
-    [JsonIgnore]
-    public string Verdict => Measured == null ? "not measured" : Holds ? "holds" : "does not hold";
+    public string Verdict => (Measured == null ? Figures.Model.Verdict.NotMeasured
+        : IsUndecided ? Figures.Model.Verdict.Undecided
+        : Holds ? Figures.Model.Verdict.Holds : Figures.Model.Verdict.DoesNotHold).Words();
 
     /// <summary>Text of the paper's value with its unit; empty if the paper gives none.</summary>
     [JsonIgnore]

@@ -29,7 +29,9 @@ static class PaperClaims
             swings => swings.LatencyRatio, ratio => ratio < 1 / 3.0),
     ];
 
-    /// <param name="repeats">One repeat or more. A claim is judged by the mean over the repeats that measured its value.</param>
+    /// <param name="repeats">
+    /// One repeat or more. A claim is judged by the mean over the repeats that measured its value, and by the confidence interval of the mean.
+    /// </param>
     public static IReadOnlyList<PaperClaim> Of(IReadOnlyList<PaperMeasures> repeats) => [.. Rules.Select(rule => Judge(rule, repeats))];
 
     static PaperClaim Judge(PaperRule rule, IReadOnlyList<PaperMeasures> repeats)
@@ -41,8 +43,11 @@ static class PaperClaims
         var mean = values.Average();
         double? uncertainty = values.Length < 2 ? null
             : StudentT.InvCDF(0, 1, values.Length - 1, Confidence) * values.StandardDeviation() / Math.Sqrt(values.Length);
-        return new(rule.Figure, rule.Claim, rule.Paper, mean, uncertainty, rule.Unit, rule.IsMet(mean))
+        // Each rule has one limit, so the ends of the interval decide for all its values.
+        bool isMetBelow = rule.IsMet(mean - (uncertainty ?? 0)), isMetAbove = rule.IsMet(mean + (uncertainty ?? 0));
+        return new(rule.Figure, rule.Claim, rule.Paper, mean, uncertainty, rule.Unit, isMetBelow && isMetAbove)
         {
+            IsUndecided = isMetBelow != isMetAbove,
             NotMeasured = values.Length == repeats.Count ? null
                 : PaperClaimTexts.NotInAll(values.Length, repeats.Count, ReasonOf(rule, repeats)),
         };

@@ -30,7 +30,9 @@ static class PaperFigures
     }
 
     static Criterion CriterionOf(PaperClaim claim) => new(
-        claim.Claim, claim.Measured == null ? null : claim.Holds, claim.MeasuredText + (claim.Paper == null ? "" : $"; the paper: {claim.PaperText}"));
+        claim.Claim, claim.Measured == null || claim.IsUndecided ? null : claim.Holds,
+        claim.MeasuredText + (claim.Paper == null ? "" : $"; the paper: {claim.PaperText}"))
+    { IsUndecided = claim.IsUndecided };
 
     static string ClockConditions(PaperRun run) => PaperFigureTexts.Clock(run.Run.Settings.Network.Name, run.Steps.Count, FirstOffset(run), FitErrors.TextOfExchanges(run.ExchangeErrorsMs));
 

@@ -7,4 +7,7 @@ enum Verdict
     HoldsPartly,
     DoesNotHold,
     NotMeasured,
+
+    /// <summary>The confidence interval of a measured value contains the limit.</summary>
+    Undecided,
 }

@@ -6,7 +6,8 @@ namespace Nowpose.Headless.Tests.Cli.Figures;
 
 public class CriterionTests
 {
-    // "+" stands for a criterion that is met, "-" for a criterion that is not met, "?" for a criterion that was not measured.
+    // "+" stands for a criterion that is met, "-" for a criterion that is not met, "?" for a criterion that was not measured, and "~" for a
+    // criterion that is undecided.
     [TestCase("+", "holds")]
     [TestCase("+++", "holds")]
     [TestCase("+-+", "holds partly")]
@@ -15,9 +16,14 @@ public class CriterionTests
     [TestCase("--", "does not hold")]
     [TestCase("-?", "does not hold")]
     [TestCase("??", "not measured")]
+    [TestCase("~", "undecided")]
+    [TestCase("+~", "undecided")]
+    [TestCase("~?", "undecided")]
+    [TestCase("+-~", "holds partly")]
+    [TestCase("-~", "does not hold")]
     public void Judge_Criteria_DependsOnTheNumberMet(string each, string verdict)
     {
-        var criteria = each.Select(sign => new Criterion("it is so", sign == '?' ? null : sign == '+', "1")).ToArray();
+        var criteria = each.Select(sign => new Criterion("it is so", sign is '?' or '~' ? null : sign == '+', "1") { IsUndecided = sign == '~' }).ToArray();
 
         Assert.That(Criterion.Judge(criteria).Words(), Is.EqualTo(verdict));
     }

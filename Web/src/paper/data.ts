@@ -11,7 +11,7 @@ export interface FiguresData {
   figures: FigureData[];
 }
 
-export type Verdict = 'holds' | 'holds partly' | 'does not hold' | 'not measured';
+export type Verdict = 'holds' | 'holds partly' | 'does not hold' | 'undecided' | 'not measured';
 
 export interface FigureData {
   /** Number of the figure in the paper, for example "13a". */
@@ -33,8 +33,10 @@ export interface FigureData {
 
 export interface CriterionData {
   statement: string;
-  /** Whether the criterion is met; null if it was not measured. */
+  /** Whether the criterion is met; null if it was not measured, or if it is undecided. */
   is_met: boolean | null;
+  /** Whether the criterion is met for a part of the confidence interval only. */
+  is_undecided?: boolean;
   measured: string;
 }
 

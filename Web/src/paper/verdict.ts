@@ -2,14 +2,21 @@ import { el } from '../dom';
 import type { CriterionData, Verdict } from './data';
 import { text } from './text';
 
-const CLASSES: Record<Verdict, string> = { holds: 'met', 'holds partly': 'partly', 'does not hold': 'unmet', 'not measured': 'unmet' };
+const CLASSES: Record<Verdict, string> = {
+  holds: 'met',
+  'holds partly': 'partly',
+  'does not hold': 'unmet',
+  undecided: 'partly',
+  'not measured': 'unmet',
+};
 
 /** Creates a badge with the words of a verdict. Shape and colour only repeat the words. */
 export function badge(verdict: Verdict): HTMLElement {
   return el('span', { class: `badge ${CLASSES[verdict]}` }, verdict);
 }
 
-function signOf(isMet: boolean | null): { css: string; sign: string; words: string } {
+function signOf({ is_met: isMet, is_undecided: isUndecided }: CriterionData): { css: string; sign: string; words: string } {
+  if (isUndecided) return { css: 'undecided', sign: '?', words: 'undecided:' };
   if (isMet == null) return { css: 'unmeasured', sign: '–', words: 'not measured:' };
   return isMet ? { css: 'met', sign: '✓', words: 'met:' } : { css: 'unmet', sign: '✗', words: 'not met:' };
 }
@@ -19,8 +26,8 @@ export function criteria(list: CriterionData[]): HTMLElement {
     'ul',
     { class: 'criteria' },
     ...list.map(c => {
-      const { css, sign, words } = signOf(c.is_met);
-      const measured = c.is_met == null ? c.measured : `Measured: ${c.measured}`;
+      const { css, sign, words } = signOf(c);
+      const measured = c.is_met == null && !c.is_undecided ? c.measured : `Measured: ${c.measured}`;
       return el(
         'li',
         { class: css },

@@ -72,6 +72,22 @@ public class PaperClaimsTests
         Assert.That(claims.Single(claim => claim.Paper == 0.8).MeasuredText, Is.EqualTo("80 % (measured in 1 of 2 repeats: no whole swing)"));
     }
 
+    // The limit is 75 %. Three repeats with a standard deviation of 1 % have an uncertainty of 2.5 %.
+    [TestCase(0.78, true, "holds")]
+    [TestCase(0.76, false, "undecided")]
+    [TestCase(0.74, false, "undecided")]
+    [TestCase(0.72, false, "does not hold")]
+    public void Claims_LimitWithinTheUncertainty_AreUndecided(double mean, bool holds, string verdict)
+    {
+        var repeats = new[] { mean - 0.01, mean, mean + 0.01 }.Select(each => Good with { Swings = Good.Swings with { Reduction = each } }).ToList();
+
+        var claims = PaperClaims.Of(repeats);
+
+        var claim = claims.Single(each => each.Paper == 0.8);
+        Assert.That((claim.Holds, claim.Verdict), Is.EqualTo((holds, verdict)), claim.MeasuredText);
+        Assert.That(claims.Where(each => each != claim).Select(each => each.Verdict), Is.All.EqualTo("holds"), "the uncertainty of the others is zero");
+    }
+
     [Test]
     public void Claims_NumberNotFinite_CountsAsNotMeasured()
     {

@@ -28,7 +28,7 @@ public class PaperVerbTests
         Assert.That(profile.GetProperty("visu_ms").GetDouble(), Is.EqualTo(55).Within(3 * standardErrorMs), "measured in the pictures");
         var claims = Json("result.json").GetProperty("claims").EnumerateArray().ToList();
         Assert.That(claims.Select(claim => string.Join(' ', claim.EnumerateObject().Select(each => each.Name))), Is.All.EqualTo(
-            "figure claim paper measured uncertainty unit holds not_measured"));
+            "figure claim paper measured uncertainty unit holds not_measured verdict"));
         // The numbers are not checked, because they depend on the load of this machine.
         Assert.That(claims[0].GetProperty("measured").ValueKind, Is.EqualTo(JsonValueKind.Number));
         foreach (var file in new[] { "figure-8.csv", "frames.csv", "exchanges.csv", "calibration.html", "session.jsonl" })
