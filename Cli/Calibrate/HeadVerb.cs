@@ -47,7 +47,7 @@ static class HeadVerb
         var files = PictureFiles.Of(arguments);
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed));
         var output = CalibrationOutput.At(parsed.GetValue(Output));
-        var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, isStill: false, cancel);
+        var read = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay))).Run(files, cancel);
         VlcVerb.ReportRejected(read);
         if (read.Read.Count == 0)
             return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw new InputException(read.NothingRead());

@@ -46,7 +46,7 @@ static class VlcVerb
         var earlier = EarlierProfile.Read(parsed.GetValue(Earlier), Device.Conditions(parsed), conditions);
         var output = CalibrationOutput.At(parsed.GetValue(Output));
         var run = new VlcRun(new PictureReader(parsed.GetValue(Readout), parsed.GetValue(ControlDelay)));
-        var result = run.Run(files, isStill: true, cancel);
+        var result = run.Run(files, cancel);
         ReportRejected(result);
         var status = cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
         if (result.Pictures.Count == 0) return status;

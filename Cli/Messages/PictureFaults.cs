@@ -28,7 +28,6 @@ static class PictureFaults
     public const string ControlCodeCutOff = "control code partly outside the picture; move the camera";
     public const string HeadsetCodeCutOff = "headset code partly outside the picture; move the camera";
     public const string Ambiguous = "two codes equally likely, because the frame changed during the exposure; take more pictures";
-    public const string Moved = "taken while the headset moved; put headset and camera on a stand";
 
     public static string FarApart(double maxMs) => FormattableString.Invariant($"codes more than {maxMs} ms apart; check that both show the same clock");
 

@@ -3,10 +3,6 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Warnings and results of the command <c>calibrate vlc</c>, with remedies.</summary>
 static class VlcMessages
 {
-    public static string MovedPictures(int moving, int pictures) =>
-        $"{moving} of {pictures} pictures were taken while the headset or the camera moved; L_visu is measured with a still head: put "
-        + "headset and camera on a stand. Pictures of a moving headset are for 'calibrate head'";
-
     public static string OtherSweep(int joined, int pictures, string reason) =>
         $"--sweep: the log has the frames of only {joined} of {pictures} pictures; {reason}";
 

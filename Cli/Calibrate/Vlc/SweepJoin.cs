@@ -36,7 +36,7 @@ sealed class SweepJoin
     /// <summary>Gets the orders in which the pictures can have been taken.</summary>
     IEnumerable<IReadOnlyList<PictureResult>> Orders(IReadOnlyList<PictureResult> read)
     {
-        if (NeedsOrder) return [read, [.. read.Reverse()], [.. TimeOrder.Of(read).Pictures.Select(each => each.Picture)]];
+        if (NeedsOrder) return [read, [.. read.Reverse()], TimeOrder.Of(read).Pictures];
         var first = _rows.Count > 0 ? TimestampCode.ValueOf(_rows[0].FrameStart) : 0;
         return [[.. read.OrderBy(picture => ((int)picture.HeadsetMs - first) & (TimestampCode.PeriodMs - 1)).ThenBy(picture => picture.File, StringComparer.Ordinal)]];
     }

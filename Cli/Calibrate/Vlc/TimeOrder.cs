@@ -16,10 +16,10 @@ sealed class TimeOrder
     /// </summary>
     const double MinShareInOrder = 0.9;
 
-    TimeOrder(IReadOnlyList<(PictureResult Picture, double Ms)> pictures, bool isGivenOrder) => (Pictures, IsGivenOrder) = (pictures, isGivenOrder);
+    TimeOrder(IReadOnlyList<PictureResult> pictures, bool isGivenOrder) => (Pictures, IsGivenOrder) = (pictures, isGivenOrder);
 
-    /// <summary>The pictures in increasing order of control time, and their times relative to one picture, ms.</summary>
-    public IReadOnlyList<(PictureResult Picture, double Ms)> Pictures { get; }
+    /// <summary>The pictures in increasing order of control time.</summary>
+    public IReadOnlyList<PictureResult> Pictures { get; }
 
     /// <summary>Whether the given order was the order in which the pictures were taken, or its reverse.</summary>
     public bool IsGivenOrder { get; }
@@ -33,7 +33,7 @@ sealed class TimeOrder
         var isGivenOrder = Math.Max(forward, backward) >= MinShareInOrder * intervals.Length;
         double[] times = isGivenOrder ? Summed(read.Length, intervals) : WithinPeriod([.. read.Select(picture => picture.LedMs)]);
         // Equal times are sorted by name, so that the result does not depend on the given order.
-        return new TimeOrder([.. read.Zip(times).OrderBy(each => each.Second).ThenBy(each => each.First.File, StringComparer.Ordinal)], isGivenOrder);
+        return new TimeOrder([.. read.Zip(times).OrderBy(each => each.Second).ThenBy(each => each.First.File, StringComparer.Ordinal).Select(each => each.First)], isGivenOrder);
     }
 
     static double[] Summed(int count, double[] intervals)

@@ -9,9 +9,6 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
 
     public IReadOnlyList<PictureResult> Read { get; } = [.. pictures.Where(picture => picture.IsRead)];
 
-    /// <summary>Reason why the whole series is rejected; null if it is not rejected.</summary>
-    public string Refusal { get; init; }
-
     public int Rejected => Pictures.Count - Read.Count;
 
     /// <summary>Mean L_visu of the pictures near the median, ms; null if no picture was read.</summary>
@@ -30,7 +27,6 @@ sealed class VlcResult(IReadOnlyList<PictureResult> pictures)
     /// <summary>Gets the message for a series in which no picture could be read.</summary>
     public string NothingRead()
     {
-        if (Refusal != null) return Refusal;
         if (Pictures.Count == 0) return VlcMessages.NoPicture;
         if (Pictures.Count == 1) return $"{Pictures[0].File}: {Pictures[0].Fault}";
         var (fault, files) = Faults().First();

@@ -9,21 +9,18 @@ sealed class VlcRun(PictureReader reader)
     readonly SortedDictionary<int, (PictureResult Picture, (int Width, int Height) Size)> _results = [];
 
     /// <summary>Evaluates the pictures. If the user cancels, returns the results so far.</summary>
-    /// <param name="isStill">Whether the headset must be still. If so, pictures taken in motion are rejected.</param>
-    public VlcResult Run(IReadOnlyList<string> files, bool isStill, CancellationToken cancellation)
+    public VlcResult Run(IReadOnlyList<string> files, CancellationToken cancellation)
     {
         var isVideo = PictureFiles.IsVideo(files[0]);
         return Run(
             isVideo ? VideoFrames.Of(files[0]) : files.Select(PictureRequest.File), isVideo ? null : files.Count,
-            place => isVideo ? FormattableString.Invariant($"{files[0]}#{place + 1}") : files[place], isStill, cancellation);
+            place => isVideo ? FormattableString.Invariant($"{files[0]}#{place + 1}") : files[place], cancellation);
     }
 
     /// <summary>Evaluates pictures from any source. If the user cancels, returns the results so far.</summary>
     /// <param name="count">Number of pictures; null if it is unknown.</param>
     /// <param name="nameOf">Gets the name of a picture from its index.</param>
-    /// <inheritdoc cref="Run(IReadOnlyList{string}, bool, CancellationToken)"/>
-    public VlcResult Run(
-        IEnumerable<PictureRequest> requests, int? count, Func<int, string> nameOf, bool isStill, CancellationToken cancellation)
+    public VlcResult Run(IEnumerable<PictureRequest> requests, int? count, Func<int, string> nameOf, CancellationToken cancellation)
     {
         using var pool = new VisionPool();
         CountProgress.Run("reading pictures", "pictures", count, report => pool.Look(
@@ -34,10 +31,7 @@ sealed class VlcRun(PictureReader reader)
                 report(_results.Count);
             },
             cancellation));
-        var pictures = Outliers.Rejected(OfOneSize());
-        if (!isStill) return new VlcResult(pictures);
-        pictures = MovingPictures.Rejected(pictures, out var refusal);
-        return new VlcResult(pictures) { Refusal = refusal };
+        return new VlcResult(Outliers.Rejected(OfOneSize()));
     }
 
     /// <summary>Rejects the pictures that do not have the most frequent size, because they come from another camera or series.</summary>

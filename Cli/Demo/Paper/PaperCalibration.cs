@@ -34,8 +34,7 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
         var sweep = new SimulatedSweep(simulation);
         var camera = new SimulatedCamera(simulation, sweep);
         var pictures = Enumerable.Range(0, count).Select(i => PictureRequest.Made(camera.Take(i, out _)));
-        var result = new VlcRun(new PictureReader(0, 0)).Run(
-            pictures, count, place => FormattableString.Invariant($"picture {place + 1}"), isStill: true, cancel);
+        var result = new VlcRun(new PictureReader(0, 0)).Run(pictures, count, place => FormattableString.Invariant($"picture {place + 1}"), cancel);
         if (cancel.IsCancellationRequested) return null;
         var conditions = new DisplayConditions(SweepTable.Device(sweep.Rows), SweepTable.DisplayHz(sweep.Rows));
         var evaluation = new VlcEvaluation(result, sweep.Rows, EarlierProfile.Read(null, conditions));
