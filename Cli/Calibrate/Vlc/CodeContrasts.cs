@@ -16,6 +16,12 @@ sealed class CodeContrasts
     /// </summary>
     const double MaxDeviation = 0.45;
 
+    /// <summary>
+    /// Maximum median of the absolute deviations of the other pairs, with which dark pairs count as covered. An object in front of a code leaves the
+    /// other pairs as they are; a bright scene behind it changes most of them.
+    /// </summary>
+    const double MaxIntactDeviation = 0.125;
+
     /// <summary>Share of white cells from which a code counts as overexposed or covered by a bright reflection.</summary>
     const double MinWhiteShare = 0.05;
 
@@ -25,6 +31,12 @@ sealed class CodeContrasts
     /// </summary>
     const double MaxResidual = 0.16;
 
+    /// <summary>
+    /// Maximum median of the absolute contrasts of a control code. If bright light surrounds the LEDs, the ring is hardly brighter than its
+    /// surroundings and seems to be darker than the pairs, whose contrasts are then 1.9 or more.
+    /// </summary>
+    const double MaxMedianContrast = 1.5;
+
     readonly double[] _contrasts = new double[TimestampCode.PairCount];
 
     public CodeContrasts(FoundCode code)
@@ -32,6 +44,7 @@ sealed class CodeContrasts
         Light = Enumerable.Range(0, TimestampCode.CellCount).Where(cell => TimestampCode.IsRing(cell) && TimestampCode.IsLitRing(cell, code.Kind))
             .Average(cell => code.Levels[cell]);
         var dark = new List<int>();
+        var others = new List<double>();
         var brighter = 0;
         for (var pair = 0; pair < TimestampCode.PairCount; pair++)
         {
@@ -40,26 +53,32 @@ sealed class CodeContrasts
             _contrasts[pair] = (left - right) / Light;
             var deviation = (left + right - Light) / 2;
             if (deviation < -MaxDeviation * Light) dark.Add(pair);
+            else others.Add(Math.Abs(deviation));
             if (deviation > MaxDeviation * Light) brighter++;
         }
-        if (dark.Count + brighter > 0)
-            Fault = dark.Count >= brighter
-                ? AreRowsAtEdge(dark) ? PictureFaults.PartlyDark : PictureFaults.PartlyCovered
-                : code.WhiteShare >= MinWhiteShare ? PictureFaults.Overexposed
-                : PictureFaults.Disturbed;
-        else if (code.Kind == CodeKind.Control && !code.IsWeak && code.Residual > MaxResidual) Fault = PictureFaults.Disturbed;
+        Fault = FaultOf(code, dark, others, brighter);
     }
 
     /// <summary>Brightness of a lit cell; 1 is white.</summary>
     public double Light { get; }
 
     /// <summary>
-    /// Gets the reason why the code cannot be read: some pairs are too dark or too bright, or the residual of a control code is too large. Null if
-    /// the code is readable.
+    /// Gets the reason why the code cannot be read: some pairs are too dark or too bright, or a control code has no dark margin or a residual that is
+    /// too large. Null if the code is readable.
     /// </summary>
     public string Fault { get; }
 
     public double this[int pair] => _contrasts[pair];
+
+    string FaultOf(FoundCode code, List<int> dark, List<double> others, int brighter)
+    {
+        var isControl = code.Kind == CodeKind.Control;
+        if (isControl && Quantile.Of(_contrasts.Select(Math.Abs), 0.5) > MaxMedianContrast) return PictureFaults.NoMargin;
+        if (dark.Count + brighter == 0) return isControl && !code.IsWeak && code.Residual > MaxResidual ? PictureFaults.Disturbed : null;
+        if (dark.Count < brighter) return code.WhiteShare >= MinWhiteShare ? PictureFaults.Overexposed : PictureFaults.Disturbed;
+        if (AreRowsAtEdge(dark)) return PictureFaults.PartlyDark;
+        return Quantile.Of(others, 0.5) <= MaxIntactDeviation * Light ? PictureFaults.PartlyCovered : PictureFaults.Disturbed;
+    }
 
     /// <summary>Gets whether the pairs fill the first or the last rows of the code. A display that is lit row by row causes this.</summary>
     static bool AreRowsAtEdge(List<int> pairs) =>

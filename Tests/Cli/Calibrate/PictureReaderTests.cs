@@ -105,6 +105,37 @@ public sealed class PictureReaderTests
         Assert.That(Read(new PictureReader(0, 0), CodeLevels.Run(10_040, 1), headset with { Levels = levels }).Fault, Is.EqualTo(fault));
     }
 
+    // Sums of the cells of the pairs in a rendered picture of LEDs without a dark board in front of a bright scene.
+    [Test]
+    public void Read_PairsDarkBecauseOfTheSceneBehindThem_IsNotReportedAsCovered()
+    {
+        double[] sums = [1.2, 0.05, 0.6, 1.3, 0.4, 1.2, 0.8, 1.1, 0.3, 1.2, 0.6, 1.2, 0.2, 0.9, 1.3, 0.5, 1.1, 0.7];
+        var control = CodeLevels.Of(CodeKind.Control, 10_040);
+        var levels = control.Levels.ToArray();
+        for (var pair = 0; pair < TimestampCode.PairCount; pair++)
+        {
+            var cell = TimestampCode.CellOf(pair);
+            for (var i = cell; i < cell + 2; i++) levels[i] += (sums[pair] - 1) / 2 * CodeLevels.Light;
+        }
+
+        var result = Read(new PictureReader(0, 0), control with { Levels = levels }, CodeLevels.Of(CodeKind.Headset, 10_000));
+
+        Assert.That(result.Fault, Is.EqualTo("control code " + PictureFaults.Disturbed));
+    }
+
+    // Values of rendered pictures with a bright wall close to the LEDs: the ring seems to be dark, and the sum of the cells of a pair is about zero.
+    [TestCase(0.6, 2.2)]
+    [TestCase(0.3, 3.2)]
+    public void Read_BrightWallAroundTheLeds_NamesTheMissingMargin(double ring, double contrast)
+    {
+        var control = CodeLevels.Of(CodeKind.Control, 10_040);
+        var levels = control.Levels.Select((level, cell) => ring * (TimestampCode.IsRing(cell) ? level : contrast * (level - CodeLevels.Light / 2))).ToArray();
+
+        var result = Read(new PictureReader(0, 0), control with { Levels = levels }, CodeLevels.Of(CodeKind.Headset, 10_000));
+
+        Assert.That(result.Fault, Is.EqualTo("control code " + PictureFaults.NoMargin));
+    }
+
     [TestCase(0, 3, PictureFaults.PartlyDark)]
     [TestCase(4, 2, PictureFaults.PartlyDark)]
     [TestCase(1, 2, PictureFaults.PartlyCovered)]
