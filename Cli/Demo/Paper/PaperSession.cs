@@ -6,7 +6,7 @@ namespace Nowpose.Cli.Demo.Paper;
 /// <summary>Runs <c>demo --paper</c>: calibrates and simulates each repeat, evaluates the paper's claims and writes the results.</summary>
 static class PaperSession
 {
-    public const int PicturesPerLoad = 12;
+    public const int PicturesPerLoad = 8;
 
     /// <param name="given">Settings of the user, see <see cref="PaperScenario.Of"/>.</param>
     /// <param name="repeats">Number of repeats. Each has its own seed, calibration and connection.</param>
