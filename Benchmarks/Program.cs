@@ -19,6 +19,9 @@ if (args is ["gateway", ..])
 if (args is ["links", ..])
     return await LinksVerb.RunAsync(args);
 
+if (args is ["paper", ..])
+    return await PaperVerb.RunAsync(args);
+
 if (args is ["paths", ..])
     return await PathsVerb.RunAsync(args);
 

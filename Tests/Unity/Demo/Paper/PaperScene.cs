@@ -1,3 +1,4 @@
+using System.Globalization;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Demo.Virtual;
@@ -23,6 +24,20 @@ static class PaperScene
     /// <summary>Creates a profile with a given L_visu in ms.</summary>
     public static LatencyProfile ProfileOf(double visuMs) => new(
         visuMs, 1.2, "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, 120, 15, RenderTimeSourceKind.DisplayGpuTime);
+
+    /// <summary>
+    /// Gets the profile that <c>demo --paper</c> measures with a seed. Reference data of <c>dotnet run -c Release --project Benchmarks -- paper</c>: reading
+    /// the rendered pictures of ten seeds takes minutes of processor time.
+    /// </summary>
+    public static LatencyProfile MeasuredProfile(int seed)
+    {
+        var fields = RepositoryFiles.Read("Tests/Unity/Demo/Paper/calibrations.csv").Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1)
+            .Select(line => line.Split(',')).Single(each => each[0] == $"{seed}");
+        double Number(int field) => double.Parse(fields[field], CultureInfo.InvariantCulture);
+        return new(
+            Number(1), Number(2), "simulated headset", 60, DateTime.UnixEpoch, CalibrationMethod.VisibleLight, (int)Number(3), Number(4),
+            RenderTimeSourceKind.DisplayGpuTime);
+    }
 
     /// <summary>
     /// Measures the profile from pictures of the display, as <c>demo --paper</c> does, but from fewer of them. Its error is therefore larger.
