@@ -39,7 +39,7 @@ namespace Nowpose.Unity.Cell
         {
             get
             {
-                if (_robot == null) return _session == null ? "no session" : RigMessages.NotAdded;
+                if (_robot == null) return _session == null ? "no session" : StatusMessages.RobotNotAdded;
                 var frame = _robot.Frame;
                 return frame.State == PoseState.Current ? null : StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase);
             }

@@ -6,8 +6,6 @@ namespace Nowpose.Unity.Messages
         public static string NoDescription(string robot, string rig) =>
             $"robot namespace '{robot}': it has no robot description; assign a Robot Description to the rig '{rig}'";
 
-        public const string NotAdded = "not added to the session; the log states the reason";
-
         public static string NoRootLink(string robot, string rig, string root, string drawn) =>
             $"robot '{robot}': no object below '{rig}' has the name of its root link '{root}', but '{drawn}' is drawn there; name an object "
             + $"after each link of the URDF, or remove '{drawn}' so that the rig builds the robot";

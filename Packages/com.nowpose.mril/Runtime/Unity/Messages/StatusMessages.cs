@@ -11,6 +11,7 @@ namespace Nowpose.Unity.Messages
         public const string TooFewSamples = "too few recent samples";
         public const string JointWithoutSamples = "a joint has no samples";
         public const string BaseNotCurrent = "its base is not current";
+        public const string RobotNotAdded = "not added to the session; the log states the reason";
         public const string NoLimit = "no limit is known";
         public const string OtherSourceLimit = "limit is for another source";
 
