@@ -186,6 +186,10 @@ namespace Nowpose.Session
         /// <summary>Status of the connection for joint positions. Thread-safe.</summary>
         public LinkStatus SampleLink => _connections.SampleLink;
 
+        /// <summary>Whether values of signals can arrive: over the connection, or from a program that supplies this session.</summary>
+        internal bool CanReceiveSignals =>
+            SampleLink.State == LinkState.Connected || (!_connections.WasRequested && Signals.Table.Count > 0);
+
         /// <summary>
         /// Starts the connections: two, or only one with ROS time. They connect and reconnect automatically. Does nothing while connected.
         /// </summary>

@@ -48,9 +48,13 @@ namespace Nowpose.Session
         /// <summary>Status of the connection for joint positions.</summary>
         public LinkStatus SampleLink => _rosbridgeClient?.Status ?? LinkStatus.Idle;
 
+        /// <summary>Whether a connection was ever requested. Without a request, a program in this process supplies the messages.</summary>
+        public bool WasRequested { get; private set; }
+
         public void Connect()
         {
             if (_rosbridgeClient != null) return;
+            WasRequested = true;
             var (connection, pace) = (_settings.Connection, _settings.NewExchangePace(new Random()));
             var isRos = connection.ClockSource == ControlClockSource.RosTime;
             if (!isRos) _syncClient = new SyncClient(connection, _clock, _synchroniser, _faults, pace);

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Signals;
 using Nowpose.Unity.Session;
@@ -53,7 +52,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>Returns the reason why a signal's value is not current, in one line; null if the value is current.</summary>
         /// <param name="session">The session that receives the signal; may be null.</param>
         public static string FaultOf(CompensationSession session, string name) =>
-            session == null ? "no session" : session.Signals.FaultOf(name, session.SampleLink.State == LinkState.Connected);
+            session == null ? "no session" : session.Signals.FaultOf(name, session.CanReceiveSignals);
 
         /// <summary>Stops following the signal.</summary>
         public void Leave()
