@@ -12,6 +12,15 @@ static class WorkObjects
     /// <summary>Width of the belt; thickness of belt and fixture, m.</summary>
     const float Width = 0.05f, Thickness = 0.01f;
 
+    /// <summary>Thickness of the stop and height of its stroke, m. Raised, it is lower than a workpiece.</summary>
+    const float StopThickness = 0.005f, StopStroke = 0.02f;
+
+    /// <summary>Stroke time of the stop, ms. It is lowered before the gripper arrives.</summary>
+    const float StopStrokeMs = 200;
+
+    /// <summary>Distance of the stack light from the middle of the belt, height and width of its post, and edge length of a lamp, m.</summary>
+    const float LightDistance = 0.07f, PostHeight = 0.08f, PostWidth = 0.01f, LampSize = 0.02f;
+
     /// <summary>Number of points on each straight section of the belt.</summary>
     const int PointsPerSection = 2;
 
@@ -23,6 +32,9 @@ static class WorkObjects
         var root = new GameObject("Cell Objects");
         var conveyor = Shown<StationaryObject>(CellWork.Conveyor, CellWork.Conveyor, root, session, virtualPart);
         AddBelt(conveyor, work, virtualPart);
+        AddStop(conveyor, work, session, virtualPart);
+        // White, so that a lit lamp does not look like a workpiece.
+        AddStackLight(conveyor, work, session, virtualPart, assets.Load<Material>(PackagePaths.Timestamp));
         var fixture = Shown<StationaryObject>(work.Robots[0].Fixture, work.Robots[0].Fixture, root, session, virtualPart);
         var below = RigidTransform.FromXyzRpy(0, 0, -Thickness / 2, 0, 0, 0);
         AddCube(fixture, "Plate", below, new Vector3(2 * Width, Thickness, 2 * Width), virtualPart);
@@ -71,9 +83,70 @@ static class WorkObjects
         }
     }
 
+    // The stop at the end of the belt is up while the belt runs, and holds the workpiece that arrives.
+    static void AddStop(GameObject conveyor, CellWork work, MrilSession session, Material material)
+    {
+        var arriving = (BeltEnd(work).Inverse * work.BeltBehind(0).SkipLast(1).Last()).Y;
+        var ahead = -Math.Sign(arriving) * (CellWork.Size + StopThickness) / 2;
+        var stop = AtBeltEnd("Stop", conveyor, work, RigidTransform.FromXyzRpy(0, ahead, 0, 0, 0, 0));
+        var part = stop.AddComponent<ActuatedPart>();
+        Fields.Set(part, "_session", session);
+        Fields.Set(part, "_signal", CellWork.BeltRunning);
+        Fields.Set(part, "_wayMetres", new Vector3(0, StopStroke, 0));
+        Fields.Set(part, "_strokeMs", StopStrokeMs);
+        // Unity's right is along the belt, and forward is away from the robot.
+        var below = RigidTransform.FromXyzRpy(0, 0, -StopStroke / 2, 0, 0, 0);
+        AddCube(stop, "Plate", below, new Vector3(StopThickness, StopStroke, (float)CellWork.Size), material);
+    }
+
+    // The stack light beside the end of the belt shows the signals of the robot.
+    static void AddStackLight(GameObject conveyor, CellWork work, MrilSession session, Material off, Material on)
+    {
+        var light = AtBeltEnd("Stack Light", conveyor, work, RigidTransform.FromXyzRpy(LightDistance, 0, 0, 0, 0, 0));
+        var post = RigidTransform.FromXyzRpy(0, 0, PostHeight / 2, 0, 0, 0);
+        AddCube(light, "Post", post, new Vector3(PostWidth, PostHeight, PostWidth), off);
+        AddLamp(light, work.Robots[0].PartPresent, PostHeight + LampSize / 2, session, off, on);
+        AddLamp(light, work.Robots[0].GripperClosed, PostHeight + 2 * LampSize, session, off, on);
+    }
+
+    // The lit lamp is slightly larger and hides the dark lamp, so that a single call switches between both.
+    static void AddLamp(GameObject light, string signal, float height, MrilSession session, Material off, Material on)
+    {
+        var lamp = Child(signal, light, new Vector3(0, height, 0), Quaternion.identity);
+        AddCube(lamp, "Dark", RigidTransform.Identity, Vector3.one * LampSize, off);
+        var lit = AddCube(lamp, "Lit", RigidTransform.Identity, Vector3.one * (1.1f * LampSize), on);
+        lit.SetActive(false);
+        var component = lamp.AddComponent<CellSignal>();
+        Fields.Set(component, "_session", session);
+        Calls.AddDynamic(component, "_onState", lit, nameof(GameObject.SetActive));
+    }
+
+    // Returns the world pose of the point of the belt's surface where the first robot takes workpieces. The x axis points away from the robot.
+    static RigidTransform BeltEnd(CellWork work)
+    {
+        var taken = work.Robots[0].Taken;
+        return RigidTransform.FromXyzRpy(taken.X, taken.Y, work.ConveyorPose.Z, 0, 0, Math.Atan2(taken.Y, taken.X));
+    }
+
+    /// <param name="offset">Pose relative to <see cref="BeltEnd"/>.</param>
+    static GameObject AtBeltEnd(string name, GameObject conveyor, CellWork work, in RigidTransform offset)
+    {
+        var place = UnityPoses.ToWorld(work.ConveyorPose.Inverse * BeltEnd(work) * offset);
+        return Child(name, conveyor, place.position, place.rotation);
+    }
+
+    static GameObject Child(string name, GameObject parent, Vector3 position, Quaternion rotation)
+    {
+        var made = new GameObject(name);
+        made.transform.SetParent(parent.transform, worldPositionStays: false);
+        made.transform.localPosition = position;
+        made.transform.localRotation = rotation;
+        return made;
+    }
+
     /// <param name="pose">Pose in the parent's frame, in right-handed coordinates.</param>
     /// <param name="size">Size in metres along Unity's axes: right, up, forward.</param>
-    static void AddCube(GameObject parent, string name, in RigidTransform pose, Vector3 size, Material material)
+    static GameObject AddCube(GameObject parent, string name, in RigidTransform pose, Vector3 size, Material material)
     {
         var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
         cube.name = name;
@@ -83,5 +156,6 @@ static class WorkObjects
         cube.transform.localRotation = place.rotation;
         cube.transform.localScale = size;
         cube.GetComponent<MeshRenderer>().sharedMaterial = material;
+        return cube;
     }
 }

@@ -102,6 +102,64 @@ public class VirtualRobotCellTests
     }
 
     [Test]
+    public void Scene_Played_LampsAndStopFollowTheirSignals()
+    {
+        using var sample = PlayedSample.OfScene().Run(6);
+        var robot = RobotFiles.Load("youbot");
+        var work = new CellWork(robot, new PickAndPlaceMotion(robot));
+        var lamps = new[] { work.Robots[0].GripperClosed, work.Robots[0].PartPresent };
+        var lit = lamps.Select(name => GameObject.Find(name).transform.Find("Lit").gameObject).ToArray();
+        var stop = GameObject.Find("Stop").GetComponent<ActuatedPart>();
+        var down = stop.transform.localPosition.y - 0.02f * stop.Share;
+        var seen = lamps.Append(CellWork.BeltRunning).ToDictionary(name => name, _ => (On: 0, Off: 0));
+
+        for (var frame = 0; frame < 20 * 60; frame++)
+        {
+            sample.Step();
+            // The robot starts to work in the first frame, at 100 s. The display time of a frame is 40 ms after its start.
+            var seconds = sample.Session.Frame.Start.SinceEpoch.TotalSeconds + 0.04 - 100;
+            for (var i = 0; i < lamps.Length; i++)
+                if (SteadyValue(work, lamps[i], seconds, MaxSignalDelay) is bool isOn)
+                {
+                    Assert.That(lit[i].activeInHierarchy, Is.EqualTo(isOn), $"{lamps[i]} at {seconds} s");
+                    Count(lamps[i], isOn);
+                }
+            if (SteadyValue(work, CellWork.BeltRunning, seconds, MaxSignalDelay + 0.2) is bool isRunning)
+            {
+                Assert.That(stop.Share, Is.EqualTo(isRunning ? 1 : 0).Within(1e-6), $"stop at {seconds} s");
+                Assert.That(stop.transform.localPosition.y - down, Is.EqualTo(isRunning ? 0.02 : 0).Within(1e-6), $"m at {seconds} s");
+                Count(CellWork.BeltRunning, isRunning);
+            }
+            sample.Session.Parts.Update();
+            Assert.That(sample.Session.Parts.FaultCount, Is.Zero, $"{sample.Session.Parts.Summary} at {seconds} s");
+        }
+
+        foreach (var (name, frames) in seen)
+            Assert.That(Math.Min(frames.On, frames.Off), Is.GreaterThan(60), $"{name}: {frames.On} frames on, {frames.Off} frames off");
+        Assert.That(Complaints(sample), Is.Empty);
+
+        void Count(string name, bool isOn) => seen[name] = isOn ? (seen[name].On + 1, seen[name].Off) : (seen[name].On, seen[name].Off + 1);
+    }
+
+    /// <summary>Maximum time from a change of a signal until the scene shows it, s: latency and network, with bursts, plus a frame.</summary>
+    const double MaxSignalDelay = 0.3;
+
+    // Returns the value of a signal; null if it changed within the given time before, s.
+    static bool? SteadyValue(CellWork work, string signal, double seconds, double before)
+    {
+        var index = work.Signals.ToList().IndexOf(signal);
+        Span<double> values = stackalloc double[work.Signals.Count];
+        work.SignalsAt(seconds, values);
+        var value = values[index];
+        for (var back = 0.0; back <= before; back += 0.01)
+        {
+            work.SignalsAt(seconds - back, values);
+            if (values[index] != value) return null;
+        }
+        return value >= 0.5;
+    }
+
+    [Test]
     public void Scene_Played_DrawsTheArmOnceAndTheGripperOnIt()
     {
         using var sample = PlayedSample.OfScene().Run(6);
@@ -269,9 +327,9 @@ public class VirtualRobotCellTests
     }
 
     [Test]
-    public void Frames_WithoutMessages_MostlyAllocateNothing()
+    public void Frames_WithoutMessages_MostlyAllocateNothing([Values] bool isScene)
     {
-        using var sample = new PlayedSample().Start().Run(10);
+        using var sample = (isScene ? PlayedSample.OfScene() : new PlayedSample().Start()).Run(10);
         var allocated = new List<long>(600);
 
         for (var frame = 0; frame < 600; frame++)
