@@ -118,6 +118,21 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(cell.Session.Signals.FaultOf("grip", isConnected: true), Is.Null);
         }
 
+        [Test]
+        public void CanReceiveSignals_ConnectionRequestedButNotOpen_IsFalse()
+        {
+            var cell = new CellSession();
+            Assert.That(cell.Session.CanReceiveSignals, Is.False, "no program has supplied a value");
+            cell.Send("grip", 19.5, 1);
+            cell.Run(0.1);
+            Assert.That(cell.Session.CanReceiveSignals, Is.True, "a program supplies the values");
+
+            cell.Session.Connect();
+            cell.Session.Dispose();
+
+            Assert.That(cell.Session.CanReceiveSignals, Is.False);
+        }
+
         static double ValueOf(CellSession cell, string signal) => cell.Session.Signals.Table[cell.Session.Signals.Table.IndexOf(signal)].Value;
     }
 }
