@@ -56,8 +56,9 @@ namespace Nowpose.Unity.Status
         bool _isLocal;
         readonly (string Of, string Text)[] _partValues = new (string, string)[StatusRow.Message - StatusRow.FirstPart];
         readonly (string Of, string Text)[] _partNotes = new (string, string)[StatusRow.Message - StatusRow.FirstPart];
+        (string Of, string Text) _robot;
         (int Of, string Text) _further;
-        string _message, _robot, _robotNote;
+        string _message;
 
         /// <summary>Number of lines of the message; 0 if there is none.</summary>
         public int MessageLines { get; private set; }
@@ -104,7 +105,7 @@ namespace Nowpose.Unity.Status
                 UpdateLatencies(statistics);
                 Follow(settings);
                 Set(StatusRow.Connection, ConnectionOf(statistics), SecurityOf(statistics.Security));
-                Set(StatusRow.Robot, RobotOf(statistics), NoteOf(robot));
+                Set(StatusRow.Robot, RobotOf(statistics), Shortened(robot ?? "", "", ref _robot, PanelCells.NoteWidth));
             }
             if (anchor != null) Set(StatusRow.Base, BaseTexts.ValueOf(anchor.State), _base.NoteOf(anchor));
             parts?.Update();
@@ -149,14 +150,6 @@ namespace Nowpose.Unity.Status
             var uncertainty = error?.ReductionUncertainty;
             Set(StatusRow.Reduction, Percents.Of(error?.Reduction * 100), uncertainty.HasValue ? PercentBounds.Of(uncertainty * 100) : withheld);
             Set(StatusRow.Error, Millimetres.Of(error?.Rms), error.HasValue ? MillimetrePercentiles.Of(error.Value.P95) : withheld);
-        }
-
-        // Shortens the name of the robot, which may have any length.
-        string NoteOf(string robot)
-        {
-            if (robot != _robot) _robotNote = WrappedText.Of(robot ?? "", PanelCells.NoteWidth, lines: 1);
-            _robot = robot;
-            return _robotNote ?? "";
         }
 
         // Lists the parts that are not current, unless all are affected because the time is not known or the render time is outside its range; the row

@@ -6,7 +6,7 @@ namespace Nowpose.Sync.Envelope
     /// Bounds of the newest exchanges, newest first, limited by count, age, and the server's error bound. Allocates nothing after construction.
     /// </summary>
     /// <remarks>
-    /// A server that follows another clock corrects its clock whenever it knows that clock better, and states a smaller error bound from then on. The
+    /// A server that follows another clock corrects its clock with each better estimate, and states a smaller error bound from then on. The
     /// exchanges before the corrections would tilt a line, so the oldest exchanges expire if their error bounds are much larger than the newest one.
     /// </remarks>
     sealed class BoundsHistory
