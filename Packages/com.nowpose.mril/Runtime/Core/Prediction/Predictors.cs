@@ -60,7 +60,8 @@ namespace Nowpose.Prediction
             if (name == "gp") return new JointPredictor(new CalibratedProcess(), Kept, PredictionParts.Samples, limits, blend);
             if (!TryReadPolynomial(name, out var degree, out var history))
                 throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
-            return new JointPredictor(new PolynomialForecaster(degree, history), history + 1, PredictionParts.None, limits, blend);
+            var polynomial = new LinearForecaster(new PolynomialWeights(degree, history));
+            return new JointPredictor(polynomial, history + 1, PredictionParts.None, limits, blend);
         }
 
         /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
@@ -102,7 +103,7 @@ namespace Nowpose.Prediction
             if (mark < 0) return degree >= 0;
             return degree > 0
                 && int.TryParse(name.AsSpan(mark + HistoryMark.Length), NumberStyles.None, CultureInfo.InvariantCulture, out history)
-                && history >= degree && history <= PolynomialForecaster.MaxHistory;
+                && history >= degree && history <= PolynomialWeights.MaxHistory;
         }
     }
 }

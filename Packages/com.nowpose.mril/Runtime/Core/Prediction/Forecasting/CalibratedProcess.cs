@@ -48,7 +48,7 @@ namespace Nowpose.Prediction.Forecasting
         void Learn(MotionState motion)
         {
             var age = AgeAtHorizon(motion);
-            if (age == 0 || !_mean.Solve(motion.Samples, age)) return;
+            if (age == 0 || !_mean.Solve(motion.Samples, Samples, age)) return;
             var (newest, then) = (motion.Samples[0], motion.Samples[age]);
             var ahead = newest.Time - then.Time;
             var error = newest.Position - then.Position - _mean.At(ahead);

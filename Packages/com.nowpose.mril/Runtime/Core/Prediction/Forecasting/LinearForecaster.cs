@@ -22,17 +22,19 @@ namespace Nowpose.Prediction.Forecasting
 
         public override int Samples => _positions.Length;
 
-        public override bool Solve(MotionState motion) => motion.ConnectedSamples >= Samples && Solve(motion.Samples);
+        public override bool Solve(MotionState motion)
+        {
+            var count = Math.Min(motion.ConnectedSamples, Samples);
+            return count >= _weights.MinSamples && Solve(motion.Samples, count);
+        }
 
         /// <summary>Solves as if an earlier sample were the newest. The results are relative to this sample until the next solve.</summary>
-        /// <param name="samples">History with enough samples.</param>
-        /// <param name="age">Number of newer samples, which are ignored.</param>
-        /// <inheritdoc cref="Forecaster.Solve"/>
-        public bool Solve(SampleHistory samples, int age = 0)
+        /// <inheritdoc cref="PositionWeights.Update"/>
+        public bool Solve(SampleHistory samples, int count, int age = 0)
         {
-            if (!_weights.Update(samples, age)) return false;
+            if (!_weights.Update(samples, count, age)) return false;
             var newest = samples[age].Position;
-            for (var i = 0; i < _positions.Length; i++) _positions[i] = samples[age + i].Position - newest;
+            for (var i = 0; i < count; i++) _positions[i] = samples[age + i].Position - newest;
             return true;
         }
 
@@ -42,7 +44,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             var sum = 0.0;
             _weights.At(ahead, _weightsAtTime, 0);
-            for (var i = 0; i < _positions.Length; i++) sum += _weightsAtTime[i] * _positions[i];
+            for (var i = 0; i < _weights.Count; i++) sum += _weightsAtTime[i] * _positions[i];
             return sum;
         }
 
@@ -50,11 +52,12 @@ namespace Nowpose.Prediction.Forecasting
         public override void Fill(double[] table, int start, int points)
         {
             var (weights, positions) = (_weights.Table, _positions);
-            for (int i = 0, at = 0; i < points; i++)
+            for (int i = start, at = 0; i < start + points; i++, at += positions.Length)
             {
                 var sum = 0.0;
-                foreach (var position in positions) sum += weights[at++] * position;
-                table[start + i] = sum;
+                // The newest sample's position is zero.
+                for (var j = 1; j < _weights.Count; j++) sum += weights[at + j] * positions[j];
+                table[i] = sum;
             }
             if (_stopsAtReversal) Stop(table, start, points, Math.Sign(-_positions[1]));
         }

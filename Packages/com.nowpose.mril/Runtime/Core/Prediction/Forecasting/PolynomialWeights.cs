@@ -1,67 +1,171 @@
 using System;
+using Nowpose.Messages;
 
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>Weights of the polynomial of Schnierle &amp; Röck 2022, Eq. (8): interpolating for h = n, least squares for h &gt; n.</summary>
     /// <remarks>
-    /// The weight of sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over the polynomials φ that are orthogonal on the sample times
-    /// (<see cref="OrthogonalFit"/>). Unlike <see cref="PolynomialForecaster"/>, it needs all h + 1 samples, and samples less than a millisecond
-    /// apart reduce its precision.
+    /// For an interpolating polynomial, they are Lagrange's polynomials, the most accurate form for clustered times. For least squares, the weight of
+    /// sample j at time x is the sum of φ(x) φ(t_j) / |φ|² over polynomials φ that are orthogonal on the sample times (Forsythe 1957); unlike normal
+    /// equations, this does not square the condition number. For fewer than h + 1 samples, or coinciding times, the degree is the highest that the
+    /// samples determine.
     /// </remarks>
     sealed class PolynomialWeights : PositionWeights
     {
+        /// <summary>Maximum h.</summary>
+        public const int MaxHistory = 100;
+
+        public const int MaxDegree = 3;
+
+        /// <summary>
+        /// Minimum interval between distinct times, s: half a tick of the time types. Closer times count as equal, because no polynomial can pass
+        /// through both samples.
+        /// </summary>
+        const double CoincidentSeconds = 0.5e-7;
+
         /// <summary>
         /// Minimum ratio of the squared norms of a polynomial and the previous one, divided by the squared norm of the polynomial of degree 1. A
         /// smaller ratio means that times coincide and determine no polynomial.
         /// </summary>
         const double MinNormRatio = 1e-14;
 
-        readonly int _degree;
+        /// <summary>
+        /// Number of orthogonalisations of each polynomial; the second removes the rounding errors of the first, which clustered times amplify.
+        /// </summary>
+        const int Orthogonalisations = 2;
 
-        // _values: for each degree, the values of the polynomial at the sample times; a solve finally divides them by the squared norm. _norms: for
-        // each degree, the squared norm.
+        readonly int _maxDegree;
+        int _degree;
+        bool _interpolates;
+
+        // _values: for each degree, the values of the orthogonal polynomial at the sample times; a solve finally divides them by the squared norm.
+        // _norms: for each degree, the squared norm.
         readonly double[][] _values;
         readonly double[] _norms;
 
-        // Coefficients of the recurrence: the next polynomial is (x − centre) · newest − ratio · previous.
-        readonly double[] _centres, _ratios;
+        // The polynomial of degree k is x times that of degree k − 1, minus the sum of the lower polynomials with these coefficients.
+        readonly double[][] _coefficients;
 
-        /// <param name="degree">n, 1 or more.</param>
-        /// <param name="history">h, the number of samples used in addition to the newest one; n or more.</param>
-        public PolynomialWeights(int degree, int history) : base(history + 1)
+        // Values of the polynomials at the time of a forecast.
+        readonly double[] _valuesAtTime;
+
+        // Denominators of Lagrange's polynomials.
+        readonly double[] _denominators;
+
+        /// <param name="degree">n, 0 to 3.</param>
+        /// <param name="history">h, the number of samples used in addition to the newest one; n to 100.</param>
+        /// <exception cref="ArgumentOutOfRangeException">Degree or history is outside its range.</exception>
+        public PolynomialWeights(int degree, int history) : base(Checked(degree, history) + 1)
         {
-            _degree = degree;
-            _values = new double[degree + 1][];
-            for (var k = 0; k <= degree; k++) _values[k] = new double[Samples];
-            (_norms, _centres, _ratios) = (new double[degree + 1], new double[degree + 1], new double[degree + 1]);
+            _maxDegree = degree;
+            (_values, _coefficients) = (new double[degree + 1][], new double[degree + 1][]);
+            for (var k = 0; k <= degree; k++) (_values[k], _coefficients[k]) = (new double[Samples], new double[k]);
+            (_norms, _valuesAtTime, _denominators) = (new double[degree + 1], new double[degree + 1], new double[degree + 1]);
         }
+
+        public override int MinSamples => 1;
 
         public override void At(double ahead, double[] weights, int start)
         {
-            var (newest, previous) = (1.0, 0.0);
-            for (var j = 0; j < Samples; j++) weights[start + j] = _values[0][j];
-            for (var k = 1; k <= _degree; k++)
+            if (_interpolates) Interpolate(ahead, weights, start);
+            else Project(ahead, weights, start);
+        }
+
+        /// <returns>False if the degree is 0 or the times determine no velocity.</returns>
+        protected override bool Solve()
+        {
+            _interpolates = Count - 1 <= _maxDegree && AreDistinct();
+            _degree = _interpolates ? Count - 1 : 0;
+            if (_interpolates) SolveDenominators();
+            else SolveBasis();
+            return _degree > 0;
+        }
+
+        static int Checked(int degree, int history)
+        {
+            if (degree < 0 || degree > MaxDegree)
+                throw new ArgumentOutOfRangeException(nameof(degree), degree, "0 to " + MaxDegree);
+            if (history < degree || history > MaxHistory)
+                throw new ArgumentOutOfRangeException(nameof(history), history, PredictionMessages.History(MaxHistory));
+            return history;
+        }
+
+        bool AreDistinct()
+        {
+            for (var i = 1; i < Count; i++)
+                for (var j = 0; j < i; j++)
+                    if (Math.Abs(Times[i] - Times[j]) < CoincidentSeconds) return false;
+            return true;
+        }
+
+        void SolveDenominators()
+        {
+            for (var j = 0; j < Count; j++)
             {
-                (newest, previous) = ((ahead - _centres[k]) * newest - _ratios[k] * previous, newest);
-                var values = _values[k];
-                for (var j = 0; j < values.Length; j++) weights[start + j] += newest * values[j];
+                _denominators[j] = 1;
+                for (var i = 0; i < Count; i++)
+                    if (i != j) _denominators[j] *= Times[j] - Times[i];
             }
         }
 
-        protected override bool Solve()
+        void Interpolate(double ahead, double[] weights, int start)
         {
-            for (var j = 0; j < Samples; j++) _values[0][j] = 1;
-            _norms[0] = Samples;
+            for (var j = 0; j < Count; j++)
+            {
+                var product = 1 / _denominators[j];
+                for (var i = 0; i < Count; i++)
+                    if (i != j) product *= ahead - Times[i];
+                weights[start + j] = product;
+            }
+        }
+
+        void SolveBasis()
+        {
+            for (var j = 0; j < Count; j++) _values[0][j] = 1;
+            _norms[0] = Count;
+            while (_degree < _maxDegree && TryAddPolynomial(_degree + 1)) _degree++;
+            for (var k = 0; k <= _degree; k++)
+                for (var j = 0; j < Count; j++) _values[k][j] /= _norms[k];
+        }
+
+        // Computes the values of the polynomial of degree k at the sample times. Returns whether they determine it.
+        bool TryAddPolynomial(int k)
+        {
+            var (values, coefficients) = (_values[k], _coefficients[k]);
+            for (var j = 0; j < Count; j++) values[j] = Times[j] * _values[k - 1][j];
+            Array.Clear(coefficients, 0, k);
+            for (var i = 0; i < Orthogonalisations; i++)
+                for (var lower = k - 1; lower >= 0; lower--) coefficients[lower] += Orthogonalise(values, lower);
+            _norms[k] = Product(values, values);
+            return k == 1 ? _norms[1] > 0 : _norms[k] > MinNormRatio * _norms[1] * _norms[k - 1];
+        }
+
+        // Subtracts the component of a lower polynomial from the values, and returns its coefficient.
+        double Orthogonalise(double[] values, int lower)
+        {
+            var coefficient = Product(values, _values[lower]) / _norms[lower];
+            for (var j = 0; j < Count; j++) values[j] -= coefficient * _values[lower][j];
+            return coefficient;
+        }
+
+        double Product(double[] one, double[] other)
+        {
+            var sum = 0.0;
+            for (var j = 0; j < Count; j++) sum += one[j] * other[j];
+            return sum;
+        }
+
+        void Project(double ahead, double[] weights, int start)
+        {
+            for (var j = 0; j < Count; j++) weights[start + j] = _values[0][j];
+            _valuesAtTime[0] = 1;
             for (var k = 1; k <= _degree; k++)
             {
-                _ratios[k] = k > 1 ? _norms[k - 1] / _norms[k - 2] : 0;
-                _norms[k] = OrthogonalFit.Next(
-                    Times, Samples, _values[k - 1], _values[Math.Max(0, k - 2)], _norms[k - 1], _ratios[k], _values[k], out _centres[k]);
-                if (!(_norms[k] > MinNormRatio * _norms[1] * _norms[k - 1])) return false;
+                var (value, values) = (ahead * _valuesAtTime[k - 1], _values[k]);
+                for (var lower = 0; lower < k; lower++) value -= _coefficients[k][lower] * _valuesAtTime[lower];
+                _valuesAtTime[k] = value;
+                for (var j = 0; j < Count; j++) weights[start + j] += value * values[j];
             }
-            for (var k = 0; k <= _degree; k++)
-                for (var j = 0; j < Samples; j++) _values[k][j] /= _norms[k];
-            return true;
         }
     }
 }

@@ -18,17 +18,21 @@ namespace Nowpose.Prediction.Forecasting
         readonly double[] _table;
         bool _isSolved, _isTableFilled;
 
-        /// <param name="samples">Number of newest samples that the forecast uses.</param>
+        /// <param name="samples">Maximum number of newest samples that the forecast uses.</param>
         protected PositionWeights(int samples)
         {
             Times = new double[samples];
             _table = new double[ForecastTable.Points * samples];
-            // NaN equals no time, so the first update always solves.
-            Times[0] = double.NaN;
         }
 
-        /// <summary>Number of newest samples that the forecast uses.</summary>
+        /// <summary>Maximum number of newest samples that the forecast uses.</summary>
         public int Samples => Times.Length;
+
+        /// <summary>Minimum number of samples.</summary>
+        public virtual int MinSamples => Samples;
+
+        /// <summary>Number of samples that the forecast uses since the last update.</summary>
+        public int Count { get; private set; }
 
         /// <summary>
         /// The weights at the points of a <see cref="ForecastTable"/>: those of the newest sample and of the others, point by point.
@@ -48,12 +52,15 @@ namespace Nowpose.Prediction.Forecasting
         protected double[] Times { get; }
 
         /// <summary>Solves for the times of the newest samples, unless they are the same as before.</summary>
+        /// <param name="samples">History with at least <paramref name="age"/> + <paramref name="count"/> samples.</param>
+        /// <param name="count">Number of samples to use, <see cref="MinSamples"/> to <see cref="Samples"/>.</param>
         /// <param name="age">Number of newer samples, which are ignored.</param>
         /// <returns>Whether these times determine the weights.</returns>
-        public bool Update(SampleHistory samples, int age = 0)
+        public bool Update(SampleHistory samples, int count, int age = 0)
         {
-            if (HasTimes(samples, age)) return _isSolved;
-            for (var i = 0; i < Times.Length; i++) Times[i] = samples[age + i].Time - samples[age].Time;
+            if (count == Count && HasTimes(samples, age)) return _isSolved;
+            Count = count;
+            for (var i = 0; i < count; i++) Times[i] = samples[age + i].Time - samples[age].Time;
             _isTableFilled = false;
             return _isSolved = Solve();
         }
@@ -66,7 +73,7 @@ namespace Nowpose.Prediction.Forecasting
         bool HasTimes(SampleHistory samples, int age)
         {
             var newest = samples[age].Time;
-            for (var i = 0; i < Times.Length; i++)
+            for (var i = 0; i < Count; i++)
                 if (!(Math.Abs(samples[age + i].Time - newest - Times[i]) <= SameSeconds)) return false;
             return true;
         }

@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         {
             var process = new GaussianProcess();
             var times = Enumerable.Range(0, 5).Select(i => i * 0.05).ToArray();
-            process.Update(TestPredictors.Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Samples);
+            process.Update(TestPredictors.Motion(times, times.Select(t => Math.Sin(8 * t)).ToArray()).Samples, times.Length);
 
             Assert.That(Aheads.Select(process.VarianceAt), Is.Ordered);
             Assert.That(process.VarianceAt(0), Is.LessThan(4e-6));
