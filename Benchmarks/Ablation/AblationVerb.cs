@@ -11,7 +11,7 @@ static class AblationVerb
 {
     static readonly PredictionParts[] Parts =
     [
-        PredictionParts.Repetition, PredictionParts.DenseSearch, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
+        PredictionParts.Repetition, PredictionParts.FrequentMatching, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
         PredictionParts.Reported, PredictionParts.ChangePoints, PredictionParts.RestWeights, PredictionParts.FirstMoves,
         PredictionParts.OutlierThreshold, PredictionParts.StampCorrection, PredictionParts.Thinning, PredictionParts.Interpolation,
     ];

@@ -17,7 +17,7 @@ namespace Nowpose.Frames
         /// Parts of <c>adaptive</c> for a body. A tracker's noise makes two samples of an object at rest look like the start of a fast
         /// motion, so the rule for first moves is left out: with it, the error at rest was 1.4 times as large. An object has no drive limits,
         /// so profiles are left out as well. The search for repeated moves reduces the error of a shuttle to 25 % and that of a cam to 46 %;
-        /// it is sparse, because a cell has many objects (<see cref="Prediction.Candidates.SearchDensity"/>). Without the parabola, the
+        /// it compares fewer samples with the history than for joints, because a cell has many objects. Without the parabola, the
         /// weights at rest and the outlier threshold, the position errors of 1 110 simulated motions are 1.3 % larger, their rotation errors
         /// 0.8 % smaller, and a sample takes up to a fifth less time.
         /// </summary>

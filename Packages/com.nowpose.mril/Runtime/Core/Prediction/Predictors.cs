@@ -29,6 +29,11 @@ namespace Nowpose.Prediction
         /// <summary>Prior weight of <see cref="ParabolaForecaster"/> for samples with velocity and acceleration.</summary>
         const double ReportedPrior = 0.7;
 
+        /// <summary>
+        /// Minimum interval between two comparisons with the history, in s: for joints, and for tracked objects, which have six coordinates each.
+        /// </summary>
+        const double MatchInterval = 0.035, RareMatchInterval = 0.14;
+
         const string HistoryMark = "-h";
 
         static readonly string[] Degrees = { "hold", "linear", "quadratic", "cubic" };
@@ -73,8 +78,8 @@ namespace Nowpose.Prediction
             shared ??= new SharedForecasters();
             var forecasters = more.Length > 0 ? Mixed(parts, more) : shared.Mixed ??= Mixed(parts, more);
             var candidates = new List<CandidateGate>();
-            var search = Has(parts, PredictionParts.DenseSearch) ? SearchDensity.Dense : SearchDensity.Sparse;
-            if (Has(parts, PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits, search), TemplateGate));
+            var matchInterval = Has(parts, PredictionParts.FrequentMatching) ? MatchInterval : RareMatchInterval;
+            if (Has(parts, PredictionParts.Repetition)) candidates.Add(new CandidateGate(new TemplateForecaster(limits, matchInterval), TemplateGate));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new CandidateGate(new ProfileForecaster(limits), ProfileGate));
             return new JointPredictor(new Mixer(limits, parts, forecasters, candidates.ToArray()), Kept, parts, limits, blend);

@@ -31,6 +31,7 @@ namespace Nowpose.Prediction.Candidates
 
         // The compared samples, newest first: grid index and position.
         readonly double[] _indices = new double[2 * ComparedSamples];
+        readonly int[] _nearest = new int[2 * ComparedSamples];
         readonly double[] _positions = new double[2 * ComparedSamples];
         int _count;
 
@@ -55,6 +56,7 @@ namespace Nowpose.Prediction.Candidates
             {
                 ref readonly var sample = ref newest[age];
                 _indices[_count] = _history.IndexOf(sample.Time);
+                _nearest[_count] = (int)(long)(_indices[_count] + 0.5);
                 _positions[_count++] = sample.Position;
             }
         }
@@ -138,7 +140,7 @@ namespace Nowpose.Prediction.Candidates
             var sum = 0.0;
             for (int k = 0, stride = 1 + (_count - 1) / NearbySamples; k < _count && sum <= enough; k += stride)
             {
-                var error = _positions[k] - points[(int)((long)(_indices[k] + 0.5) - lag) & MotionHistory.Mask];
+                var error = _positions[k] - points[(_nearest[k] - lag) & MotionHistory.Mask];
                 sum += error * error;
             }
             return sum;

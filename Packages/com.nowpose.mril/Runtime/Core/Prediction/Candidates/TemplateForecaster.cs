@@ -57,12 +57,15 @@ namespace Nowpose.Prediction.Candidates
         double _matchedAt;
 
         /// <param name="limits">Limits with the maximum gap; a longer gap restarts the history.</param>
-        public TemplateForecaster(PredictionLimits limits, SearchDensity density)
+        /// <param name="matchInterval">
+        /// Minimum interval between two comparisons with the history, in s; samples between them keep the last matches.
+        /// </param>
+        public TemplateForecaster(PredictionLimits limits, double matchInterval)
         {
             _maximumGap = Math.Min(limits.MaximumGap, MaxGap);
-            _matchInterval = density.MatchInterval;
+            _matchInterval = matchInterval;
             _overlay = new MotionOverlay(_history);
-            _search = new LagSearch(_history, density);
+            _search = new LagSearch(_history);
             Reset();
         }
 

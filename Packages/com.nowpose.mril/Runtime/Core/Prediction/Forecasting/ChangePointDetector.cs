@@ -47,6 +47,8 @@ namespace Nowpose.Prediction.Forecasting
         public void Add(int samples, double interval, double speed, double intervalBefore, double speedBefore)
         {
             SamplesSince++;
+            if (samples < 2) return;
+            var forgettingFactor = Math.Exp(-interval / TimeConstant);
             if (samples >= 3)
             {
                 var change = Math.Abs(speed - speedBefore);
@@ -60,9 +62,9 @@ namespace Nowpose.Prediction.Forecasting
                     SpeedIncreased = Math.Abs(speed) > Math.Abs(speedBefore) && speed * speedBefore >= 0;
                     Count++;
                 }
-                _maxAcceleration = Math.Max(_maxAcceleration * Math.Exp(-interval / TimeConstant), acceleration);
+                _maxAcceleration = Math.Max(_maxAcceleration * forgettingFactor, acceleration);
             }
-            if (samples >= 2) _maxSpeed = Math.Max(_maxSpeed * Math.Exp(-interval / TimeConstant), Math.Abs(speed));
+            _maxSpeed = Math.Max(_maxSpeed * forgettingFactor, Math.Abs(speed));
         }
 
         public void Reset()

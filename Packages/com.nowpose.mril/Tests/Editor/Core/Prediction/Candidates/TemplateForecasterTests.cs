@@ -8,6 +8,8 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 {
     public class TemplateForecasterTests
     {
+        const double MatchInterval = 0.035;
+
         const int Seed = 77;
         const double Ahead = 0.12;
 
@@ -26,13 +28,12 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(RmsError(interval, 3 * Cycle, 6 * Cycle, 0), Is.LessThan(0.03 * RmsOfHold(interval, 3 * Cycle, 6 * Cycle)));
         }
 
-        // With these intervals, the number of compared lags is largest. The product uses SearchDensity.Sparse for objects.
+        // With these intervals, the number of compared lags is largest. The product compares objects with their history every 0.14 s.
         [Test]
         public void Add_LongestHistory_StaysPredicted(
-            [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(true, false)] bool isDense)
+            [Values(0.0201, 0.0301, 0.0334, 0.0501, 0.0601, 0.1001)] double interval, [Values(MatchInterval, 0.14)] double matchInterval)
         {
-            var density = isDense ? SearchDensity.Dense : SearchDensity.Sparse;
-            var predictor = TestPredictors.Of(new TemplateForecaster(PredictionLimits.Unlimited, density));
+            var predictor = TestPredictors.Of(new TemplateForecaster(PredictionLimits.Unlimited, matchInterval));
 
             for (var t = 0.0; t < 130; t += interval) predictor.Add(t, Position(t));
 
@@ -114,7 +115,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         static JointPredictor Alone(PredictionLimits limits = null) =>
-            TestPredictors.Of(new TemplateForecaster(limits ?? PredictionLimits.Unlimited, SearchDensity.Dense), limits);
+            TestPredictors.Of(new TemplateForecaster(limits ?? PredictionLimits.Unlimited, MatchInterval), limits);
 
         static double Position(double t)
         {
