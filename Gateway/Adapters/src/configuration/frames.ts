@@ -36,8 +36,12 @@ export interface FrameEntry {
   frame: string;
   /** A field with the whole pose: x, y, z in m, then the rotation vector. It replaces `position` and `vector`. */
   field?: string;
+  /** ROS only: the topic of the pose, and the type of its messages. */
+  topic?: string;
+  type?: string;
   parent?: string | (Address & { of: string[] });
-  position: { unit: string; x: NumberEntry; y: NumberEntry; z: NumberEntry };
+  /** Absent for a frame of ROS whose whole pose arrives in one message. */
+  position?: { unit: string; x: NumberEntry; y: NumberEntry; z: NumberEntry };
   /** The rotation vector: the axis times the angle in rad. */
   vector?: { x: NumberEntry; y: NumberEntry; z: NumberEntry };
   quaternion?: { x: NumberEntry; y: NumberEntry; z: NumberEntry; w: NumberEntry };
@@ -52,19 +56,25 @@ const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
 export const isStationary = ({ selector, position, rotation }: Frame): boolean =>
   selector === null && [...position, ...(rotation?.parts ?? [])].every(part => 'constant' in part);
 
-/** Gets the frames of a configuration, and adds the values to be read for them to `values`. */
+/** Gets the frames of a configuration whose poses consist of single values, and adds the values to be read for them to `values`. */
 export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], silence: SilenceEntry, values: Value[]): Frame[] {
   const seen = new Map<string, number>();
-  const frames = entries.map(ofField).map((entry, i): Frame => {
+  const paths: Path[] = [];
+  const frames = entries.map(ofField).flatMap((entry, i): Frame[] => {
     const path: Path = ['frames', i];
     if (entry.frame === WORLD) file.report([...path, 'frame'], frameMessages.world(WORLD));
     if (seen.has(entry.frame)) file.report([...path, 'frame'], configurationMessages.nameTwice(entry.frame, seen.get(entry.frame), 'frame'));
     seen.set(entry.frame, file.lineOf([...path, 'frame']));
     if (entry.quaternion !== undefined && entry.angles !== undefined) file.report([...path, 'angles'], frameMessages.quaternionAndAngles);
+    if (entry.position === undefined) return [];
+    paths.push(path);
+    const { topic, type } = entry;
     const component = (at: Path, label: string, found: NumberEntry): Component =>
-      typeof found === 'number' ? { constant: found } : read(file, kind, { label: `${entry.frame} ${label}`, path: at, address: found }, values);
+      typeof found === 'number'
+        ? { constant: found }
+        : read(file, kind, { label: `${entry.frame} ${label}`, path: at, address: found }, { topic, type }, values);
     const { x, y, z, unit } = entry.position;
-    return {
+    const frame: Frame = {
       frame: entry.frame,
       ...parentOf(entry, (label, found) => component([...path, 'parent'], label, found)),
       position: Object.entries({ x, y, z }).map(([name, found]) => component([...path, 'position', name], name, found)),
@@ -72,8 +82,9 @@ export function framesOf(file: YamlFile, kind: string, entries: FrameEntry[], si
       rotation: rotationOf(entry, (at, label, found) => component([...path, ...at], label, found)),
       faultAfterMs: silenceMs(entry.silence ?? silence),
     };
+    return [frame];
   });
-  frames.forEach((frame, i) => reportCycle(file, frames, frame, i));
+  frames.forEach((frame, i) => reportCycle(file, frames, frame, paths[i]));
   return frames;
 }
 
@@ -110,22 +121,25 @@ function rotationOf(
   };
 }
 
-/** Adds a value to be read. Reports an address that has the form of another kind of plant. */
-function read(file: YamlFile, kind: string, { label, path, address }: Value, values: Value[]): Component {
+/**
+ * Adds a value to be read. Reports an address that has the form of another kind of plant.
+ * @param common The part of the address that all numbers of the frame share.
+ */
+function read(file: YamlFile, kind: string, { label, path, address }: Value, common: Address, values: Value[]): Component {
   const allowed = ADDRESS[kind];
   for (const key of Object.keys(address))
     if (!allowed.includes(key as keyof Address)) file.report([...path, key], configurationMessages.unknownEntry(undefined, allowed));
   if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], frameMessages.noAddress(allowed[0]));
-  values.push({ label, path, address: addressIn(address) });
+  values.push({ label, path, address: addressIn(kind === 'ros' ? { ...address, ...common } : address) });
   return { value: values.length - 1 };
 }
 
 /** Reports a frame that is its own ancestor. Each frame of a cycle is reported. The gateway checks frames whose parent changes. */
-function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent, ...others] }: Frame, i: number): void {
+function reportCycle(file: YamlFile, frames: Frame[], { frame, parents: [parent, ...others] }: Frame, path: Path): void {
   const chain = [frame];
   for (let next: string | undefined = parent; next !== undefined && chain.length <= frames.length;) {
     chain.push(next);
-    if (next === frame) return file.report(['frames', i, 'parent'], frameMessages.cycle(parent, chain, WORLD));
+    if (next === frame) return file.report([...path, 'parent'], frameMessages.cycle(parent, chain, WORLD));
     const above: Frame | undefined = others.length > 0 ? undefined : frames.find(f => f.frame === next);
     next = above?.parents.length === 1 ? above.parents[0] : undefined;
   }

@@ -29,6 +29,8 @@ export const ADDRESS: Record<string, (keyof Address)[]> = {
   ads: ['symbol'],
   rtde: ['field', 'index', 'bit'],
   mqtt: ['topic', 'field'],
+  // The topic and its type are entries of the frame.
+  ros: ['field'],
 };
 
 /** Gets the address in an entry of the configuration. */

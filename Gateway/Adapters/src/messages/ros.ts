@@ -9,6 +9,9 @@ export const rosMessages = {
   noTime: (service: string) => `${service} returns no time; if the robot uses use_sim_time, start the simulation`,
   noTransforms: 'the message has no list of transforms',
   sourceAndTopic: 'source and topic are both set, but a joint with its own topic has no source; remove one of the two',
+  sourceAndPosition:
+    'source and position are both set, but source is the name of a frame whose whole pose arrives in one message; remove one of the two',
+  noTopic: 'missing, but the pose has a field; add the topic and the type of the messages with this field',
   twoTypes: (value: unknown, line: number, type: string, topic: string) =>
     wrongValue(value, `line ${line} has the type ${type} for ${topic}; use the same type on both lines`),
   sourceTwice: (source: string) => `the robot's joint ${source} occurs twice; list each joint once`,

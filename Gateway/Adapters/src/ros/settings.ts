@@ -50,6 +50,8 @@ interface FrameEntry {
   source?: string;
   topic?: string;
   type?: string;
+  /** Present for a frame whose pose consists of single numbers. */
+  position?: object;
 }
 
 const sectionOf = (configuration: Configuration): PlantSection => configuration.plant as unknown as PlantSection;
@@ -81,14 +83,15 @@ export const ros: Kind = {
     if (sectionOf(configuration).pin !== undefined) requireTls(file, ['plant'], sectionOf(configuration).endpoint);
     const { joints } = configuration;
     const { frames = [] } = file.value as { frames?: FrameEntry[] };
-    // Stored in the plant section, because the pose of a ROS frame arrives as a whole and not as single values.
-    (configuration.plant as { frames?: object[] }).frames = frames;
-    for (const name of ['frame', 'source'] as const) {
-      const names = frames.map(each => each[name] ?? each.frame);
-      names.forEach((each, i) => {
-        if (names.indexOf(each) < i) file.report(['frames', i, name], configurationMessages.valueTwice(each, 'frame'));
-      });
-    }
+    // Stored in the plant section, because the poses of these frames arrive as a whole and not as single values.
+    (configuration.plant as { frames?: object[] }).frames = frames.filter(({ position }) => position === undefined);
+    const names = frames.map(({ frame, source }) => source ?? frame);
+    frames.forEach(({ source, topic, position }, i) => {
+      if (source !== undefined && names.indexOf(source) < i) file.report(['frames', i, 'source'], configurationMessages.valueTwice(source, 'frame'));
+      if (source !== undefined && position !== undefined) file.report(['frames', i, 'source'], rosMessages.sourceAndPosition);
+      const isRead = configuration.values.some(({ path: [section, index] }) => section === 'frames' && index === i);
+      if (isRead && topic === undefined) file.report(['frames', i, 'topic'], rosMessages.noTopic);
+    });
     const sources = joints.map(joint => joint.source ?? joint.name);
     sources.forEach((source, i) => {
       if (sources.indexOf(source) < i) file.report(['joints', i], rosMessages.sourceTwice(String(source)));

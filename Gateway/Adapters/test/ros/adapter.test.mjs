@@ -168,7 +168,40 @@ describe('ros', { concurrency: 4 }, () => {
     await until(() => bridge.state?.state === 'connected' && Number(bridge.state.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
+  for (const [name, data, isStamped] of [['WithoutHeader', { data: [100, -200, 300, 90, 0, 90] }, false], ['WithHeader', { pose: [100, -200, 300, 90, 0, 90] }, true]])
+    it(`Frame_ThreeAngles${name}_IsForwardedAsAQuaternionInItsParent`, async t => {
+      const field = isStamped ? 'pose' : 'data';
+      const { robot, bridge, adapter } = await cell(t, {}, { rest: `frames:
+  - frame: rack
+    topic: /rack/pose
+    type: cell_msgs/Pose6
+    parent: arm2/tool0
+    position: { unit: mm, x: { field: ${field}.0 }, y: { field: ${field}.1 }, z: { field: ${field}.2 } }
+    angles: { order: zyx, axes: moving, unit: deg, values: [{ field: ${field}.3 }, { field: ${field}.4 }, { field: ${field}.5 }] }
+  - { frame: stand, position: { unit: m, x: 1, y: 0, z: 0.5 } }
+` });
+      await until(() => robot.isHeardBy('/rack/pose'), () => adapter.err);
+      const stamp = robot.now();
+
+      robot.publish('/rack/pose', isStamped ? { header: { stamp: robot.time(stamp) }, ...data } : data);
+
+      await until(() => bridge.published('/tf').length > 0, () => adapter.err);
+      const [{ transforms: [{ header, child_frame_id: child, transform: { translation, rotation } }] }] = bridge.published('/tf');
+      assert.deepEqual([child, header.frame_id], ['rack', 'arm2/tool0']);
+      for (const [axis, expected] of [['x', 0.1], ['y', -0.2], ['z', 0.3]]) assert.ok(Math.abs(translation[axis] - expected) < 1e-12, axis);
+      // 90° about z, then 90° about the turned x axis: Rz(90°) Rx(90°).
+      for (const axis of ['x', 'y', 'z', 'w']) assert.ok(Math.abs(rotation[axis] - 0.5) < 1e-12, axis);
+      if (isStamped) assert.equal(nanoseconds(header.stamp), stamp);
+      else assert.ok(nanoseconds(header.stamp) >= stamp, 'the time of arrival');
+      const [{ transforms: [stationary] }] = bridge.published('/tf_static');
+      assert.deepEqual([stationary.child_frame_id, stationary.transform.translation], ['stand', { x: 1, y: 0, z: 0.5 }]);
+    });
+
   for (const [name, text, expected] of [
+    ['FrameWithoutTopic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    position: { unit: m, x: { field: data.0 }, y: 0, z: 0 }\n', `line 5: frames[0].topic: ${rosMessages.noTopic}`],
+    ['FrameWithSource', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    source: b\n    position: { unit: m, x: 0, y: 0, z: 0 }\n', `line 6: frames[0].source: ${rosMessages.sourceAndPosition}`],
+    ['FrameWithAnglesOnly', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    angles: { order: zyx, axes: moving, unit: deg, values: [0, 0, 0] }\n', 'line 5: frames[0].position: missing, but angles needs it'],
+    ['FrameType', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    topic: /a\n    type: std_msgs/Float64MultiArray\n', 'line 7: frames[0].type: value "std_msgs/Float64MultiArray"; '],
     ['PlainToAnother', 'plant:\n  kind: ros\n  endpoint: ws://192.168.0.30:9090\n', `line 1: plant.plain: ${configurationMessages.notPlain('ws')}`],
     ['Endpoint', 'plant:\n  kind: ros\n  endpoint: http://192.168.0.30\n', 'line 3: plant.endpoint: value "http://192.168.0.30"; '],
     ['PinWithoutTls', `plant:\n  kind: ros\n  endpoint: ws://127.0.0.1\n  pin: sha256/${'A'.repeat(43)}=\n`, `line 4: plant.pin: ${configurationMessages.pinWithoutTls}`],
