@@ -81,6 +81,14 @@ namespace Nowpose.Frames
             return root < 0 ? RigidTransform.Identity : _frames[root].World;
         }
 
+        /// <summary>Returns the frame that places a robot; null if there is none.</summary>
+        /// <inheritdoc cref="RootOf(int, out bool)"/>
+        public CellFrame RootOf(int robot)
+        {
+            var root = RootIndexOf(robot);
+            return root < 0 ? null : _frames[root];
+        }
+
         /// <summary>Returns the pose of a frame in the world, computed from the newest poses and joint positions of its ancestors.</summary>
         /// <param name="frame">Index of the frame, known at the last arrangement.</param>
         /// <returns>The displayed pose if the parent is unknown.</returns>

@@ -144,8 +144,8 @@ namespace Nowpose.Frames
             _isChanged = true;
         }
 
-        /// <summary>Returns the displayed pose of a robot's root link in the world; the identity unless a frame has the name of this link.</summary>
-        public RigidTransform RootOf(IRobotLinks robot) => _order.RootOf(_order.IndexOf(robot), out _);
+        /// <summary>Returns the frame that has the name of a robot's root link, and therefore places the robot; null if there is none.</summary>
+        public CellFrame RootOf(IRobotLinks robot) => _order.RootOf(_order.IndexOf(robot));
 
         (ControlTime Time, double Seconds) MomentOf(ControlTime at) => (at, ClockTicks.Seconds(at - (_epoch ?? at)));
 

@@ -61,6 +61,9 @@ namespace Nowpose.Session
         /// <summary>Displayed pose of the root link in the cell; the identity if no frame of the cell has the root link's name.</summary>
         public RigidTransform RootPose { get; private set; } = RigidTransform.Identity;
 
+        /// <summary>Whether a frame of the cell has the root link's name. Such a frame places the robot's base.</summary>
+        public bool HasRootFrame { get; private set; }
+
         public bool IsCurrent => Frame.State == PoseState.Current;
 
         public ReadOnlySpan<RigidTransform> Poses => Frame.LinkPoses;
@@ -83,6 +86,7 @@ namespace Nowpose.Session
         /// <param name="state">State of the root link's pose.</param>
         public void PlaceRoot(in RigidTransform pose, PoseState state)
         {
+            HasRootFrame = true;
             RootPose = pose;
             Frame.SetBase(state);
         }

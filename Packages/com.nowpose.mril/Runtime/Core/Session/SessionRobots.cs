@@ -88,7 +88,7 @@ namespace Nowpose.Session
         /// <summary>Places each robot at the frame of the cell that has its root link's name.</summary>
         public void PlaceRoots()
         {
-            foreach (var robot in _all) robot.PlaceRoot(_frames.Tree.RootOf(robot), _frames.BaseStateOf(robot));
+            foreach (var robot in _all) _frames.PlaceRoot(robot);
         }
 
         /// <summary>Discards all samples, because their times are no longer valid.</summary>

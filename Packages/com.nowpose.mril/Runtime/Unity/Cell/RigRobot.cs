@@ -78,7 +78,7 @@ namespace Nowpose.Unity.Cell
         /// <summary>Moves the rig to the robot's base if the cell has a frame with the name of the robot's root link.</summary>
         public void PlaceBase()
         {
-            if (_robot != null && _session.Frames.HasBaseOf(_robot)) _rig.transform.PlaceIn(_world, _robot.RootPose);
+            if (_robot != null && _robot.HasRootFrame) _rig.transform.PlaceIn(_world, _robot.RootPose);
         }
 
         SessionRobot Add(CompensationSession session)

@@ -46,11 +46,11 @@ namespace Nowpose.Session.Cell
             _needed.Need(robot.Root);
         }
 
-        /// <summary>Returns whether a frame of the cell has the name of the robot's root link. Such a frame places the robot's base.</summary>
-        public bool HasBaseOf(SessionRobot robot) => Find(robot.Root) != null;
-
-        /// <summary>Returns the state of the frame that places a robot's base; current if no frame does.</summary>
-        public PoseState BaseStateOf(SessionRobot robot) => Find(robot.Root) is CellFrame root ? StateOf(root) : PoseState.Current;
+        /// <summary>Places a robot's base at the frame of the cell that has the name of the robot's root link, if there is one.</summary>
+        public void PlaceRoot(SessionRobot robot)
+        {
+            if (Tree.RootOf(robot) is CellFrame root) robot.PlaceRoot(root.World, StateOf(root));
+        }
 
         /// <summary>Predicts a frame from now on, even if no pose of the frame has been received yet.</summary>
         public void Need(string name) => _needed.Need(name);

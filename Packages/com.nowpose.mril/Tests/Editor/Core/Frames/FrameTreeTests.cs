@@ -107,7 +107,7 @@ namespace Nowpose.Tests.Core.Frames
 
             tree.Evaluate(At(0));
 
-            Assert.That(tree.RootOf(arm).X, Is.EqualTo(5));
+            Assert.That(tree.RootOf(arm).World.X, Is.EqualTo(5));
             Assert.That((FrameOf(tree, "part").World.X, FrameOf(tree, "part").World.Z), Is.EqualTo((5.0, 1.0)));
         }
 
