@@ -1,7 +1,10 @@
 using System.Net.WebSockets;
+using Nowpose.Gateway.Plants;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
+using Nowpose.Recording;
+using Nowpose.Session;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Network.PlayedServer;
 
@@ -61,6 +64,22 @@ public class CellTopicsTests
         Assert.That(_played.Listener.Frames.Select(frame => frame.IsStationary), Is.EqualTo(new[] { false, true }));
         Assert.That(_played.Listener.Frames.First().Message[0].Child, Is.EqualTo("box"));
         Assert.That(_played.Listener.Signals.Single()[0].Value, Is.EqualTo(1));
+    }
+
+    [Test]
+    public async Task Recording_SessionThatShowsNoSignal_SubscribesToSignals()
+    {
+        using var folder = new TemporaryFolder();
+        using var server = new FakeWebSocketServer();
+        using var session = new CompensationSession(
+            new SessionSettings(new ConnectionSettings("127.0.0.1", webSocketPort: server.Port), default), RobotFiles.Load("youbot"), new StopwatchHeadsetClock());
+        session.Connect();
+        var socket = await server.AcceptAsync();
+        await NextAsync(socket, RosTopics.JointStates);
+
+        using var recorder = new SessionRecorder(session, new RecordingSettings(Path.Combine(folder.Path, "session.jsonl")));
+
+        await NextAsync(socket, RosTopics.Signals);
     }
 
     static async Task NextAsync(WebSocket socket, string topic)

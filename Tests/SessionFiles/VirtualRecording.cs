@@ -53,7 +53,6 @@ sealed class VirtualRecording
             robot, new StopwatchHeadsetClock());
         session.Clock.Judged += (in SyncExchange e, SyncVerdict _, SyncExchangeFault _) =>
             result.Exchanges.Add(FormattableString.Invariant($"{e.T1.Nanoseconds},{e.T2.Nanoseconds},{e.T3.Nanoseconds},{e.T4.Nanoseconds}"));
-        if (hasWork) session.Signals.Need();
         using (var recorder = new SessionRecorder(session, new RecordingSettings(path)))
         {
             for (var i = 0; i < seconds * 60; i++)

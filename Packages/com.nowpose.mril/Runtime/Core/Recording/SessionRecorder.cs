@@ -40,6 +40,9 @@ namespace Nowpose.Recording
         long _dropsWritten;
 
         /// <summary>Starts recording at once. The file does not contain earlier events of the session.</summary>
+        /// <remarks>
+        /// The session receives the cell's signals from now on, even if nothing shows them. Call this constructor on the thread of the frame loop.
+        /// </remarks>
         public SessionRecorder(CompensationSession session, RecordingSettings settings)
         {
             _session = session ?? throw new ArgumentNullException(nameof(session));
@@ -91,6 +94,7 @@ namespace Nowpose.Recording
             ListenToRobots();
             _session.Frames.Judged += OnPose;
             _session.Signals.Judged += OnSignal;
+            _session.Signals.Need();
             _session.Restarted += OnRestarted;
             _session.Ticked += OnFrame;
         }
