@@ -1,6 +1,9 @@
 using System.Text;
+using Nowpose.Frames;
 using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Security;
 using Nowpose.Kinematics;
 using Nowpose.Latency;
@@ -15,12 +18,13 @@ namespace Nowpose.Headless.Tests.Fuzz;
 [NonParallelizable] // measures the memory of the whole process
 public class ReaderFuzzTests
 {
-    const int Messages = 400_000, Bytes = 100_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,
-        Configurations = 20_000, Pairings = 9_000, Tokens = 1_000;
+    const int Messages = 380_000, Bytes = 100_000, Frames = 300_000, Exchanges = 100_000, Codes = 30_000, Robots = 20_000, Profiles = 20_000,
+        Configurations = 20_000, Pairings = 9_000, Tokens = 1_000, StationaryPoses = 10_000, Bodies = 10_000;
 
     [Test]
     public void FuzzRuns_AllReaders_HaveAMillionInputs() =>
-        Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens, Is.EqualTo(1_000_000));
+        Assert.That(Messages + Bytes + Frames + Exchanges + Codes + Robots + Profiles + Configurations + Pairings + Tokens + StationaryPoses
+            + Bodies, Is.EqualTo(1_000_000));
 
     [Test]
     public void TryRead_DamagedMessages_AcceptsOnlyValidMessages()
@@ -129,9 +133,7 @@ public class ReaderFuzzTests
 
         Refused("token files", 7, Tokens, Seeds.Tokens, text =>
         {
-            var path = Path.Combine(folder.Path, Environment.CurrentManagedThreadId + ".txt");
-            File.WriteAllBytes(path, Encoding.UTF8.GetBytes(text));
-            TokenList.Read(path);
+            TokenList.Read(FileOf(folder, ".txt", text));
         }, secrets: ["4f5a6b7c8d9e", "0123456789abcdef", "s3cret-operator"]);
     }
 
@@ -150,6 +152,47 @@ public class ReaderFuzzTests
             }
             return taken;
         });
+    }
+
+    [Test]
+    public void StationaryFrames_DamagedFile_IsRejectedOrFinite()
+    {
+        using var folder = new TemporaryFolder();
+
+        Refused("stationary frames", 12, StationaryPoses, [Seeds.StationaryFrames], text =>
+        {
+            var message = StationaryFrames.Load(FileOf(folder, ".json", text));
+            for (var i = 0; i < message.Count; i++)
+                foreach (var number in message[i].ToPose().ToRowMajor16()) MessageRules.Finite(number);
+        });
+    }
+
+    [Test]
+    public void BodyRecording_DamagedFile_IsRejectedOrHasUnitQuaternionsAndIncreasingTimes()
+    {
+        using var folder = new TemporaryFolder();
+
+        Refused("recordings of bodies", 13, Bodies, [Seeds.Body], text =>
+        {
+            var recording = MotionRecording.Read(FileOf(folder, ".csv", text));
+            for (var row = 1; row < recording.Times.Count; row++)
+                if (!(recording.Times[row] > recording.Times[row - 1])) throw new FuzzException("times do not increase");
+            var positions = Enumerable.Range(0, recording.Names.Count).Select(recording.PositionsOf).ToArray();
+            foreach (var column in positions)
+                foreach (var number in column) MessageRules.Finite(number);
+            if (!recording.IsBody) return;
+            for (var row = 0; row < recording.Times.Count; row++)
+                if (!UnitQuaternion.TryNormalise(positions[3][row], positions[4][row], positions[5][row], positions[6][row], out _))
+                    throw new FuzzException("a quaternion is not a unit quaternion");
+        });
+    }
+
+    // Each thread writes a file of its own.
+    static string FileOf(TemporaryFolder folder, string extension, string text)
+    {
+        var path = Path.Combine(folder.Path, Environment.CurrentManagedThreadId + extension);
+        File.WriteAllBytes(path, Encoding.UTF8.GetBytes(text));
+        return path;
     }
 
     // Invalid input must cause an InputException whose message is a single line.

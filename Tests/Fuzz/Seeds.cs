@@ -79,6 +79,34 @@ static class Seeds
         """,
     ];
 
+    public const string StationaryFrames = """
+        {
+          "transforms": [
+            {
+              "header": { "stamp": { "sec": 0, "nanosec": 0 }, "frame_id": "world" },
+              "child_frame_id": "conveyor",
+              "transform": {
+                "translation": { "x": 0.5, "y": -0.001, "z": 0 },
+                "rotation": { "x": 0, "y": 0, "z": 0.6, "w": 0.8 }
+              }
+            },
+            {
+              "header": { "stamp": { "sec": 0, "nanosec": 0 }, "frame_id": "conveyor" },
+              "child_frame_id": "fixture",
+              "transform": {
+                "translation": { "x": 1e-3, "y": 2, "z": -0.25 },
+                "rotation": { "x": 0, "y": 0, "z": 0, "w": -1.0005 }
+              }
+            }
+          ]
+        }
+
+        """;
+
+    public const string Body =
+        "t_s,x,y,z,qx,qy,qz,qw\n0,0.5,-0.25,1,0,0,0,1\n0.01,0.501,-0.25,1,0,0,0.6,0.8\n0.02,5.02e-1,-0.25,1,0,0,-0.6,-0.8\n"
+        + "\n1700000000.03, 0.503 ,-0.25,1,0.5,0.5,0.5,0.5\n";
+
     public static readonly string Profile = LatencyProfileJson.Write(new LatencyProfile(
         40.2, 1.1, "HoloLens 2", 60, new DateTime(2026, 3, 1, 0, 0, 0, DateTimeKind.Utc), CalibrationMethod.Sine, 300, 15, RenderTimeSourceKind.DisplayGpuTime, 15));
 }
