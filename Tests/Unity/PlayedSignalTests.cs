@@ -150,6 +150,33 @@ public class PlayedSignalTests : PlayedParts
         Assert.That(words.text, Is.EqualTo(expected));
     }
 
+    [TestCase("", "width")]
+    [TestCase("Open", "Open")]
+    public void Signal_MethodsWithANameAssigned_ReceiveTheParameterAndTheValue(string parameter, string expected)
+    {
+        var animator = Below<ParameterDouble>("animator", _session.transform);
+        var (onState, onValue, onInteger) = (new UnityEvent<string, bool>(), new UnityEvent<string, float>(), new UnityEvent<string, int>());
+        onState.Persistent.Add(PersistentCall.Of(animator, nameof(ParameterDouble.SetBool), PersistentListenerMode.EventDefined, null));
+        onValue.Persistent.Add(PersistentCall.Of(animator, nameof(ParameterDouble.SetFloat), PersistentListenerMode.EventDefined, null));
+        onInteger.Persistent.Add(PersistentCall.Of(animator, nameof(ParameterDouble.SetInteger), PersistentListenerMode.EventDefined, null));
+        Below<CellSignal>("width", _session.transform)
+            .With("_parameter", parameter).With("_onNamedState", onState).With("_onNamedValue", onValue).With("_onNamedInteger", onInteger);
+        Run(1);
+
+        SendSignal("width", _cell.Now - 1, 0.25);
+        Run(0.5);
+        SendSignal("width", _cell.Now - 0.1, 2.75);
+        Run(0.5);
+        SendSignal("width", _cell.Now - 0.1, 1e300);
+        Run(0.5);
+
+        Assert.That(animator.Calls, Is.EqualTo(new[]
+        {
+            expected + " False", expected + " 0.25", expected + " 0", expected + " True", expected + " 2.75", expected + " 3",
+            expected + " Infinity", expected + " 2147483647",
+        }));
+    }
+
     [Test]
     public void Signal_NoGateway_FaultNamesTheMissingGateway()
     {

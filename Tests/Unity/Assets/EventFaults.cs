@@ -17,14 +17,14 @@ static class EventFaults
     /// <summary>Checks the persistent calls of an event.</summary>
     /// <returns>One line for each call that would fail.</returns>
     public static IEnumerable<string> Of(UnityEventBase happened) =>
-        happened.Persistent.Calls.Select(call => FaultOf(call, happened.ArgumentType)).Where(fault => fault != null);
+        happened.Persistent.Calls.Select(call => FaultOf(call, happened.ArgumentTypes)).Where(fault => fault != null);
 
-    static string FaultOf(PersistentCall call, Type argument)
+    static string FaultOf(PersistentCall call, Type[] arguments)
     {
         if (call.Target == null) return "calls " + call.MethodName + " of nothing";
         var type = call.Target.GetType();
         if (!Names(type).Contains(call.TargetTypeName)) return $"calls a {call.TargetTypeName}, but its target is a {type.FullName}";
-        var method = call.Method(argument);
+        var method = call.Method(arguments);
         if (method == null) return $"calls {type.Name}.{call.MethodName}, which does not exist with an argument of mode {call.Mode}";
         return method.IsPublic && !method.IsStatic ? null : $"calls {type.Name}.{call.MethodName}, which is not public";
     }

@@ -40,23 +40,23 @@ sealed class PersistentCall
     }
 
     /// <summary>Invokes the method. The mode determines whether the argument is the serialised argument or the argument of the event.</summary>
-    /// <param name="eventType">Type of the event's argument; null if it has none.</param>
-    internal void Invoke(Type eventType = null, object eventArgument = null)
+    /// <param name="eventTypes">Types of the event's arguments.</param>
+    /// <param name="eventArguments">The event's arguments.</param>
+    internal void Invoke(Type[] eventTypes, params object[] eventArguments)
     {
         if (_state == UnityEventCallState.Off || (_state == UnityEventCallState.RuntimeOnly && !Application.isPlaying)) return;
         if (_target == null || _method.Length == 0) return;
 
-        var method = Method(eventType);
+        var method = Method(eventTypes);
         if (method == null)
         {
             Debug.LogError($"The event calls {_target.GetType().Name}.{_method}, which does not exist with such an argument.", _target);
             return;
         }
 
-        var arguments = ArgumentType(eventType) == null ? null : new[] { KeepsArgument ? _arguments.ValueFor(_mode) : eventArgument };
         try
         {
-            method.Invoke(_target, arguments);
+            method.Invoke(_target, KeepsArgument ? new[] { _arguments.ValueFor(_mode) } : ArgumentTypes(eventTypes).Length == 0 ? null : eventArguments);
         }
         catch (TargetInvocationException e)
         {
@@ -67,18 +67,17 @@ sealed class PersistentCall
 
     bool KeepsArgument => _mode != PersistentListenerMode.EventDefined && _mode != PersistentListenerMode.Void;
 
-    Type ArgumentType(Type eventType)
+    Type[] ArgumentTypes(Type[] eventTypes)
     {
-        if (_mode == PersistentListenerMode.EventDefined) return eventType;
-        return KeepsArgument ? _arguments.TypeFor(_mode) : null;
+        if (_mode == PersistentListenerMode.EventDefined) return eventTypes;
+        return KeepsArgument ? new[] { _arguments.TypeFor(_mode) } : Type.EmptyTypes;
     }
 
-    /// <summary>Returns the method; null if the target has no method with this name and argument.</summary>
-    /// <param name="eventType">Type of the event's argument; null if it has none.</param>
-    internal MethodInfo Method(Type eventType = null)
+    /// <summary>Returns the method; null if the target has no method with this name and these arguments.</summary>
+    /// <param name="eventTypes">Types of the event's arguments.</param>
+    internal MethodInfo Method(Type[] eventTypes)
     {
-        var argument = ArgumentType(eventType);
-        var types = argument == null ? Type.EmptyTypes : new[] { argument };
+        var types = ArgumentTypes(eventTypes);
         for (var type = _target.GetType(); type != null && type != typeof(object); type = type.BaseType)
         {
             var method = type.GetMethod(_method, Any, null, types, null);

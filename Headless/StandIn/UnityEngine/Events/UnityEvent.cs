@@ -15,7 +15,7 @@ public class UnityEvent : UnityEventBase
     public void Invoke()
     {
         // Iterates by index, because a listener may change the list.
-        for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke();
+        for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke(Type.EmptyTypes);
         _listeners?.Invoke();
     }
 }

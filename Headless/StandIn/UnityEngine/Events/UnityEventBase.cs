@@ -10,8 +10,8 @@ public abstract class UnityEventBase : ISerializationCallbackReceiver
 
     internal PersistentCallGroup Persistent => _persistent;
 
-    /// <summary>Type of the event's argument; null if the event has none.</summary>
-    internal virtual Type ArgumentType => null;
+    /// <summary>Types of the event's arguments.</summary>
+    internal virtual Type[] ArgumentTypes => Type.EmptyTypes;
 
     public int GetPersistentEventCount() => _persistent.Calls.Count;
     public Object GetPersistentTarget(int index) => _persistent.Calls[index].Target;

@@ -5,6 +5,7 @@ namespace UnityEngine.Events;
 [Serializable]
 public class UnityEvent<T0> : UnityEventBase
 {
+    static readonly Type[] Types = { typeof(T0) };
     UnityAction<T0> _listeners;
 
     public void AddListener(UnityAction<T0> call) => _listeners += call;
@@ -18,9 +19,9 @@ public class UnityEvent<T0> : UnityEventBase
     public void Invoke(T0 arg0)
     {
         // Iterates by index, because a listener may change the list.
-        for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke(typeof(T0), arg0);
+        for (var i = 0; i < Persistent.Calls.Count; i++) Persistent.Calls[i].Invoke(Types, arg0);
         _listeners?.Invoke(arg0);
     }
 
-    internal override Type ArgumentType => typeof(T0);
+    internal override Type[] ArgumentTypes => Types;
 }

@@ -13,7 +13,8 @@ namespace Nowpose.Unity
     /// <remarks>
     /// A Boolean has the value 0 or 1. The events report the first known value and then each change exactly once, in order, even if several changes
     /// become visible in the same frame. Assign any method with one parameter, such as <c>GameObject.SetActive</c>, <c>Animator.SetTrigger</c> or
-    /// <c>TextMesh.text</c>.
+    /// <c>TextMesh.text</c>. Methods with the name of a parameter and its value, such as <c>Animator.SetBool</c> and <c>Animator.SetFloat</c>, have
+    /// events of their own.
     /// </remarks>
     [AddComponentMenu("Nowpose/Signal")]
     public sealed class CellSignal : MonoBehaviour
@@ -41,6 +42,19 @@ namespace Nowpose.Unity
 
         [SerializeField, Tooltip("Number format of On Text, as in .NET: 0.0 with one decimal, 0.0 mm with a unit, on;;off for a Boolean.")]
         string _textFormat = "0.###";
+
+        [SerializeField, Tooltip("Name that the following events pass with the value, such as the name of an Animator's parameter. Empty: the name "
+            + "of the signal.")]
+        string _parameter = "";
+
+        [SerializeField, Tooltip("Raised with Parameter and true or false when a Boolean changes, for example for Animator.SetBool.")]
+        UnityEvent<string, bool> _onNamedState = new UnityEvent<string, bool>();
+
+        [SerializeField, Tooltip("Raised with Parameter and each new value, for example for Animator.SetFloat.")]
+        UnityEvent<string, float> _onNamedValue = new UnityEvent<string, float>();
+
+        [SerializeField, Tooltip("Raised with Parameter and each new value rounded to an integer, for example for Animator.SetInteger.")]
+        UnityEvent<string, int> _onNamedInteger = new UnityEvent<string, int>();
 
         SignalFollower _follower;
         bool? _isOn;
@@ -81,12 +95,20 @@ namespace Nowpose.Unity
                 _isOn = isOn;
                 (isOn ? _onTrue : _onFalse).Invoke();
                 _onState.Invoke(isOn);
+                _onNamedState.Invoke(Parameter, isOn);
             }
             _onValue.Invoke((float)value);
+            _onNamedValue.Invoke(Parameter, (float)value);
+            _onNamedInteger.Invoke(Parameter, ToInteger(value));
             // Formats the text only if there are listeners, because formatting allocates.
             if (_onText.GetPersistentEventCount() > 0) _onText.Invoke(Text(value));
             Changed?.Invoke(value);
         }
+
+        string Parameter => string.IsNullOrEmpty(_parameter) ? Signal : _parameter;
+
+        // A value beyond the range of an integer becomes the nearest integer.
+        static int ToInteger(double value) => (int)Math.Round(Math.Min(Math.Max(value, int.MinValue), int.MaxValue));
 
         string Text(double value)
         {
